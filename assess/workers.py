@@ -1,4 +1,4 @@
-"""Processes that work for this one, and end with it however it ends."""
+"""Worker processes, which end with this process however it ends."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from assess.outputs.signals import ENDING
 
 
 def end_with_parent() -> None:
-    """Let this process end as soon as the one that started it has ended, even if that was killed."""
+    """Let this process end as soon as its parent has ended, even if that was killed."""
     threading.Thread(target=_wait_for_parent, daemon=True, name="parent").start()
 
 
@@ -28,7 +28,7 @@ def _wait_for_parent() -> None:
 
 
 def become_worker(keep: Callable[..., None] | None = None, *arguments: Any) -> None:
-    """Begin as a worker: signals are the parent's to hear, which ends its workers; `keep` is called with the rest."""
+    """Start as a worker: leave signals to the parent, which ends its workers, and call `keep` with the arguments."""
     for number in ENDING:
         signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else signal.SIG_DFL)
     hear_signals()
@@ -38,7 +38,7 @@ def become_worker(keep: Callable[..., None] | None = None, *arguments: Any) -> N
 
 
 class SpawnedPool(ProcessPoolExecutor):
-    """Fresh processes, which import what they need; they start when they are given something to do."""
+    """Spawned processes, which import what they need; they start with the first task."""
 
     def __init__(self, number: int) -> None:
         super().__init__(number, mp_context=get_context("spawn"), initializer=become_worker)
@@ -71,7 +71,7 @@ def process_pool(jobs: int | None) -> Iterator[Executor | None]:
 
 @contextmanager
 def end_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
-    """Shut the pool down after the block; at once, whatever it is doing, where the block raises."""
+    """Shut the pool down after the block; at once if the block raises, whatever it is doing."""
     try:
         yield
     except BaseException:
@@ -85,7 +85,7 @@ def end_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
 
 @contextmanager
 def _silence_broken_pools() -> Iterator[None]:
-    """Let a pool whose workers are ended say nothing of futures that were cancelled a moment before."""
+    """Keep a pool whose workers are terminated from reporting futures that were just cancelled."""
     before = threading.excepthook
     threading.excepthook = lambda seen: None if seen.exc_type is InvalidStateError else before(seen)
     try:
@@ -96,9 +96,9 @@ def _silence_broken_pools() -> Iterator[None]:
 
 @contextmanager
 def hold_signals() -> Iterator[None]:
-    """Start processes in the block, which are deaf to signals until they call `hear_signals`; here they come after it.
+    """Block signals within the block, so that processes started there ignore them until they call `hear_signals`.
 
-    A process that is just beginning would tell of them in its own way.
+    Here signals arrive after the block. A process that is just starting would print a traceback of its own.
     """
     if sys.platform == "win32" or threading.current_thread() is not threading.main_thread():
         yield
@@ -112,6 +112,6 @@ def hold_signals() -> Iterator[None]:
 
 
 def hear_signals() -> None:
-    """Let signals through to a process that was started while they were held back."""
+    """Unblock signals in a process that was started while they were blocked."""
     if sys.platform != "win32":
         signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING)

@@ -31,7 +31,7 @@ class Column:
 
     @property
     def heading(self) -> str:
-        """Label and unit, as they stand above the column."""
+        """Label and unit, as shown above the column."""
         return f"{self.label} [{self.unit}]" if self.unit else self.label
 
 
@@ -58,7 +58,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Table:
-    """A table of raw values. name: unique, safe as a file name; muted: rows that inform and decide nothing."""
+    """A table of raw values. name: unique, safe as a file name; muted: rows for information only."""
 
     name: str
     caption: str
@@ -118,7 +118,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Line:
-    """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out.
+    """One step of a calculation: symbol, clause, formula, formula with numbers, result.
 
     value : a number, or in words where that is all that is known: "≥ 2475"
     beside : the value in another unit, and that unit
@@ -152,7 +152,7 @@ class Signatures:
 
 @dataclass(frozen=True)
 class Banner:
-    """The outcome at a glance. near: whether it lies at the limit; headline: what it means, in one sentence."""
+    """The outcome at a glance. near: whether it is at the limit; headline: its meaning in one sentence."""
 
     verdict: Literal["pass", "fail", "incomplete"]
     headline: str
@@ -170,13 +170,13 @@ Block = Text | Items | Code | Table | Figure | Sheet | Signatures | Banner
 
 
 def nonempty(table: Table) -> list[Block]:
-    """The table as blocks: none where it has no rows."""
+    """Return the table as blocks: none where it has no rows."""
     return [table] if table.rows else []
 
 
 @dataclass(frozen=True)
 class Section:
-    """A heading and what stands under it. level: 0 for a chapter, 1 for its parts."""
+    """A heading and the blocks under it. level: 0 for a chapter, 1 for its parts."""
 
     title: str
     level: int
@@ -192,7 +192,7 @@ class Document:
     """A report.
 
     facts : (label, text) pairs of the title block
-    sections : in order; the contents stand after the opening section
+    sections : in order; the contents come after the opening section
     data : tables too long to print, for the spreadsheet and the CSV files only
     program : name and version of the program that made it; stamp : of the results that it tells, "" for none
     paper : "A4" or "letter"
@@ -218,11 +218,11 @@ class Document:
 
     @property
     def origin(self) -> str:
-        """Where it comes from: the program, and the stamp of the results."""
+        """The program, and the stamp of the results."""
         return f"{self.program}, {STAMP} {self.stamp}" if self.stamp else self.program
 
     def translate(self, text: str) -> str:
-        """A word of a renderer in the language of the document."""
+        """Return a word of a renderer in the language of the document."""
         return self.words.get(text, text)
 
     @property
@@ -247,7 +247,7 @@ class Document:
 
     @property
     def titles(self) -> dict[tuple[str, str], str]:
-        """What figures, tables and sheets are called: (kind, name) -> "Figure 1", counted as they come."""
+        """The titles of figures, tables and sheets, counted as they come: (kind, name) -> "Figure 1"."""
         count: Counter[str] = Counter()
         titles = {}
         for block in self.blocks:

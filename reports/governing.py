@@ -1,4 +1,4 @@
-"""Which of many results is shown where one stands for them: the worst check of a procedure, the worst history."""
+"""The results that represent many others: the worst check of a procedure, the worst history."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ SILENT = (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
 
 
 def is_overturned(check: Check) -> bool:
-    """Whether the check failed because the body overturned."""
+    """Return whether the check failed because the body overturned."""
     return check.unbounded == "overturned"
 
 
 def severity(check: Check) -> float:
-    """Demand over allowable [-]: infinite where there is no finite demand, negative where nothing was answered."""
+    """Return demand over allowable [-]: infinite without a finite demand, negative without an answer."""
     if check.verdict in SILENT:
         return -1.0
     if check.ratio is not None:
@@ -29,58 +29,58 @@ def severity(check: Check) -> float:
 
 
 def worst(checks: tuple[Check, ...]) -> Check | None:
-    """The failing check with the largest severity, else the passing one; of equals the lowest level."""
+    """Return the failing check with the largest severity, else the passing one; of equals the lowest level."""
     ranked = sorted(checks, key=lambda check: (check.verdict != Outcome.FAIL, -severity(check), check.level_pga_g))
     return ranked[0] if ranked else None
 
 
 def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """The checks by the letter of a code: no readings of the thesis, none that only inform."""
+    """Return the checks by the letter of a code: no readings of the thesis, none that only inform."""
     return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
 
 def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
-    """The checks at one level [g]."""
+    """Return the checks at one level [g]."""
     return tuple(check for check in checks if isclose(check.level_pga_g, level_pga_g, rel_tol=SAME))
 
 
 def site_pga(results: Results) -> float | None:
-    """The site's own peak ground acceleration [g], at which the verdict stands; None without a verdict."""
+    """Return the site's own peak ground acceleration [g], that of the verdict; None without a verdict."""
     return None if results.verdict is None else results.verdict.action.pga_g
 
 
 def at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
-    """The checks of a mechanism at the site's own action; all of them without a verdict."""
+    """Return the checks of a mechanism at the site's own action; all of them without a verdict."""
     own = site_pga(results)
     return mechanism.checks if own is None else at_level(mechanism.checks, own)
 
 
 def other_levels(results: Results) -> tuple[float, ...]:
-    """The levels of the study besides the site's own [g], rising."""
+    """Return the levels of the study besides the site's own [g], rising."""
     own, every = site_pga(results), (check for mechanism in results.mechanisms for check in mechanism.checks)
     return tuple(x for x in levels(tuple(every)) if own is None or not isclose(x, own, rel_tol=SAME))
 
 
 def levels(checks: tuple[Check, ...]) -> tuple[float, ...]:
-    """The levels of the checks [g], rising."""
+    """Return the levels of the checks [g], rising."""
     return tuple(sorted({check.level_pga_g for check in checks}))
 
 
 def worst_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """For each procedure and limit state the worst check, in order of appearance."""
+    """Return the worst check of each procedure and limit state, in order of appearance."""
     keys = dict.fromkeys((check.procedure, check.limit_state) for check in checks)
     groups = (tuple(c for c in checks if (c.procedure, c.limit_state) == key) for key in keys)
     return tuple(check for check in map(worst, groups) if check is not None)
 
 
 def procedure_label(check: Check, among: tuple[Check, ...]) -> str:
-    """The procedure of a check, with its limit state where `among` has others of the same procedure."""
+    """Return the procedure of a check, with its limit state where `among` has several of the same procedure."""
     states = {other.limit_state for other in among if other.procedure == check.procedure}
     return f"{check.procedure} {check.limit_state}".strip() if len(states) > 1 else check.procedure
 
 
 def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
-    """The worst history with a trace: overturned before standing, then the largest rotation; None without traces."""
+    """Return the worst history with a trace: overturned first, then the largest rotation; None without traces."""
     traced = [(history, history.trace) for history in mechanism.histories if history.trace is not None]
     if not traced:
         return None
@@ -88,27 +88,27 @@ def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
 
 
 def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
-    """Allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
+    """Return the allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
     checks = at_level(mechanism.checks, level_pga_g)
     found = (check.capacity_rotation_ratio for check in checks if uses_histories(check.procedure))
     return next((ratio for ratio in found if ratio is not None), None)
 
 
 def check_of(results: Results, row: ComparisonRow) -> Check | None:
-    """The worst check behind a row of the comparison."""
+    """Return the worst check behind a row of the comparison."""
     mechanism = next((m for m in results.mechanisms if m.name == row.mechanism), None)
     checks = () if mechanism is None else at_level(mechanism.checks, row.level_pga_g)
     return worst(tuple(check for check in checks if check.procedure == row.procedure))
 
 
 def overturned_rows(results: Results) -> frozenset[ComparisonRow]:
-    """The rows of the comparison where the body overturned."""
+    """Return the rows of the comparison in which the body overturned."""
     pairs = ((row, check_of(results, row)) for row in results.comparison)
     return frozenset(row for row, check in pairs if check is not None and is_overturned(check))
 
 
 def rows_to_draw(results: Results) -> tuple[ComparisonRow, ...]:
-    """The rows of the comparison, those whose demand lies beyond the end of the spectrum with an infinite one."""
+    """Return the rows of the comparison; a demand beyond the end of the spectrum is infinite."""
     pairs = ((row, check_of(results, row)) for row in results.comparison)
     beyond = [check is not None and check.unbounded == "beyond the spectrum" for _, check in pairs]
     return tuple(
@@ -117,13 +117,13 @@ def rows_to_draw(results: Results) -> tuple[ComparisonRow, ...]:
 
 
 def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """The checks of each procedure but those of damage, where it has others: SLD comes before collapse."""
+    """Return the checks without those of damage (SLD), which comes before collapse, where a procedure has others."""
     ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
     return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)
 
 
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
-    """The least PGA at capacity of each procedure that knows one [g], of its limit states of collapse."""
+    """Return the least PGA at capacity [g] of each procedure that knows one, of its limit states of collapse."""
     found: dict[str, float] = {}
     for check in collapse_checks(checks):
         if check.capacity_pga_g is not None:
@@ -132,6 +132,6 @@ def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
 
 
 def group_by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]]:
-    """The checks of each procedure, in order of appearance."""
+    """Group the checks by procedure, in order of appearance."""
     names = dict.fromkeys(check.procedure for check in checks)
     return {name: tuple(check for check in checks if check.procedure == name) for name in names}

@@ -1,4 +1,4 @@
-"""The joints of a mechanism as the results hold them: which there are, and what one carries at a rotation."""
+"""The joints of a mechanism in the results: their models, and what one carries at a rotation."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from assess.results import HistoryResult, MechanismResult
 
 
 def deformable_joints(mechanism: MechanismResult) -> list[dict[str, Any]]:
-    """The joints of both branches that open or crush; none where all are rigid."""
+    """Return the joints of both branches that open or crush; none where all are rigid."""
     return [interface for interface in mechanism.interfaces if interface["curve"] is not None]
 
 
 def joints_of_branch(mechanism: MechanismResult, branch: BranchName) -> list[dict[str, Any]]:
-    """The joints of one branch that open or crush: the hinges of the positive branch stand first."""
+    """Return the joints of one branch that open or crush: the hinges of the positive branch come first."""
     first = len(mechanism.drawing.displaced.hinges)
     part = mechanism.interfaces[first:] if branch == "negative" else mechanism.interfaces[:first]
     return [interface for interface in part if interface["curve"] is not None]
 
 
 def model_name(mechanism: MechanismResult) -> str:
-    """What its joints are, in a word or two."""
+    """Return the models of its joints in a word or two."""
     models = dict.fromkeys(interface["model"] for interface in deformable_joints(mechanism))
     names = {"rigid": "rigid with crushing"}
     return ", ".join(names.get(each, each) for each in models) or "rigid"
 
 
 def peak_rotation(mechanism: MechanismResult, history: HistoryResult) -> float:
-    """The largest rotation of a history where the curves of the joints have it: counted from the upright state [rad].
+    """Return the largest rotation of a history [rad], counted from upright as in the curves of the joints.
 
     The history itself counts from rest, which under an eccentric load is not upright.
     """
@@ -40,9 +40,9 @@ def peak_rotation(mechanism: MechanismResult, history: HistoryResult) -> float:
 
 
 def event_rotation(interface: dict[str, Any], key: str) -> float | None:
-    """Rotation of the mechanism at which a joint opens or crushes, by "opening_rad" or "crushing_rad" [rad].
+    """Return the rotation of the mechanism [rad] at which a joint opens ("opening_rad") or crushes ("crushing_rad").
 
-    None where it never does, where it does from the start, and where that lies beyond its curve.
+    None where it never does, where it does from the start, and where that is beyond its curve.
     """
     own, of_mechanism = (interface["curve"][name] for name in ("rotation_rad", "mechanism_rotation_rad"))
     at = interface[key]
@@ -50,7 +50,7 @@ def event_rotation(interface: dict[str, Any], key: str) -> float | None:
 
 
 def values_at(interface: dict[str, Any], rotation: float) -> tuple[float, float, float, float]:
-    """Peak stress [Pa], resultant [m], open and crushed share [-] of a joint at a rotation of the mechanism [rad]."""
+    """Return peak stress [Pa], resultant [m], open and crushed share [-] of a joint at a rotation [rad]."""
     curve = interface["curve"]
     keys = ("peak_stress_pa", "resultant_m", "open_share", "crushed_share")
     stress, resultant, opened, crushed = (

@@ -1,4 +1,4 @@
-"""A document as its project asks for it."""
+"""A document in the units and the language of its project."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from reports.language.us_units import in_us_units
 
 
 def localise(document: Document) -> Document:
-    """The document in the units and the language that it is to be written in.
+    """Return the document in the units and the language that it is to be written in.
 
-    Tables tell their units by their English headings: so tables first, then the language, then the numbers in
-    sentences and figures.
+    Units of tables are recognised by their English headings: so tables come first, then the language, then the
+    numbers in sentences and figures.
     """
     if document.units == "SI":
         return in_units(translate_document(document), "SI")

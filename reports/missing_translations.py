@@ -11,7 +11,7 @@ from reports.language.us_units import in_us_units
 
 
 def missing_sentences(results: Results, *, language: str) -> tuple[str, ...]:
-    """The sentences and parts of sentences of both reports, figures drawn, that the catalogue does not know."""
+    """Return the sentences and parts of sentences of both reports, figures drawn, that the catalogue lacks."""
     found: dict[str, None] = {}
     whole = assessment(results)
     for document in (whole, in_us_units(whole), envelope_report(results)):

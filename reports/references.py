@@ -13,7 +13,7 @@ _MARK = re.compile(f"{_OPEN}([A-Za-z]+):([^{_CLOSE}]+){_CLOSE}")
 
 
 def reference(kind: Literal["Figure", "Table", "Sheet"], name: str) -> str:
-    """Return a mark for the title of a block, "Figure 5", to stand in a paragraph until the document is whole."""
+    """Return a mark for the title of a block, "Figure 5", kept in a paragraph until the document is whole."""
     return f"{_OPEN}{kind}:{name}{_CLOSE}"
 
 

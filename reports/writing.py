@@ -35,10 +35,19 @@ def write_all(
 ) -> Path:
     """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`.
 
-    language : of the report; that of the project if None
-    figures : in which forms they are written
+    Parameters
+    ----------
+    results : of a run
+    folder : an empty one
+    language : of the report, "en" or "it"; that of the project if None
+    figures : forms in which they are written
     jobs : processes to use, 0 for as many as there are cores; the files are the same
-    Returns the path of the PDF.
+    progress : called with the name of each stage as it begins
+
+    Returns
+    -------
+    Path
+        of the PDF
     """
     document = assessment(results)
     document = replace(document, language=language or document.language)
@@ -54,20 +63,35 @@ def write_document(
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write a document in its units and language into the empty `folder` in every form; the path of its PDF, `name`."""
-    document, say = localise(document), progress or (lambda _: None)
-    for name_of_folder in ("tables", "figures"):
-        (folder / name_of_folder).mkdir(exist_ok=True)
+    """Write a document in its units and language into the empty `folder` in every form.
+
+    Parameters
+    ----------
+    document : in English and SI
+    folder : an empty one
+    name : of the PDF
+    figures : forms in which they are written
+    jobs : processes to use, 0 for as many as there are cores; the files are the same
+    progress : called with the name of each stage as it begins
+
+    Returns
+    -------
+    Path
+        of the PDF
+    """
+    document, report_stage = localise(document), progress or (lambda _: None)
+    for part in ("tables", "figures"):
+        (folder / part).mkdir(exist_ok=True)
     with processes(jobs or os.cpu_count() or 1, document) as pool:
-        say("figures")
+        report_stage("figures")
         drawings = trace_figures(document, pool=pool)
         tables = pool.submit(_write_tables, folder)
-        say("report")
+        report_stage("report")
         path = write_pdf(document, folder / name, drawings=drawings)
         pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
         _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.origin)
         write_html(document, path.with_suffix(".html"), pictures=pictures)
-        say("tables")
+        report_stage("tables")
         tables.result()
     return path
 

@@ -27,7 +27,7 @@ CHAIN = (
     "proportion to the acceleration"
 )
 BALANCE, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
-HELD = "; the top of a wall is taken as held, the sheet says with what"
+HELD = "; the top of a wall is taken as held; the sheet gives the force needed"
 
 
 def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
@@ -175,10 +175,12 @@ def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float 
 def _held_steps(top: HingeForces) -> tuple[Step, ...]:
     """Write the force on the support at the top of a wall, and the friction it needs without an anchorage."""
     N, name = top.starting.normal, top.hinge
-    said = "friction it would need without an anchorage; none where nothing stands on the top"
+    said = "friction needed without an anchorage; none where nothing rests on the top"
     friction = _friction_step(f"μ_{name}", said, top) if N > 0.0 else step(f"μ_{name}", said, EDITION, "|T| / N", None)
     return (
-        step(f"H_{name}", "of the support at the top, at a_r", EDITION, BALANCE, top.horizontal, "N", remark=TABLE),
+        step(
+            f"H_{name}", "force on the support at the top, at a_r", EDITION, BALANCE, top.horizontal, "N", remark=TABLE
+        ),
         friction,
     )
 

@@ -40,7 +40,7 @@ class Overburden:
 def support(
     body: Solid, *, block: Sequence[Solid], others: Iterable[Solid], tolerance: float = TOLERANCE
 ) -> Support | None:
-    """How a body meets the solids of a block and the other solids; None where it does not touch the block."""
+    """Find how a body meets the solids of a block and the other solids; None if it does not touch the block."""
     met = (find_contact(solid, body, tolerance=tolerance) for solid in block)
     contact = join_contacts([each for each in met if each is not None])
     if contact is None:
@@ -55,7 +55,7 @@ def support(
 
 
 def shares(contacts: Sequence[Contact], *, centroid: FloatArray) -> FloatArray:
-    """The part of a body's weight that goes to each contact [n], their sum 1.
+    """Return the share of a body's weight that goes to each contact [n]; they add up to 1.
 
     The body is rigid and each contact yields in proportion to its area A. With d the place of a contact in plan from
     their common centre, and e that of the body's centroid, equilibrium of weight and of both moments gives
@@ -74,13 +74,13 @@ def shares(contacts: Sequence[Contact], *, centroid: FloatArray) -> FloatArray:
 
 
 def share_of(found: Support, *, centroid: FloatArray) -> float:
-    """The part of a body's weight that goes to the block: 0 where it would have to hold the body down, at most 1."""
+    """Return the share of a body's weight that goes to the block: 0 if it would hold the body down, at most 1."""
     r = shares([found.contact, *found.others.values()], centroid=centroid)
     return float(np.clip(r[0], 0.0, 1.0))
 
 
 def bearing_contacts(found: Support, *, axis: FloatArray | None = None) -> Support:
-    """The same without those of the others that the body only pushes against.
+    """Return the support without the other bodies that the body only pushes against.
 
     axis : along which a vault springs [3]; its faces across that carry it though they are upright
     """
@@ -89,14 +89,14 @@ def bearing_contacts(found: Support, *, axis: FloatArray | None = None) -> Suppo
 
 
 def carries_weight(contact: Contact, *, axis: FloatArray | None) -> bool:
-    """Whether weight goes through a contact: where it bears, or where a vault springs from it along the axis [3]."""
+    """Return whether weight passes through a contact: it bears, or a vault springs from it along the axis [3]."""
     return contact.bearing or (axis is not None and abs(float(contact.normal @ axis)) > ACROSS)
 
 
 def overburden(
     bodies: Sequence[Solid], *, block: Sequence[Solid], others: Sequence[Solid], tolerance: float = TOLERANCE
 ) -> Overburden:
-    """The weight that bodies put on a block, at the centroid of their contacts weighed by what each brings.
+    """Return the weight that bodies put on a block, at the weighted centroid of their contacts.
 
     Raises
     ------
@@ -119,7 +119,7 @@ def overburden(
 
 
 def nearest(body: Solid, *, block: Sequence[Solid]) -> str:
-    """How far a body that does not load the block is from it, and what to do."""
+    """Say how far a body that does not load the block is from it, and what to do."""
     if any((find_contact(body, solid) or _NONE).bearing for solid in block):
         return "the block stands on it, so it is no load of the block; remove it from `loads`"
     distance = min(shortest_distance(solid, body) for solid in block)

@@ -27,7 +27,7 @@ BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or writ
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Where a load stands.
+    """The surroundings of a load.
 
     block : solids of the block that it touches, as cut; others : the project's other solids, as the mechanism cuts them
     fixed : what cuts leave standing; along : unit vector of the motion [3]; where : what an error names
@@ -41,20 +41,20 @@ class Surroundings:
 
 
 @dataclass(frozen=True)
-class FoundLoads:
-    """The loads that bodies bring, and sentences on what is doubtful of them.
+class LoadSet:
+    """The loads that bodies bring, and warnings about them.
 
     follows : of each load, whether its block follows from where it is
     """
 
     loads: tuple[Load, ...]
-    doubts: tuple[str, ...]
+    warnings: tuple[str, ...]
     follows: tuple[bool, ...] = ()
 
 
 @dataclass(frozen=True)
 class Case:
-    """A body as load: its entry, its solid (None for direct values), where it meets what, and its shape as an arch.
+    """A body as a load: its definition, its solid (None without geometry), its contacts, and its shape as an arch.
 
     side : how far from the middle of its span a roof or vault meets the block, over the span, positive with the
         motion [-]
@@ -79,27 +79,27 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Meeting:
-    """Where a body meets the block and others, None where the user says all of it; and what is doubtful."""
+class BlockContact:
+    """Where a body meets the block and others, None if the user states all of it; and warnings."""
 
     found: Support | None
-    doubts: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
-Meet = Callable[[BodyLoad, Solid | None, Surroundings], Meeting]
+FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
 
 
 @dataclass(frozen=True)
 class Part:
-    """The part of a body that the block carries, where that is from, and what is doubtful of it."""
+    """The share of a body that the block carries, its source, and warnings."""
 
     share: float
     source: str
-    doubts: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
-def find_meeting(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
-    """Where a body meets the block and what else carries it, whichever way the motion goes; and what is doubtful.
+def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
+    """Find where a body meets the block and what else carries it, whichever way the motion goes; with warnings.
 
     Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
     """
@@ -108,7 +108,7 @@ def find_meeting(load: BodyLoad, body: Solid | None, around: Surroundings) -> Me
     if found is not None:
         return beside_the_block(found, around=around)
     if body is None or given:
-        return Meeting(None)
+        return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
     why = BELOW_THE_CUT if below else nearest(body, block=around.block)
     raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
@@ -121,19 +121,19 @@ def body_loads(
     body: Solid | None,
     mass: float,
     around: Surroundings,
-    meet: Meet = find_meeting,
-) -> FoundLoads:
-    """The point mass of a body, and the force of its thrust if it has one.
+    find: FindContact = find_block_contact,
+) -> LoadSet:
+    """Return the point mass of a body, and the force of its thrust if it has one.
 
     block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
-    meet : finds where it meets the block
+    find : finds where it meets the block
 
     Raises
     ------
     GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
     """
-    met_by = meet(load, body, around)
-    found = met_by.found
+    meeting = find(load, body, around)
+    found = meeting.found
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
     at = place_of(load, found, along=around.along)
@@ -151,16 +151,16 @@ def body_loads(
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
-    return FoundLoads((carried, *pushed), name_load(load, (*met_by.doubts, *part.doubts)))
+    return LoadSet((carried, *pushed), name_load(load, (*meeting.warnings, *part.warnings)))
 
 
-def name_load(load: BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
-    """Sentences with the name of the load that they are about."""
-    return tuple(f'load "{load.body}": {text}' for text in doubts)
+def name_load(load: BodyLoad, warnings: Iterable[str]) -> tuple[str, ...]:
+    """Put the name of the load in front of each warning."""
+    return tuple(f'load "{load.body}": {text}' for text in warnings)
 
 
 def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
-    """Where the body meets the block and others; None where it does not, or where nothing can tell.
+    """Find where the body meets the block and others; None if it does not, or if that is not known.
 
     given : whether the user says all that follows from it
 
@@ -180,7 +180,7 @@ def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Sur
 
 
 def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
-    """The same without contacts with what a cut parted from the block where both lie at one elevation.
+    """Leave out contacts with what a cut separated from the block, where both lie at one elevation.
 
     There the face that the cut made is as near to the body as the face on which it stands.
     """
@@ -193,21 +193,21 @@ def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance:
     return Support(found.contact, kept)
 
 
-def beside_the_block(found: Support, *, around: Surroundings) -> Meeting:
-    """The contacts without those with bodies that stand where the block does; a sentence for each that overlaps it."""
-    kept, doubts = dict(found.others), list[str]()
+def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
+    """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
+    kept, warnings = dict(found.others), list[str]()
     for other in (solid for solid in around.others if solid.name in found.others):
         part, volume = shared_with(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
-            doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
+            warnings.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
         elif part > OVERLAP:
-            doubts.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
-    return Meeting(Support(found.contact, kept), tuple(doubts))
+            warnings.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
+    return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
 def bearing_of(case: Case) -> tuple[bool, str]:
-    """Whether the block carries the body or is only pushed, and where that is from."""
+    """Return whether the block carries the body or is only pushed, and the source."""
     words = {True: "bears", False: "only pushes"}
     given = case.load.bearing
     if case.found is None:
@@ -219,7 +219,7 @@ def bearing_of(case: Case) -> tuple[bool, str]:
 
 
 def part_of(case: Case, *, bearing: bool) -> Part:
-    """The part of the body that the block carries."""
+    """Return the share of the body that the block carries."""
     carried = None if case.found is None else bearing_contacts(case.found, axis=case.springs)
     statics = None
     if case.body is not None and carried is not None and carried.others:
@@ -228,8 +228,8 @@ def part_of(case: Case, *, bearing: bool) -> Part:
         beside = "" if statics is None else f"; by statics {statics:.3g}"
         return Part(case.load.share, f"share {case.load.share:.3g} (given{beside})")
     if not bearing:
-        doubts = ("nothing in the project carries its weight",) if statics is None else ()
-        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", doubts)
+        warnings = ("nothing in the project carries its weight",) if statics is None else ()
+        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", warnings)
     if statics is None or carried is None:
         return alone(case)
     if statics == 0.0:
@@ -239,16 +239,16 @@ def part_of(case: Case, *, bearing: bool) -> Part:
 
 
 def alone(case: Case) -> Part:
-    """The part of a body that nothing else in the project carries: all, or half where it has another foot."""
+    """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
     nothing = "nothing else in the project carries it"
     if case.arch is not None and case.one_foot:
-        doubt = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
-        return Part(0.5, "share 0.5 (its other foot is not in the project)", (doubt,))
+        warning = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
+        return Part(0.5, "share 0.5 (its other foot is not in the project)", (warning,))
     return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
 
 
 def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
-    """Where the load acts, in the plane of motion [m]."""
+    """Return where the load acts, in the plane of motion [m]."""
     at = load.at
     if at is None:
         assert found is not None  # `met` asks for one of the two
@@ -257,7 +257,7 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
 
 
 def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
-    """A clause where the user's own place stands for that of the contact."""
+    """Say that the load acts at the given place in place of the contact, if it does."""
     if load.at is None:
         return []
     if found is None:
@@ -267,7 +267,7 @@ def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> l
 
 
 def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
-    """How far from the middle of its span a covering meets the block, over the span; positive with the motion."""
+    """Return how far from mid-span a roof or vault meets the block, over the span; positive with the motion."""
     axis, place = along, at[0]
     if found is not None and arch is not None:
         axis, place = arch.axis, float(found.contact.centroid @ arch.axis)
@@ -276,7 +276,7 @@ def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point
 
 
 def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
-    """The thrust of a roof or vault on the block, outwards; V: what it stands on it with [N]."""
+    """Return the thrust of a roof or vault on the block, outwards; V: its vertical reaction there [N]."""
     given = case.load.thrust is not None
     if given and not case.one_foot:
         raise GeometryError(

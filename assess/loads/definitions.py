@@ -121,7 +121,7 @@ class BodyLoad:
 LoadDefinition = MassLoad | ForceLoad | TieLoad | OverburdenLoad | BodyLoad
 
 
-def measured_along(load: LoadDefinition) -> Iterator[str]:
+def direction_keys(load: LoadDefinition) -> Iterator[str]:
     """Name what of a load is measured along the direction of motion: places of two numbers, eccentricities."""
     for field in fields(load):
         value = getattr(load, field.name)

@@ -105,7 +105,7 @@ Load = PointMass | Force | Tie
 
 
 def pull_at_rest(tie: Tie) -> Point:
-    """The force (x, z) [N] of a taut tie before anything moves."""
+    """Return the force (x, z) [N] of a taut tie at rest."""
     if tie.anchor is None:
         along, up = tie.direction or (0.0, 0.0)
         return (tie.tension * along, tie.tension * up)
@@ -115,29 +115,29 @@ def pull_at_rest(tie: Tie) -> Point:
 
 
 def lasts(action: Action) -> bool:
-    """Whether it is shown to be there up to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
+    """Return whether it is shown to last to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
     return action.until == "collapse" and not action.missing
 
 
 def upward(load: Load) -> float:
-    """The vertical force of a load at rest, up [N]."""
+    """Return the vertical force of a load at rest, up [N]."""
     if isinstance(load, PointMass):
         return -g * load.mass * load.bearing
     return (load.force if isinstance(load, Force) else pull_at_rest(load))[1]
 
 
-def mirrored(load: Load) -> Load:
-    """The load as the negative branch sees it."""
-    at = _mirrored(load.at)
+def mirror_load(load: Load) -> Load:
+    """Return the load as the negative branch sees it."""
+    at = _mirror(load.at)
     if isinstance(load, PointMass):
         return replace(load, at=at)
     if isinstance(load, Force):
-        return replace(load, at=at, force=_mirrored(load.force))
+        return replace(load, at=at, force=_mirror(load.force))
     return replace(
         load,
         at=at,
-        direction=None if load.direction is None else _mirrored(load.direction),
-        anchor=None if load.anchor is None else _mirrored(load.anchor),
+        direction=None if load.direction is None else _mirror(load.direction),
+        anchor=None if load.anchor is None else _mirror(load.anchor),
     )
 
 
@@ -145,5 +145,5 @@ def _absent(shown: dict[str, object]) -> tuple[str, ...]:
     return tuple(key for key, value in shown.items() if value is None or value == "")
 
 
-def _mirrored(vector: Point) -> Point:
+def _mirror(vector: Point) -> Point:
     return (-vector[0], vector[1])

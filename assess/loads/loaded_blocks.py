@@ -37,17 +37,17 @@ class Blocks:
 
 @dataclass(frozen=True)
 class Loaded:
-    """The block that a body loads, and the one whose contact with it tells place, share and bearing."""
+    """The block that a body loads, and the one whose contact gives place, share and bearing."""
 
     block: int
     contact: int
 
 
-Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and sentences on what is doubtful
+Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and warnings
 
 
 def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()) -> Found:
-    """The blocks that a body loads: as `block` says, else all that it bears on, or the one that it pushes against.
+    """Find the blocks that a body loads: the given one, else all that it bears on, or the one that it pushes against.
 
     taken : the blocks that `loads` puts it on
 
@@ -66,12 +66,12 @@ def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: C
         return as_given(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
     found = bears if bears and load.bearing is not False else list(contacts)
     if len(found) > 1:
-        refuse_doubtful(load, found, contacts, bears, among=among)
+        refuse_ambiguous(load, found, contacts, bears, among=among)
     return tuple(Loaded(number, number) for number in found), ()
 
 
 def contacts_of(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, Contact]:
-    """Where a body meets each block that it touches, by the number of the block."""
+    """Find where a body meets each block that it touches, by the number of the block."""
     if body is None:
         return {}
     met = {number: _met(piece.solids, body, load.tolerance) for number, piece in enumerate(pieces)}
@@ -87,7 +87,7 @@ def as_given(
     *,
     among: Blocks,
 ) -> Found:
-    """The block that the user gives, held against the contact; raises GeometryError where it is another's.
+    """Check the block that the user gives against the contact; raise GeometryError if the contact is with another.
 
     touched : the block that the contact tells; left_out : those that it bears on, without a load
     """
@@ -110,7 +110,7 @@ def _left_out(number: int) -> str:
     )
 
 
-def refuse_doubtful(
+def refuse_ambiguous(
     load: BodyLoad,
     found: Sequence[int],
     contacts: Mapping[int, Contact],
@@ -137,19 +137,19 @@ def refuse_doubtful(
 
 
 def at_one_place(contacts: Mapping[int, Contact], *, tolerance: float) -> bool:
-    """Whether the contacts lie at one elevation, as where a crack parts what a body touches."""
+    """Return whether the contacts lie at one elevation, as where a crack divides what a body touches."""
     heights = [float(each.centroid[2]) for each in contacts.values()]
     return len(heights) > 1 and max(heights) - min(heights) <= tolerance
 
 
 def springing(load: BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
-    """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
+    """Return the axis along which a vault also springs from upright faces [3]; None for other bodies."""
     arch = arch_of(load, body, along=along) if body is not None and load.role == "vault" else None
     return None if arch is None else arch.axis
 
 
 def nearest_block(load: BodyLoad, body: Solid | None, among: Blocks) -> int:
-    """The block nearest to the place that is given, else to the body, where no contact tells.
+    """Return the block nearest to the given place, else to the body, if no contact tells.
 
     Raises GeometryError where that is not known either.
     """

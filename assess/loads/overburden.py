@@ -29,7 +29,7 @@ def overburden_of(
     direction: Sequence[float],
     where: str,
 ) -> Force:
-    """One overburden of the wall whose upper block is `piece`, or is cut from it; moving: names of the wall's bodies.
+    """Return an overburden as a force on the wall whose upper block is `piece`, or is cut from it.
 
     Raises GeometryError for a wall without geometry, a body that does not bear on it, or a load beside its top.
     """
@@ -42,7 +42,7 @@ def overburden_of(
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
-    carried = [pressing_solid(body, solids, where=f"{where}: {name}") for body in load.bodies]
+    carried = [require_solid(body, solids, where=f"{where}: {name}") for body in load.bodies]
     beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
     states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
     others = [solid for solid in beside if solid.name not in states]
@@ -56,7 +56,7 @@ def overburden_of(
 
 
 def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> None:
-    """Raise GeometryError where the eccentricity puts a load beside the top of the wall; thickness: of the top [m]."""
+    """Raise GeometryError if the eccentricity puts a load beside the top of the wall; thickness: of the top [m]."""
     beyond = abs(load.eccentricity or 0.0) - thickness / 2.0
     if beyond > ROUNDING * thickness:
         raise GeometryError(
@@ -65,8 +65,8 @@ def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> Non
         )
 
 
-def pressing_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
-    """The solid of a body that presses; raises GeometryError for one of direct values."""
+def require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
+    """Return the solid of a body that presses; raise GeometryError for one without geometry."""
     solid = solids[body]
     if solid is None:
         raise GeometryError(f'{where}: body "{body}" has no geometry; give its weight as `force`')
@@ -74,11 +74,11 @@ def pressing_solid(body: str, solids: Mapping[str, Solid | None], *, where: str)
 
 
 def name_of(number: int) -> str:
-    """Of the overburden that is entry `number` of the loads, from 1."""
+    """Return the name of the overburden that is entry `number` of the loads, from 1."""
     return f"overburden {number}"
 
 
 def through_of(loads: Sequence[LoadDefinition]) -> dict[str, Through]:
-    """How each overburden comes to its wall, by the name of its force."""
+    """Return how each overburden presses on its wall, by the name of its force."""
     entries = enumerate(loads, start=1)
     return {name_of(number): load.through for number, load in entries if isinstance(load, OverburdenLoad)}

@@ -10,7 +10,7 @@ from assess.loads.load import Point
 
 
 def point_in_plane(at: Sequence[float], direction: Sequence[float]) -> Point:
-    """[x, y, z] as (distance along `direction` from the origin, elevation); two numbers are that already."""
+    """Return (x, y, z) as (distance along the direction from the origin, elevation); two numbers are that already."""
     if len(at) == 2:
         return (at[0], at[1])
     along = np.asarray(direction) / np.linalg.norm(direction)
@@ -18,6 +18,6 @@ def point_in_plane(at: Sequence[float], direction: Sequence[float]) -> Point:
 
 
 def unit_in_plane(vector: Sequence[float], direction: Sequence[float]) -> Point:
-    """The part in the plane of motion of the unit vector of [x, y, z] or (along, up)."""
+    """Return the part in the plane of motion of the unit vector of (x, y, z) or (along, up)."""
     x, z = point_in_plane(vector, direction)
     return (x / float(np.linalg.norm(vector)), z / float(np.linalg.norm(vector)))

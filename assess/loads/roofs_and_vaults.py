@@ -16,7 +16,7 @@ SQUARE = 0.02  # cosine: a covering that spans within a degree of square to the 
 
 @dataclass(frozen=True)
 class Arch:
-    """A roof or vault as an arch of three hinges, and where its measures are from.
+    """A roof or vault as an arch of three hinges, with the source of its measures.
 
     axis : horizontal unit vector along which it thrusts, to the side of the motion [3]; span, rise : [m]
     lever : mean distance of its weight from the nearer springing [m]
@@ -38,7 +38,7 @@ class Thrust:
 
 
 def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
-    """A roof or vault as an arch, None where it is flat or slopes one way only: a beam, without thrust.
+    """Return a roof or vault as an arch; None if it is flat or slopes one way only: a beam, without thrust.
 
     A barrel vault or gable roof thrusts along its slope, a quadripartite vault or hipped roof along any motion.
 
@@ -60,7 +60,7 @@ def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
 
 
 def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, str]:
-    """The mass of the whole body [kg], and where it is from; mass: by its volume or direct values [kg]."""
+    """Return the mass of the whole body [kg] and its source; mass: by its volume or as given for the body [kg]."""
     if load.mass is not None:
         return load.mass, f"{load.mass:.4g} kg (given; by its table {mass:.4g} kg)"
     if body is None:
@@ -79,7 +79,7 @@ def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, s
 
 
 def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float) -> Thrust:
-    """The thrust along the motion of a covering that stands on the block with the vertical reaction V [N]."""
+    """Return the thrust along the motion of a roof or vault whose vertical reaction on the block is V [N]."""
     if load.thrust is not None:
         return Thrust(load.thrust, "thrust (given)")
     if load.tied:

@@ -8,8 +8,7 @@ from itertools import pairwise
 from math import hypot
 
 from assess.errors import MechanismError
-from assess.loads.load import Load, PointMass
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Load, PointMass, mirror_load
 from assess.mechanisms.joint import Joint
 
 Point = tuple[float, float]
@@ -29,7 +28,7 @@ class Block:
     inertia: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Chain:
     """Blocks from the base on, the hinges they turn about, and loads.
 
@@ -47,11 +46,38 @@ class Chain:
     parts: tuple[tuple[Block, int | None], ...] = ()
     joints: tuple[Joint | None, ...] = ()
 
+    def __repr__(self) -> str:
+        hinges = ", ".join(
+            f"{letter} ({x:.4g}, {z:.4g})" for letter, (x, z) in zip(hinge_names(self), self.hinges, strict=True)
+        )
+        blocks, loads = len(self.blocks), len(self.loads)
+        return f"Chain({blocks} block{'s'[: blocks != 1]}, hinges {hinges} m, {loads} load{'s'[: loads != 1]})"
+
     @property
     def mass(self) -> float:
         """Total moved mass, bearing or not [kg]."""
         carried = sum(load.mass for load in self.loads if isinstance(load, PointMass))
         return sum(block.mass for block in self.blocks) + carried
+
+
+@dataclass(frozen=True, eq=False)
+class ChainPair:
+    """The chains of both directions of a mechanism with the restitution of their impacts: all that its motion needs.
+
+    name : of the mechanism, for errors
+    positive, negative : the chain of each branch, in that branch's own sign; negative None for one-sided rocking
+    restitution : of the impacts that end the positive and the negative branch [-]
+    """
+
+    name: str
+    positive: Chain
+    negative: Chain | None
+    restitution: tuple[float, float]
+
+    @property
+    def has_joints(self) -> bool:
+        """Whether a hinge presses on a joint that deforms or crushes."""
+        return any(joint is not None for joint in self.positive.joints)
 
 
 def hinge_names(chain: Chain) -> str:
@@ -74,7 +100,7 @@ def mirror_chain(
     return Chain(
         tuple(Block(block.mass, mirror_point(block.centroid), block.inertia) for block in blocks),
         tuple(mirror_point(hinge) for hinge in hinges),
-        tuple(mirrored_load(load) for load in loads),
+        tuple(mirror_load(load) for load in loads),
         joints=tuple(joint and replace(joint, inward=mirror_point(joint.inward)) for joint in joints),
     )
 

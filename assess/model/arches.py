@@ -25,14 +25,14 @@ from spectra.arrays import FloatArray
 Line = tuple[Point, Point]
 
 APART = 1e-6  # of the longest joint: points this near are one
-BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
-SKEW = 0.35  # rad: a joint farther off square to the arch is told
+BEYOND = 0.1  # of the arch: more than this beyond its end joints gets a warning
+SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
 
 
 def arch_mechanism(
     name: str, definition: FourHinge, piece: Piece, *, sides: Sides, **common: Any
 ) -> tuple[Mechanism, list[Piece]]:
-    """The four-hinge mechanism of one body that opens at the joints where it resists least, for each direction.
+    """Build the four-hinge mechanism of an arch that opens at the joints where it resists least, in each direction.
 
     For negative rotation hinge A is at the far springing, so that both directions of a symmetric arch are alike. The
     outlines, and the pieces beside the mechanism, are the voussoirs: each direction joins others of them to blocks.
@@ -40,19 +40,19 @@ def arch_mechanism(
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
     pieces, joints = voussoirs_of(piece, lines_of(definition), definition.towards, where=f'mechanism "{name}"')
-    doubts = tuple(joint_warnings(pieces, joints))
+    warnings = tuple(joint_warnings(pieces, joints))
     try:
         made = arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
     except MechanismError as error:
         start = f'mechanism "{name}": '
-        raise MechanismError(start + "; ".join((*doubts, str(error).removeprefix(start)))) from None
-    return replace(made, notices=(*doubts, *made.notices)), pieces
+        raise MechanismError(start + "; ".join((*warnings, str(error).removeprefix(start)))) from None
+    return replace(made, notices=(*warnings, *made.notices)), pieces
 
 
 def arch_at_weakest_hinges(
     name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[Joint], *, sides: Sides, **common: Any
 ) -> Mechanism:
-    """The mechanism of an arch of voussoirs that opens at the weakest of its joints, for each direction."""
+    """Build the mechanism of an arch of voussoirs that opens at its weakest joints, in each direction."""
     plain = [block_of(body) for body in voussoirs]
     front = weakest_hinges(plain, joints, name=name)
     _, positive = divide_arch(voussoirs, front)
@@ -68,7 +68,7 @@ def arch_at_weakest_hinges(
 
 
 def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
-    """Sentences where joints do not look like those of this arch: much of it beyond them, or not square to it."""
+    """Warn of joints that hardly belong to this arch: much of it lies beyond them, or they are not square to it."""
     left, whole = (
         sum(solid.mass for solid in solids)
         for solids in (pieces[-1].fixed, [s for piece in pieces for s in (*piece.solids, *piece.fixed)])
@@ -88,13 +88,13 @@ def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator
 
 
 def mirror_chain_back(chain: Chain) -> Chain:
-    """A chain that begins at the far springing, in the sign of the negative branch; parts in order from the near."""
+    """Return a chain from the far springing in the sign of the negative branch, its parts in order from the near."""
     parts = tuple((replace(part, centroid=mirror_point(part.centroid)), number) for part, number in chain.parts[::-1])
     return replace(mirror_chain(chain.blocks, chain.hinges), parts=parts)
 
 
 def hinges_text(found: ArchHinges, rotation: str, joints: int, *, flip: bool) -> str:
-    """Which hinges were found, in the project's own axes."""
+    """Say which hinges were found, in the axes of the project."""
     places = ", ".join(
         f"{letter} {format_point(mirror_point(at) if flip else at)}"
         for letter, at in zip("ABCD", found.hinges, strict=True)
@@ -106,7 +106,7 @@ def hinges_text(found: ArchHinges, rotation: str, joints: int, *, flip: bool) ->
 
 
 def lines_of(definition: FourHinge) -> list[Line]:
-    """The joints in the plane of motion, from one springing to the other."""
+    """Return the joints in the plane of motion, from one springing to the other."""
     joints = definition.joints
     if not isinstance(joints, RadialJoints):
         return list(joints or ())
@@ -118,7 +118,7 @@ def lines_of(definition: FourHinge) -> list[Line]:
 def voussoirs_of(
     piece: Piece, lines: Sequence[Line], direction: Sequence[float], *, where: str
 ) -> tuple[list[Piece], list[Joint]]:
-    """The body between its joints, and the ends of each joint at the faces of the body.
+    """Cut the body at its joints into voussoirs, and find the ends of each joint at its faces.
 
     The ends of the first joint are those of the first voussoir: the sheet through it may touch the far springing too.
     """
@@ -160,13 +160,13 @@ def require_apart(lines: Sequence[Line], *, where: str) -> None:
 
 
 def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Division:
-    """The solids on the two sides of the upright sheet through a line of the plane of motion."""
+    """Divide solids by the upright sheet through a line of the plane of motion."""
     point = line[0][0] * along + np.array([0.0, 0.0, line[0][1]])
     return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
 
 
 def ends_of(foot: FloatArray, line: Line, along: FloatArray) -> Joint:
-    """The two ends of a joint: the first where its line begins, so that first ends lie on one face."""
+    """Find the two ends of a joint, the first where its line begins, so that first ends lie on one face."""
     points = np.column_stack([foot @ along, foot[:, 2]])
     way = np.subtract(line[1], line[0])
     reach = points @ way
@@ -175,7 +175,7 @@ def ends_of(foot: FloatArray, line: Line, along: FloatArray) -> Joint:
 
 
 def ahead(lines: Sequence[Line]) -> list[FloatArray]:
-    """The unit normal of each joint towards the next one, of the last away from the one before."""
+    """Return the unit normal of each joint towards the next; of the last joint, away from the one before."""
     middles = [np.add(a, b) / 2.0 for a, b in lines]
     normals = []
     for number, (a, b) in enumerate(lines):
@@ -188,5 +188,5 @@ def ahead(lines: Sequence[Line]) -> list[FloatArray]:
 
 
 def voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
-    """What lies between two joints."""
+    """Return the body between two joints."""
     return replace(as_one([planar_body(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")

@@ -39,13 +39,13 @@ class Built:
 
 
 def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """The mechanism of one table [mechanisms.NAME]."""
+    """Build the mechanism of a definition."""
     if isinstance(definition, EquivalentBlock):
         return Built(of_parameters(name, definition), None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
-    told = place_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
-    told = replace(told, faces=faces_of(told, definition, members, bodies), direction=definition.towards)
-    return Built(told, scene_of(members, definition.towards))
+    jointed = place_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
+    faces = faces_of(jointed, definition, members, bodies)
+    return Built(replace(jointed, faces=faces, direction=definition.towards), scene_of(members, definition.towards))
 
 
 def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
@@ -64,24 +64,24 @@ def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
 
 
 def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> MechanismPieces:
-    """The mechanism of one table before it is put on its joints."""
+    """Build the mechanism on rigid hinges, before it is placed on its joints."""
     try:
-        pieces, told = cut_into_blocks(name, definition, bodies)
-        found_loads = loads_of(name, definition, pieces, bodies)
-        require_as_found(told, found_loads.loads)
-        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=found_loads.loads)
+        pieces, crack = cut_into_blocks(name, definition, bodies)
+        load_set = loads_of(name, definition, pieces, bodies)
+        require_as_found(crack, load_set.loads)
+        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=load_set.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
-    notices = mechanism.notices if told is None else (*told.notices, *mechanism.notices)
-    return replace(mechanism, notices=(*notices, *found_loads.doubts)), members
+    notices = mechanism.notices if crack is None else (*crack.notices, *mechanism.notices)
+    return replace(mechanism, notices=(*notices, *load_set.warnings)), members
 
 
 def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
-    """The blocks of one table, and the crack of a wall of one body, which parts it in two."""
+    """Cut the bodies into blocks; a wall of one body is cut at its crack, which is returned too."""
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
         return pieces, None
-    front = hinges_of(definition.given_hinges, definition)
+    front = hinges_of(definition.hinge_points, definition)
     found = crack_of(definition, pieces[0], bodies, lambda: loads_of(name, definition, pieces, bodies), front=front)
     return blocks_at(found.elevation, name, definition, pieces[0]), found
 
@@ -94,8 +94,8 @@ def of_one_block(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """A single block about the edges of its base."""
-    front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
+    """Build a single block that rocks about the edges of its base."""
+    front, back = hinges_of(definition.hinge_points, definition), hinges_of(definition.hinges_negative, definition)
     mechanism = single_block(
         name,
         pieces[0].body,
@@ -116,10 +116,10 @@ def of_two_blocks(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """A wall held at base and top, of two bodies or of one that is cracked."""
-    front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
+    """Build a wall held at its base and its top, of two bodies or of one that cracks."""
+    front, back = hinges_of(definition.hinge_points, definition), hinges_of(definition.hinges_negative, definition)
     lower, upper = pieces
-    doubts = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
+    warnings = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
     mechanism = two_block(
         name,
         lower.body,
@@ -127,7 +127,7 @@ def of_two_blocks(
         hinges=front,
         hinges_negative=back,
         loads=loads,
-        notices=tuple(dict.fromkeys(doubts)),
+        notices=tuple(dict.fromkeys(warnings)),
         **common(definition),
     )
     return mechanism, pieces
@@ -141,13 +141,13 @@ def of_four_hinges(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
+    """Build three blocks between given hinges, or an arch whose hinges are searched for."""
     if definition.hinges == "minimum":
         return arch_mechanism(name, definition, pieces[0], **common(definition))
     mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
-        hinges=hinges_of(definition.given_hinges, definition),
+        hinges=hinges_of(definition.hinge_points, definition),
         hinges_negative=hinges_of(definition.hinges_negative, definition),
         loads=loads,
         **common(definition),
@@ -163,7 +163,7 @@ BUILDERS: dict[type[Chained], Callable[..., MechanismPieces]] = {
 
 
 def common(definition: Chained) -> dict[str, Any]:
-    """What every kind of chain takes as it is."""
+    """Return what every kind of chain takes unchanged."""
     return {
         "label": definition.label,
         "sides": "two" if definition.two_sided else "one",
@@ -172,12 +172,12 @@ def common(definition: Chained) -> dict[str, Any]:
 
 
 def restitution_of(definition: Chained | EquivalentBlock) -> tuple[Any, Any]:
-    """The choices for the impacts that end the positive and the negative branch."""
+    """Return the choices for the impacts that end the positive and the negative branch."""
     return (definition.restitution.positive, definition.restitution.negative)
 
 
 def hinges_of(hinges: Sequence[Place] | None, definition: Chained) -> Any:
-    """Hinges A, B, ... as (distance along `direction` from the origin, elevation) [m]; None where not given."""
+    """Return hinges A, B, … as (distance along the direction from the origin, elevation) [m]; None if not given."""
     if hinges is None:
         return None
     points: tuple[Point, ...] = tuple(point_in_plane(at, definition.towards) for at in hinges)

@@ -20,12 +20,12 @@ from assess.geometry.planar import lowest_corners
 from assess.loads.plane import point_in_plane
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Vector
-from assess.mechanisms.lasting import collapse_branch
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.variants import collapse_branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.model.assembly import on_rigid_hinges
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, CutAngle, Restitution, SingleBlock, TwoBlock
+from assess.model.definitions import Chained, CutAngle, Restitution, SingleBlock, Turnable, TwoBlock
 from assess.model.directions import S, block_above_cut, block_by_direction, normals_of, solids_of_blocks, turn_towards
 from assess.model.obstacles import Obstacle, bodies_that_stop, obstacles_of
 from assess.oscillator import displacement
@@ -42,7 +42,7 @@ Towards = Callable[[Vector], Mechanism]
 
 @dataclass(frozen=True)
 class Look:
-    """One mechanism as its directions are compared.
+    """A mechanism whose directions are compared.
 
     definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
     ways : angles of the candidates [deg]
@@ -50,7 +50,7 @@ class Look:
     """
 
     name: str
-    definition: SingleBlock | TwoBlock
+    definition: Turnable
     bodies: Bodies
     foot: FloatArray
     obstacles: tuple[Obstacle, ...]
@@ -63,8 +63,8 @@ class Look:
         return f"mechanisms.{self.name}"
 
 
-def look_around(name: str, definition: SingleBlock | TwoBlock, bodies: Bodies) -> Look:
-    """The candidates of a mechanism and what stands beside it."""
+def look_around(name: str, definition: Turnable, bodies: Bodies) -> Look:
+    """Find the candidate directions of a mechanism and the bodies beside it."""
     standing, bare = solids_of_blocks(name, definition, bodies), plain(definition)
     if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
         block = block_above_cut(name, bare, standing)
@@ -80,7 +80,7 @@ def look_around(name: str, definition: SingleBlock | TwoBlock, bodies: Bodies) -
 
 
 def ways_of(definition: Chained, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
-    """The angles [deg] of the candidates, rising, from the corners of what a mechanism stands on, and of all of it."""
+    """Return the angles [deg] of the candidates, rising, from the corners of the base and of the whole mechanism."""
     plan = edge_normals(corners)
     if isinstance(definition, TwoBlock):
         normals = across(corners[:, :2], plan)
@@ -91,7 +91,7 @@ def ways_of(definition: Chained, foot: FloatArray, corners: FloatArray) -> tuple
 
 
 def plain(definition: S) -> S:
-    """The same table for one side, whatever its impacts keep, without what is measured along the direction."""
+    """Return the definition for one side, without what depends on the impacts or is measured along the direction."""
     changes: dict[str, Any] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
     if definition.direction is None:
         keys = set(definition.keys_along())
@@ -103,19 +103,19 @@ def plain(definition: S) -> S:
 
 
 def across(plan: FloatArray, normals: FloatArray) -> FloatArray:
-    """That of the normals [k] [deg] along which a plan [n, 2] is thinnest, the first of equals."""
+    """Return the normal [deg] among [k] along which a plan [n, 2] is thinnest, the first of equals."""
     at = np.radians(normals)
     width = np.ptp(plan @ np.array([np.cos(at), np.sin(at)]), axis=0)
     return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
 
 
 def evaluate_all(look: Look) -> tuple[Candidate, ...]:
-    """Every candidate with its multiplier, or why it cannot rock that way, and what touches it there."""
+    """Evaluate every candidate: its multiplier, or why it cannot rock that way, and what touches it there."""
     return tuple(evaluate(angle, look) for angle in look.ways)
 
 
 def evaluate(angle: float, look: Look) -> Candidate:
-    """One candidate. Raises FallingError where it already falls and nobody said which way it moves."""
+    """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
     asked = Candidate(angle)
     asked = replace(asked, touching=bodies_that_stop(look.obstacles, asked.way))
     if not on_side(look, asked.way):
@@ -133,8 +133,8 @@ def evaluate(angle: float, look: Look) -> Candidate:
 
 
 def on_side(look: Look, way: Vector) -> bool:
-    """Whether a hinge that is given in space lies on the side of the base towards `way`; true where none is given."""
-    hinges = look.definition.given_hinges
+    """Return whether a hinge given in space lies on the side of the base towards `way`; true if none is given."""
+    hinges = look.definition.hinge_points
     if hinges is None or len(hinges[0]) == 2:
         return True
     reach = look.foot @ np.array(way)
@@ -144,23 +144,23 @@ def on_side(look: Look, way: Vector) -> bool:
 
 
 def vector_text(way: Vector) -> str:
-    """A direction as the project file has it."""
+    """Write a direction as the project file does."""
     return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in way) + "]"
 
 
 def uplift(chain: Chain) -> float:
-    """The uplift multiplier of a chain on rigid hinges [-]."""
+    """Return the uplift multiplier of a chain on rigid hinges [-]."""
     work = virtual_work(chain, np.zeros(1))
     return float(work.restoring[0] / (g * work.excitation[0]))
 
 
 def with_displacement(candidate: Candidate, look: Look) -> Candidate:
-    """The candidate with d0* of its control point."""
+    """Return the candidate with d0* of its control point."""
     return replace(candidate, displacement=displacement_of(look.at(candidate.way).positive, name=look.name))
 
 
 def displacement_of(chain: Chain, *, name: str) -> float | None:
-    """d0* of a chain on rigid hinges, where its control point is when it overturns [m]; None where it never does.
+    """Return d0* of a chain on rigid hinges, the displacement at overturning [m]; None if it never overturns.
 
     With what is shown to last to collapse: 0 where it stands only by other ties and forces.
     """
@@ -174,7 +174,7 @@ def displacement_of(chain: Chain, *, name: str) -> float | None:
 
 
 def free_of(known: Sequence[Candidate]) -> tuple[list[Candidate], bool]:
-    """The candidates that nothing stops; all of them, and True, where bodies hold the weak axis both ways.
+    """Return the candidates that nothing stops; all of them, and True, if bodies hold the weak axis both ways.
 
     What holds a wall on both faces, as a floor and a buttress may, does not make its own plane its weak direction.
     """
@@ -188,28 +188,28 @@ def free_of(known: Sequence[Candidate]) -> tuple[list[Candidate], bool]:
 
 
 def worth(candidate: Candidate) -> float:
-    """The multiplier of a candidate that has one [-]."""
+    """Return the multiplier of a candidate that has one [-]."""
     assert candidate.multiplier is not None
     return candidate.multiplier
 
 
 def near_least(pool: Sequence[Candidate]) -> list[Candidate]:
-    """Those whose multiplier is near the least."""
+    """Return the candidates whose multiplier is near the least."""
     least = min(map(worth, pool))
     return [each for each in pool if worth(each) <= NEAR * max(least, 0.0) or worth(each) == least]
 
 
 def weakest_of(near: Sequence[Candidate]) -> Candidate:
-    """The candidate of least d0*, of equals that of the least multiplier, of equals the one nearest to +x, then +y."""
+    """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
     return min(near, key=lambda each: (figures(inf if each.displacement is None else each.displacement), *rank(each)))
 
 
 def rank(candidate: Candidate) -> tuple[float, float, float]:
-    """What sorts candidates: the multiplier, then towards +x, then towards +y."""
+    """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
     x, y, _ = candidate.way
     return figures(worth(candidate)), -round(x, DIGITS), -round(y, DIGITS)
 
 
 def figures(value: float) -> float:
-    """To so many figures that rounding does not part equals."""
+    """Round to so many figures that equals stay equal."""
     return float(f"{value:.{DIGITS}g}")

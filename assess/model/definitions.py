@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from assess.interfaces.definition import Interface
-from assess.loads.definitions import LoadDefinition, Place, measured_along
+from assess.loads.definitions import LoadDefinition, Place, direction_keys
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Sides
 from spectra.arrays import FloatArray
@@ -105,7 +105,7 @@ class Chained:
         return self.sides != "one"
 
     @property
-    def given_hinges(self) -> tuple[Place, ...] | None:
+    def hinge_points(self) -> tuple[Place, ...] | None:
         """The hinges of positive rotation where they are given as points."""
         return None if self.hinges == "minimum" else self.hinges
 
@@ -164,13 +164,16 @@ class EquivalentBlock:
     elevation: float = 0.0
 
 
-Definition = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
+Turnable = SingleBlock | TwoBlock
+"""The kinds whose weakest direction is sought if none is given; a four-hinge mechanism is drawn in its plane."""
+BlockMechanism = Turnable | FourHinge
+Definition = BlockMechanism | EquivalentBlock
 
 
 def keys_along_direction(chained: Any) -> Iterator[tuple[str | int, ...]]:
     """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0."""
     for place, load in enumerate(chained.loads):
-        yield from (("loads", place, name) for name in measured_along(load))
+        yield from (("loads", place, name) for name in direction_keys(load))
     for key in ("hinges", "hinges_negative"):
         given = getattr(chained, key)
         if given is not None and given != "minimum":

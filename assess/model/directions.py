@@ -14,20 +14,19 @@ from assess.geometry.footprint import edge_normals
 from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body_without_outline
 from assess.geometry.solid import Solid
-from assess.loads.body_loads import Meeting, Surroundings, find_meeting
+from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
 from assess.loads.definitions import BodyLoad
 from assess.mechanisms.directions import Directions, Vector, towards
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.model.assembly import Built, mechanism_of, of_one_block
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, CutAngle, FourHinge, SingleBlock, TwoBlock
+from assess.model.definitions import BlockMechanism, Chained, CutAngle, SingleBlock
 from assess.model.loading import loads_of
 from assess.model.pieces import ASKEW, LEVEL, as_one, cut_of
-from assess.oscillator import linearise, multiplier
+from assess.oscillator import multiplier
 from spectra.arrays import FloatArray
 
-Sought = SingleBlock | TwoBlock | FourHinge
 S = TypeVar("S", bound=Chained)
 
 CORNER = (
@@ -40,14 +39,14 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
-    """The mechanism of one table [mechanisms.NAME] in the weakest of many directions."""
+def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
+    """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
-    told: tuple[str, ...] = ()
+    corner: tuple[str, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
         block = block_above_cut(name, definition, standing)
         found = directions(block_by_direction(name, definition, block, bodies), angles(normals_of(block.foot)))
-        told = (CORNER,) if is_sloping(block.foot) else ()
+        corner = (CORNER,) if has_slope(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = directions(
@@ -56,11 +55,11 @@ def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
         )
     built = mechanism_of(name, turn_towards(definition, towards(found.weakest)), bodies)
     kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
-    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *told)))
+    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *corner)))
 
 
 def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
-    """The solids of all blocks; raises MechanismError for a body of direct values, which has one plane only."""
+    """Return the solids of all blocks; raise MechanismError for a body without geometry, which has one plane only."""
     found = []
     for body in (body for block in definition.blocks for body in block):
         solid = bodies[body].solid
@@ -74,7 +73,7 @@ def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[So
 
 
 def angles(normals: FloatArray) -> tuple[float, ...]:
-    """Directions [deg] to look at: even steps, and those given [k], that the edges of what the body stands on face.
+    """Return the directions [deg] to evaluate: even steps, and the normals [k] of the edges of the base.
 
     Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
     in every direction of a round base.
@@ -84,24 +83,24 @@ def angles(normals: FloatArray) -> tuple[float, ...]:
     return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
 
 
-def is_sloping(foot: FloatArray) -> bool:
-    """Whether the corners [k, 3] of what a body stands on lie at different elevations."""
+def has_slope(foot: FloatArray) -> bool:
+    """Return whether the corners [k, 3] of a base lie at different elevations."""
     return float(np.ptp(foot[:, 2])) > LEVEL
 
 
 def normals_of(foot: FloatArray) -> FloatArray:
-    """What the edges between the corners [k, 3] face [deg]; on a slope also just beside, where one end is the hinge.
+    """Return the normals of the edges between corners [k, 3] [deg]; on a slope also just beside.
 
     There the lower end has the larger height to the centroid over it, and so the least multiplier.
     """
     normals = edge_normals(foot)
     beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
-    return np.unique(np.concatenate(beside) % 360.0) if is_sloping(foot) else normals
+    return np.unique(np.concatenate(beside) % 360.0) if has_slope(foot) else normals
 
 
 @dataclass(frozen=True)
 class Standing:
-    """A block as cut, before it is seen from a direction.
+    """A block above its cut, before a direction is chosen.
 
     solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
     """
@@ -112,7 +111,7 @@ class Standing:
 
 
 def block_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> Standing:
-    """The block above its cut, which is the same in every direction."""
+    """Return the block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
         return Standing(solids, lowest_corners(solids))
@@ -123,12 +122,12 @@ def block_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...
 def block_by_direction(
     name: str, definition: SingleBlock, standing: Standing, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
-    """The single block towards any direction; cut once, met by its loads once, and not drawn."""
-    known: dict[str, Meeting] = {}
+    """Return a function of the direction that builds the single block; it is cut once and its loads are found once."""
+    known: dict[str, BlockContact] = {}
 
-    def meet(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+    def find(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
         if load.body not in known:
-            known[load.body] = find_meeting(load, body, around)
+            known[load.body] = find_block_contact(load, body, around)
         return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
@@ -136,19 +135,19 @@ def block_by_direction(
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = turn_towards(definition, direction)
-        found_loads = loads_of(name, faced, pieces, bodies, meet=meet)
-        return of_one_block(name, faced, pieces, bodies, loads=found_loads.loads)[0]
+        load_set = loads_of(name, faced, pieces, bodies, find=find)
+        return of_one_block(name, faced, pieces, bodies, loads=load_set.loads)[0]
 
     return block
 
 
 def turn_towards(definition: S, direction: Vector) -> S:
-    """The same table with its direction given."""
+    """Return the definition with a direction."""
     return replace(definition, direction=direction)
 
 
 def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
-    """The mechanism's resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
+    """Find the resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
 
     The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
 
@@ -163,7 +162,7 @@ def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequenc
             leading = branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
         except AssessError as error:
             raise type(error)(f'{error} (direction = "sweep", here {angle:.6g} deg from +x)') from None
-        rows.append((float(multiplier(leading)[0]), linearise(leading).p, leading.overturning))
+        rows.append((float(multiplier(leading)[0]), leading.linearised.p, leading.overturning))
     multipliers, p, overturning = zip(*rows, strict=True)
     weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
     return Directions(tuple(around), multipliers, p, overturning, weakest)

@@ -21,7 +21,7 @@ STEEP = 0.5  # vertical part of a unit normal: of a face 60 degrees off level
 def faces_of(
     mechanism: Mechanism, definition: Chained, pieces: Sequence[Piece], bodies: Bodies
 ) -> tuple[tuple[Face, ...], ...]:
-    """Those of the positive and of the negative branch, each in its own sign."""
+    """Return the faces at the hinges of the positive and of the negative branch, each in its own sign."""
     frictions = [friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     return tuple(
@@ -39,7 +39,7 @@ def faces_of(
 def normal_of(
     number: int, chain: Chain, definition: Chained, pieces: Sequence[Piece], view: View
 ) -> tuple[Vector, bool]:
-    """The normal at a hinge, to the block that presses, and whether the geometry says so; it is upright otherwise.
+    """Return the normal at a hinge, to the pressing block, and whether the geometry shows it; otherwise it is vertical.
 
     What a block stands on is not part of the geometry: a face steeper than STEEP is no bed, as the intrados of a vault.
     """
@@ -56,7 +56,7 @@ def normal_of(
 
 
 def friction_at(number: int, definition: Chained, bodies: Bodies) -> tuple[float | None, str]:
-    """The least coefficient of friction of the blocks that meet at a hinge, None where one has none; and the remedy."""
+    """Return the least friction of the blocks that meet at a hinge, None if one has none, with the remedy."""
     least: float | None = None
     for block in PAIRS[definition.moving][number]:
         if block is None:
@@ -71,7 +71,7 @@ def friction_at(number: int, definition: Chained, bodies: Bodies) -> tuple[float
 
 
 def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:
-    """The materials of the bodies of a block that have geometry."""
+    """Return the materials of the bodies of a block that have geometry."""
     for name in block:
         material = bodies[name].material
         if material is not None:

@@ -20,7 +20,7 @@ Gap = dict[str, Value]
 
 
 def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
-    """A notice for each gap in a block of several bodies, and between blocks that a hinge joins.
+    """Warn of each gap in a block of several bodies, and between blocks that a hinge joins.
 
     Bodies are looked at whole, also where a cut leaves their foot behind.
     """
@@ -36,15 +36,15 @@ def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[M
 
 
 def solids_of_block(block: Sequence[str], bodies: Bodies) -> list[Solid]:
-    """The solids of a block; none where a body has direct values, for nobody knows where that one reaches."""
+    """Return the solids of a block; none if a body has no geometry, as its extent is not known."""
     found = [solid for body in block if (solid := bodies[body].solid) is not None]
     return found if len(found) == len(block) else []
 
 
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
-    """What is said of each gap that would have to be closed for the bodies of a block to hang together."""
+    """Find each gap that would have to be closed for the bodies of a block to touch one another."""
     pairs = list(combinations(range(len(block)), 2))
-    joined = [(i, j) for i, j in pairs if are_touching(block[i], block[j])]
+    joined = [(i, j) for i, j in pairs if in_contact(block[i], block[j])]
     while len(block) > 1:
         group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
         across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
@@ -56,19 +56,19 @@ def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
 
 
 def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
-    """What is said where two blocks with a hinge between them touch nowhere."""
+    """Find the gap between two blocks with a hinge between them that touch nowhere."""
     pairs = list(product(one, other))
-    if not pairs or any(are_touching(*pair) for pair in pairs):
+    if not pairs or any(in_contact(*pair) for pair in pairs):
         return
     distances = [shortest_distance(*pair) for pair in pairs]
     yield gap_values(*pairs[int(np.argmin(distances))], min(distances))
 
 
-def are_touching(one: Solid, other: Solid) -> bool:
-    """Whether two bodies are as near as a joint is thick."""
+def in_contact(one: Solid, other: Solid) -> bool:
+    """Return whether two bodies are closer than the thickness of a joint."""
     return shortest_distance(one, other, limit=TOLERANCE) < TOLERANCE
 
 
 def gap_values(one: Solid, other: Solid, distance: float) -> Gap:
-    """Which two bodies are apart, and by how much [m]."""
+    """Return the values of a warning: which two bodies are apart, and by how much [m]."""
     return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}

@@ -43,20 +43,20 @@ class View:
 
     @classmethod
     def of(cls, direction: Sequence[float], *, sign: float) -> View:
-        """The plane of a direction, or of the one against it."""
+        """Return the plane of a direction, or of its opposite."""
         return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
 
     @property
     def axis(self) -> FloatArray:
-        """Of rotation, level across the motion [3]."""
+        """The axis of rotation, horizontal across the motion [3]."""
         return np.array([-self.along[1], self.along[0], 0.0])
 
     def world(self, vector: Vector) -> FloatArray:
-        """A vector or place (x, z) of the branch in space [3]."""
+        """Return a vector or point (x, z) of the branch in space [3]."""
         return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
 
     def seen(self, vector: FloatArray) -> Vector:
-        """The unit vector (x, z) of a vector in space [3], as it is seen in the plane of motion."""
+        """Return the unit vector (x, z) of a vector in space [3] in the plane of motion."""
         x, z = float(vector @ self.along), float(vector[2])
         length = float(np.hypot(x, z))
         return (x / length, z / length)
@@ -74,7 +74,7 @@ class JointPlane:
     region: shapely.MultiPolygon
 
     def beyond(self, hinge: FloatArray, out: FloatArray) -> float:
-        """How far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
+        """Return how far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
         at = project_on_plane(self.plane, hinge - self.plane.point) @ out
         return float((shapely.get_coordinates(self.region) @ out).max() - at)
 
@@ -82,7 +82,7 @@ class JointPlane:
 def find_joint_plane(
     number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
 ) -> JointPlane:
-    """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it.
+    """Find the joint plane at a hinge: on the ground or the cut, at the support at the top, or between blocks.
 
     Raises GeometryError where no faces meet at the hinge.
     """
@@ -108,7 +108,7 @@ def find_joint_plane(
 def normal_at(
     number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
 ) -> Vector:
-    """The normal of the bed at a hinge, from the held face to the pressing block; a cut is not made again for it.
+    """Return the normal of the joint plane at a hinge, from the held face to the pressing block; a known cut is reused.
 
     Raises GeometryError where no faces meet at the hinge.
     """
@@ -122,7 +122,7 @@ def normal_at(
 
 
 def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> JointPlane:
-    """The face of a block on the ground, or of a wall under the support at its top.
+    """Find the face of a block on the ground, or of a wall under the support at its top.
 
     It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
     """
@@ -146,7 +146,7 @@ def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side:
 def joint_plane_between(
     number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str
 ) -> JointPlane:
-    """Where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
+    """Find where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
     at = view.world(hinge)
     for over, under in _neighbours(number, pieces, blocks):
         for outward in normals_at(over, at, view):
@@ -180,7 +180,7 @@ def _neighbours(
 
 
 def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[FloatArray]:
-    """Outward unit normals of the faces that the axis through a place [3] lies in, largest face first."""
+    """Return the outward unit normals of the faces that contain the axis through a point [3], largest face first."""
     there: list[tuple[FloatArray, FloatArray]] = []
     for corners, normal, area in map(_faces, solids):
         off = np.abs(np.einsum("ij,ij->i", corners[:, 0] - at, normal))
@@ -196,7 +196,7 @@ def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[Floa
 
 
 def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
-    """The faces of solids that lie in a plane and look to the side of its normal, in the coordinates of `seen_in`."""
+    """Return the faces of solids that lie in a plane and face along its normal, in the coordinates of `seen_in`."""
     shown, pieces = seen_in or plane, []
     axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
     for corners, normal, _ in map(_faces, solids):
@@ -207,7 +207,7 @@ def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = N
 
 
 def as_multi(region: shapely.Geometry) -> shapely.MultiPolygon:
-    """The parts of a region that have area."""
+    """Return the parts of a region that have area."""
     return shapely.MultiPolygon([part for part in shapely.get_parts(region) if part.area > SLIVER])
 
 

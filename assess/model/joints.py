@@ -29,7 +29,7 @@ from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
 from assess.model.joint_planes import DOWN, UP, Vector, View, find_joint_plane
 
-NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
+NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge gets a warning
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 
@@ -41,16 +41,16 @@ def place_on_joints(
     *,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
 ) -> Mechanism:
-    """The mechanism on the interfaces of its table; as it is where all of them are rigid and without limit of strength.
+    """Place a mechanism on its interfaces; it is returned unchanged if all are rigid and of unlimited strength.
 
     Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
     """
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     interfaces = [definition.interface_at(letter) for letter in hinge_names(mechanism.positive)]
-    doubts: list[str] = []
+    warnings: list[str] = []
     joints = [
         tuple(
-            joint_at(number, chain, mechanism.name, definition, interface, pieces, bodies, sign=sign, doubts=doubts)
+            joint_at(number, chain, mechanism.name, definition, interface, pieces, bodies, sign=sign, warnings=warnings)
             for number, interface in enumerate(interfaces)
         )
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
@@ -62,15 +62,15 @@ def place_on_joints(
     if not any(joint for side in joints for joint in side):
         return loaded
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
-        doubts.append(THROUGH_TOP)
-    doubts += contact_offset_warnings(mechanism, joints)
+        warnings.append(THROUGH_TOP)
+    warnings += contact_offset_warnings(mechanism, joints)
     found = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
-    notices = dict.fromkeys((*found.notices, *doubts, *eccentricity_warnings(found)))
+    notices = dict.fromkeys((*found.notices, *warnings, *eccentricity_warnings(found)))
     return replace(found, notices=tuple(notices))
 
 
 def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
-    """A sentence where the contacts at the base do not lie in one place for both directions."""
+    """Warn if the contacts at the base lie in different places for the two directions."""
     if mechanism.negative is None or mechanism.kind == "four-hinge":
         return
     front, back = joints[0][0], joints[1][0]
@@ -95,11 +95,11 @@ def joint_at(
     bodies: Bodies,
     *,
     sign: float,
-    doubts: list[str],
+    warnings: list[str],
 ) -> Joint | None:
-    """The joint under one hinge of a chain in its own sign; None where it is rigid or carries nothing.
+    """Return the joint under one hinge of a chain in its own sign; None if it is rigid or carries nothing.
 
-    sign : -1 for the branch that is mirrored; doubts : sentences are added to it
+    sign : -1 for the branch that is mirrored; warnings : sentences are added to it
     """
     letter = hinge_names(chain)[number]
     what = f"interface {letter}" + "'" * (sign < 0)
@@ -108,7 +108,7 @@ def joint_at(
     if law is None:
         return None
     if interface.model != "rigid" and law.strength == inf and interface.strength is None:
-        doubts.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
+        warnings.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
     view = View.of(definition.towards, sign=sign)
     sense = float(FlexibleChain(chain, name).sense[number])
     if isinstance(interface.shape, Shape):
@@ -116,7 +116,7 @@ def joint_at(
         try:
             normal = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where).normal
         except GeometryError:
-            doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
+            warnings.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
         return Joint(_inward(normal, sense), section_of_shape(interface.shape, view), law, interface.model)
     bed = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where)
     inward = _inward(bed.normal, sense)
@@ -124,7 +124,7 @@ def joint_at(
     found = polygon(bed.region, direction=out)
     aside = bed.beyond(view.world(chain.hinges[number]), out)
     if abs(aside) > NEAR * found.depth:
-        doubts.append(
+        warnings.append(
             f"{what}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
             f"contact, which is {found.depth:.3g} m deep; pressure is counted from the hinge on"
         )
@@ -132,7 +132,7 @@ def joint_at(
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
-    """Stiffness and strength, None for a rigid joint without limit of strength."""
+    """Return stiffness and strength; None for a rigid joint of unlimited strength."""
     strength = interface.strength
     if interface.model == "rigid":
         return None if strength in (None, inf) else JointLaw(strength=strength or inf)
@@ -148,17 +148,17 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
 
 
 def material_of(definition: Chained, bodies: Bodies) -> Material | None:
-    """That of the first body of a mechanism that has one."""
+    """Return the material of the first body of a mechanism that has one."""
     return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
 
 
 def at_top(chain: Chain, number: int) -> bool:
-    """Whether a hinge is the support at the top of a wall."""
+    """Return whether a hinge is the support at the top of a wall."""
     return len(chain.blocks) == number == 2
 
 
 def section_of_shape(shape: Shape, view: View) -> Section:
-    """A contact of given sizes, seen in the direction of motion."""
+    """Return a contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)
     if shape.hollow_rectangle is not None:
@@ -177,7 +177,7 @@ def _inward(normal: Vector, sense: float) -> Vector:
 
 
 def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
-    """Sentences on contacts that are not symmetric about the plane of motion."""
+    """Warn of contacts that are not symmetric about the plane of motion."""
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:
             continue
@@ -186,6 +186,6 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
             if joint is None:
                 continue
             found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
-            doubt = out_of_plane_warning(joint.section, found)
-            if doubt:
-                yield f"interface {letter}{mark}: {doubt}"
+            warning = out_of_plane_warning(joint.section, found)
+            if warning:
+                yield f"interface {letter}{mark}: {warning}"

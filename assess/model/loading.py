@@ -1,4 +1,4 @@
-"""The entries of `loads` as the field's loads, and what is doubtful of them."""
+"""The entries of `loads` as the field's loads, and warnings about them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
 from assess.geometry.overlap import overlaps
 from assess.geometry.piece import Piece
-from assess.loads.body_loads import FoundLoads, Meet, Surroundings, body_loads, find_meeting, name_load
+from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact, name_load
 from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
 from assess.loads.load import Force, Load, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks
@@ -30,14 +30,14 @@ def loads_of(
     pieces: Sequence[Piece],
     bodies: Bodies,
     *,
-    meet: Meet = find_meeting,
-) -> FoundLoads:
-    """The loads of the mechanism `name`; pieces: its blocks, or all of them in one; meet: finds contacts of bodies.
+    find: FindContact = find_block_contact,
+) -> LoadSet:
+    """Find the loads of a mechanism; pieces: its blocks, or all in one; find: the contacts of bodies.
 
     Raises GeometryError for a body that touches nothing of its block.
     """
     loads: list[Load] = []
-    doubts: list[str] = []
+    warnings: list[str] = []
     follows: list[bool] = []
     blocks = blocks_of(name, definition, pieces)
     for number, load in enumerate(definition.loads, start=1):
@@ -56,27 +56,27 @@ def loads_of(
             follows.append(False)
             continue
         if isinstance(load, BodyLoad):
-            found_loads = of_body(load, blocks, definition, bodies, meet=meet)
+            load_set = of_body(load, blocks, definition, bodies, find=find)
         else:
-            found_loads = FoundLoads((load_of(number, load, definition.towards),), ())
-        loads += found_loads.loads
-        follows += [isinstance(load, BodyLoad) and load.block is None] * len(found_loads.loads)
-        doubts += (*found_loads.doubts, *misplaced_load_warnings(found_loads.loads, blocks))
-        doubts += moving_anchor_warnings(found_loads.loads, [each.body.outline for each in pieces])
+            load_set = LoadSet((load_of(number, load, definition.towards),), ())
+        loads += load_set.loads
+        follows += [isinstance(load, BodyLoad) and load.block is None] * len(load_set.loads)
+        warnings += (*load_set.warnings, *misplaced_load_warnings(load_set.loads, blocks))
+        warnings += moving_anchor_warnings(load_set.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
-    doubts += (each.text for each in overlaps(known))
-    return FoundLoads(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
+    warnings += (each.text for each in overlaps(known))
+    return LoadSet(tuple(loads), tuple(dict.fromkeys(warnings)), tuple(follows))
 
 
 def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
-    """The blocks of the mechanism `name` as its loads meet them; of two direct values they part at hinge B."""
+    """Return the blocks as loads meet them; two blocks without geometry part at hinge B."""
     parted = len(definition.blocks) == 1 and len(pieces) == 2
     foot, crack = pieces[-1].foot, None
     if parted and foot is not None:
         crack = float(foot[0, 2])
     elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
-        crack = None if (hinges := definition.given_hinges) is None else hinges[1][-1]
+        crack = None if (hinges := definition.hinge_points) is None else hinges[1][-1]
     return Blocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
 
 
@@ -86,32 +86,32 @@ def of_body(
     definition: Chained,
     bodies: Bodies,
     *,
-    meet: Meet,
-) -> FoundLoads:
-    """What a body puts on each block that it loads; nothing where it rests below the cut.
+    find: FindContact,
+) -> LoadSet:
+    """Find what a body puts on each block that it loads; nothing if it rests below the cut.
 
     Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
     """
     body = bodies[load.body].solid
     taken = {each.block for each in definition.loads if isinstance(each, BodyLoad) and each.body == load.body}
-    found, doubts = loaded_blocks(load, body, among=blocks, taken=taken)
-    found_loads = [
+    found, warnings = loaded_blocks(load, body, among=blocks, taken=taken)
+    load_set = [
         body_loads(
             load,
             block=each.block,
             body=body,
             mass=bodies[load.body].mass,
             around=surroundings(load, blocks, each.contact, bodies),
-            meet=meet,
+            find=find,
         )
         for each in found
     ]
-    loads = tuple(one for each in found_loads for one in each.loads)
-    return FoundLoads(loads, (*name_load(load, doubts), *(text for each in found_loads for text in each.doubts)))
+    loads = tuple(one for each in load_set for one in each.loads)
+    return LoadSet(loads, (*name_load(load, warnings), *(text for each in load_set for text in each.warnings)))
 
 
 def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
-    """What stands around a body that loads a block: bodies as they are, those of the mechanism as cut."""
+    """Return what stands around a body that loads a block; bodies of the mechanism as they are cut."""
     pieces = blocks.pieces
     moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
     others = [each.solid for key, each in bodies.items() if each.solid is not None and key not in moving]
@@ -157,7 +157,7 @@ def load_of(
 
 
 def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
-    """A sentence for each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
+    """Warn of each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
     for load in loads:
         if not isinstance(load, Tie) or load.anchor is None:
             continue
@@ -170,7 +170,7 @@ def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -
 
 
 def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
-    """A sentence for each load that is not on or near its block, seen in the plane of motion; a crack parts nothing."""
+    """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
         whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
         outline = tuple(ring for piece in whole for ring in piece.body.outline)

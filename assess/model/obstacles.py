@@ -27,13 +27,13 @@ class Obstacle:
     faces: Patches
 
     def stops(self, way: Vector) -> bool:
-        """Whether it stops a motion towards `way`, a horizontal unit vector."""
+        """Return whether it stops a motion towards `way`, a horizontal unit vector."""
         ahead = self.faces.normal @ np.array(way) > AHEAD
         return float(self.faces.area[ahead].sum()) > SMALLEST
 
 
 def obstacles_of(definition: Chained, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:
-    """The bodies that touch what moves, `standing`; those of the mechanism and those that load it are none."""
+    """Find the bodies that touch what moves (`standing`), other than those of the mechanism and its loads."""
     low = min(float(solid.vertices[:, 2].min()) for solid in standing)
     high = max(float(solid.vertices[:, 2].max()) for solid in standing)
     foot = low + FOOT * (high - low)
@@ -46,7 +46,7 @@ def obstacles_of(definition: Chained, standing: Sequence[Solid], bodies: Bodies)
 
 
 def bodies_that_stop(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
-    """The bodies that stop a motion towards `way`."""
+    """Return the bodies that stop a motion towards `way`."""
     return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(way))
 
 

@@ -34,7 +34,7 @@ UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body 
 
 
 def pieces_of(name: str, definition: Chained, bodies: Bodies) -> tuple[Piece, ...]:
-    """The blocks of a mechanism, base first, each above the cut if there is one.
+    """Return the blocks of a mechanism, base first, each above the cut if there is one.
 
     Raises GeometryError where the cut misses all of them, or crosses a body without geometry.
     """
@@ -51,27 +51,27 @@ def pieces_of(name: str, definition: Chained, bodies: Bodies) -> tuple[Piece, ..
 
 
 def whole(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
-    """The bodies of a block as they are."""
+    """Return the bodies of a block uncut."""
     standing = tuple(solid for body in block if (solid := bodies[body].solid) is not None)
     seen = [bodies[body].in_plane(direction) for body in block]
     return Piece(as_one(seen), standing, lowest_corners(standing) if standing else None)
 
 
 def upper(name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies) -> Piece:
-    """What of a block lies above a cut."""
+    """Return the part of a block above a cut."""
     parts = divide(solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
     return replace(piece_above_cut(parts, direction), fixed=parts.below)
 
 
 def piece_above_cut(parts: Division, direction: Sequence[float]) -> Piece:
-    """The upper side of a cut as a block."""
+    """Return the upper side of a cut as a block."""
     body = as_one([planar_body(solid, direction=direction) for solid in parts.above])
     body = replace(body, base=base_of_section(parts.foot, direction=direction))
     return Piece(body, parts.above, parts.foot, True, parts.section)
 
 
 def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | None:
-    """The blocks of a mechanism in space, None where none of them has geometry."""
+    """Return the blocks of a mechanism in space; None if none of them has geometry."""
     if not any(piece.solids for piece in pieces):
         return None
     return Scene(
@@ -83,18 +83,18 @@ def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | Non
 
 
 def crosses(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
-    """Whether a body of the block reaches below the plane."""
+    """Return whether a body of the block reaches below the plane."""
     corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
     return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
 
 
 def as_one(bodies: Sequence[PlanarBody]) -> PlanarBody:
-    """One body as it is, several joined."""
+    """Join bodies in the plane of motion; one body is returned unchanged."""
     return bodies[0] if len(bodies) == 1 else join_planar(bodies, name=" + ".join(body.name for body in bodies))
 
 
 def cut_of(definition: Chained, *, where: str) -> Plane | None:
-    """The plane of the key `cut`; raises GeometryError where its normal does not point up.
+    """Return the plane of the cut; raise GeometryError if its normal does not point up.
 
     A crack inclined by a positive angle falls towards the direction.
     """
@@ -108,7 +108,7 @@ def cut_of(definition: Chained, *, where: str) -> Plane | None:
 
 
 def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
-    """The solids of a block; raises GeometryError for a body of direct values."""
+    """Return the solids of a block; raise GeometryError for a body without geometry."""
     found = []
     for body in block:
         solid = bodies[body].solid
@@ -122,7 +122,7 @@ def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid
 
 
 def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
-    """Sentences where a hinge taken from the geometry is a corner, so that a wall may stand askew, or not level."""
+    """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
     if piece.foot is None:
         return
     if turns_about_a_corner(piece.foot, direction=direction):
@@ -138,7 +138,7 @@ def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
 
 
 def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[str]:
-    """A sentence where the lowest face is much narrower than what lies hardly higher: a base that is not plane."""
+    """Warn of an uneven base: its lowest face is much narrower than the body just above."""
     faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL))
     ends = [base_of_section(face, direction=direction) for face in faces]
     width, wide = (high[0] - low[0] for low, high in ends)

@@ -17,7 +17,7 @@ from assess.geometry.cut import Division, divide, level_plane
 from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
-from assess.loads.body_loads import FoundLoads
+from assess.loads.body_loads import LoadSet
 from assess.loads.definitions import LoadDefinition
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
@@ -109,11 +109,11 @@ def crack_of(
     definition: TwoBlock,
     whole: Piece,
     bodies: Bodies,
-    loads: Callable[[], FoundLoads],
+    loads: Callable[[], LoadSet],
     *,
     front: Hinges | None,
 ) -> Crack:
-    """Where the wall of one body cracks; loads : finds those of the whole wall, before it cracks.
+    """Find where a wall of one body cracks; loads: finds those of the whole wall, before it cracks.
 
     Raises CrackError where there is nothing to find the crack from.
     """
@@ -125,14 +125,14 @@ def crack_of(
     if isinstance(crack, float):
         return Crack(crack)
     find = by_formula if crack == "sorrentino" else by_search
-    found_loads = loads()
+    load_set = loads()
     strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0
-    elevation, notice = find(definition, whole, found_loads, strength=strength)
-    return Crack(elevation, (notice,), loads_above(found_loads, elevation))
+    elevation, notice = find(definition, whole, load_set, strength=strength)
+    return Crack(elevation, (notice,), loads_above(load_set, elevation))
 
 
 def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
-    """The two blocks of a wall that cracks at an elevation [m].
+    """Return the two blocks of a wall that cracks at an elevation [m].
 
     Raises CrackError where the crack does not lie in the wall.
     """
@@ -142,16 +142,16 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
     return below(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
 
 
-def loads_above(found_loads: FoundLoads, elevation: float) -> tuple[Load, ...]:
-    """The loads of a wall that cracks at an elevation [m]: what follows from its place is on the block there."""
+def loads_above(load_set: LoadSet, elevation: float) -> tuple[Load, ...]:
+    """Assign the loads of a wall to its blocks, if it cracks at an elevation [m]."""
     return tuple(
         replace(load, block=UPPER if load.at[1] >= elevation else 0) if follows else load
-        for load, follows in zip(found_loads.loads, found_loads.follows, strict=True)
+        for load, follows in zip(load_set.loads, load_set.follows, strict=True)
     )
 
 
 def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
-    """Raise CrackError where a crack was found with loads on other blocks than those on which they stand when cut."""
+    """Raise CrackError if the crack was found with loads on other blocks than those they rest on once it is cut."""
     if crack is None or crack.loads is None:
         return
     before, after = ({(load.name, load.block) for load in each} for each in (crack.loads, loads))
@@ -163,12 +163,12 @@ def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
 
 
 def material_of(block: Sequence[str], bodies: Bodies) -> Material:
-    """The material of the first body of a block that has geometry."""
+    """Return the material of the first body of a block that has geometry."""
     return next(material for name in block if (material := bodies[name].material) is not None)
 
 
 def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
-    """The box around a wall and the load on it: forces and bearing masses of the upper block, as if at the top."""
+    """Return the box around a wall and the load on its top: forces and bearing masses of the upper block."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
     along = np.array(definition.towards) / np.linalg.norm(definition.towards)
     x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
@@ -191,15 +191,15 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     )
 
 
-def by_formula(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float) -> tuple[float, str]:
-    """The crack by 3.27 with the loads that stand above it: elevation [m] and how it was found.
+def by_formula(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, str]:
+    """Find the crack by eq. 3.27 with the loads above it: elevation [m] and how it was found.
 
     The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
     above it. Where more than one agrees with its own crack, the one of the least uplift multiplier counts.
 
     Raises CrackError where none does, or where one puts the crack at the very top.
     """
-    found = list(consistent_cracks(definition, whole, found_loads, strength=strength))
+    found = list(consistent_cracks(definition, whole, load_set, strength=strength))
     if not found:
         raise CrackError(
             'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
@@ -210,17 +210,15 @@ def by_formula(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, s
 
 
 def consistent_cracks(
-    definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float
+    definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
 ) -> Iterator[tuple[float, float, str]]:
-    """The cracks by 3.27 above which the loads stand that they are found with: uplift multiplier, elevation, and how.
+    """Find the cracks by eq. 3.27 that agree with the loads above them: uplift multiplier, elevation, and how.
 
     A load within MARGIN of the top stands on it.
     """
-    heights = sorted(
-        {load.at[1] for load, follows in zip(found_loads.loads, found_loads.follows, strict=True) if follows}
-    )
+    heights = sorted({load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows})
     for lowest, next_one in pairwise((-inf, *heights, inf)):
-        loads = loads_above(found_loads, next_one)
+        loads = loads_above(load_set, next_one)
         panel = panel_of(definition, whole, loads, strength=strength)
         on_top = panel.base + (1.0 - MARGIN) * panel.height
         if lowest > on_top:
@@ -236,7 +234,7 @@ def consistent_cracks(
 
 
 def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
-    """The crack by 3.27, or its general form where the load is off the middle: elevation [m] and how it was found.
+    """Find the crack by eq. 3.27, or by its general form for an eccentric load: elevation [m] and how it was found.
 
     Where the wall rocks to both sides the load is taken at the face that is worse.
     """
@@ -260,18 +258,18 @@ def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
     )
 
 
-def by_search(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float) -> tuple[float, str]:
-    """The crack of least uplift multiplier: elevation [m] and how it was found.
+def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, str]:
+    """Find the crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
     sides, out of reach of the contact.
     """
-    panel = panel_of(definition, whole, loads_above(found_loads, -inf), strength=strength)
+    panel = panel_of(definition, whole, loads_above(load_set, -inf), strength=strength)
 
     def multiplier(elevation: float) -> float:
-        return uplift(definition, whole, panel, loads_above(found_loads, elevation), elevation)
+        return uplift(definition, whole, panel, loads_above(load_set, elevation), elevation)
 
-    jumps = [load.at[1] for load, follows in zip(found_loads.loads, found_loads.follows, strict=True) if follows]
+    jumps = [load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows]
     elevation = find_least(
         multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
     )
@@ -284,7 +282,7 @@ def by_search(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, st
 
 
 def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
-    """The multiplier that opens a crack at `elevation` [m], the least of the sides that rock."""
+    """Return the multiplier that opens a crack at an elevation [m], the least of the sides that rock."""
     parts = divide(whole.solids, level_plane(elevation), where="crack")
     blocks = (weight_of(parts.below, definition.towards), weight_of(parts.above, definition.towards))
     base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top_edge(whole.body)
@@ -301,13 +299,13 @@ def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, 
 
 
 def weight_of(solids: Sequence[Solid], direction: Sequence[float]) -> Block:
-    """Solids that move as one, for statics: mass and centroid in the plane of motion."""
+    """Return solids that move as one as a block for statics: mass and centroid in the plane of motion."""
     masses = np.array([solid.mass for solid in solids])
     centre = masses @ np.array([solid.centroid for solid in solids]) / masses.sum()
     return Block(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
 def below(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
-    """The lower side of a crack as a block, on the base of the whole."""
+    """Return the lower side of a crack as a block on the base of the whole wall."""
     body = as_one([planar_body(solid, direction=direction) for solid in parts.below])
     return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)

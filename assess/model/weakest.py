@@ -32,7 +32,7 @@ from assess.model.candidates import (
     with_displacement,
     worth,
 )
-from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
+from assess.model.definitions import Chained, Definition, EquivalentBlock, Turnable
 from assess.model.directions import S, sweep_directions, turn_towards
 from assess.model.obstacles import AHEAD, bodies_that_stop
 
@@ -41,10 +41,8 @@ LISTED = 4
 
 
 def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """The mechanism of one table [mechanisms.NAME], in its weakest direction where none is given."""
-    if isinstance(definition, EquivalentBlock | FourHinge):
-        return mechanism_as_given(name, definition, bodies)
-    if definition.direction == "sweep" or not has_geometry(definition, bodies):
+    """Build the mechanism of a definition, in its weakest direction if none is given."""
+    if not isinstance(definition, Turnable) or definition.direction == "sweep" or not has_geometry(definition, bodies):
         return mechanism_as_given(name, definition, bodies)
     look = look_around(name, definition, bodies)
     if definition.direction is None:
@@ -53,19 +51,19 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """The mechanism where no candidates are compared; a body of direct values has one plane only, taken as +x."""
+    """Build the mechanism without comparing candidates; a body without geometry has one plane only, taken as +x."""
     if not isinstance(definition, EquivalentBlock) and definition.direction == "sweep":
         return sweep_directions(name, definition, bodies)
     return mechanism_of(name, definition, bodies)
 
 
 def has_geometry(definition: Chained, bodies: Bodies) -> bool:
-    """Whether all its bodies have geometry."""
+    """Return whether all bodies of a mechanism have geometry."""
     return all(bodies[body].solid is not None for body in definition.bodies)
 
 
 def in_weakest(look: Look) -> Built:
-    """The mechanism in its weakest direction; raises ProjectError with the candidates where one must be given."""
+    """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
     candidates = evaluate_all(look)
     known = [each for each in candidates if each.multiplier is not None]
     if not known:  # nor can it be built towards any: say why
@@ -79,64 +77,64 @@ def in_weakest(look: Look) -> Built:
     behind = () if held else bodies_that_stop(look.obstacles, opposite(found.way))
     definition = with_sides(turn_towards(look.definition, found.way), behind)
     built = mechanism_of(look.name, definition, look.bodies)
-    told = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
-    told += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
-    return with_messages(built, candidates, told, look)
+    messages = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
+    messages += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
+    return with_messages(built, candidates, messages, look)
 
 
 def with_sides(definition: S, behind: Sequence[str]) -> S:
-    """The same table with its sides: those given, else one where bodies stand behind."""
+    """Return the definition with its sides: those given, else one if bodies stand behind."""
     return replace(definition, sides=definition.sides or ("one" if behind else "two"))
 
 
-def must_be_given(definition: SingleBlock | TwoBlock) -> Iterator[str]:
-    """Why a direction cannot be found for the user."""
+def must_be_given(definition: Turnable) -> Iterator[str]:
+    """Say why the direction cannot be found for the user."""
     if definition.sides == "one":
         yield 'with sides = "one" it says which way the mechanism is free'
     for key in definition.keys_along():
-        yield f"{dotted_key(key)} is measured along it"
+        yield f"{format_key(key)} is measured along it"
 
 
-def dotted_key(key: Sequence[str | int]) -> str:
-    """A key of a mechanism as the user writes it, entries of lists counted from 1."""
+def format_key(key: Sequence[str | int]) -> str:
+    """Write a key of a mechanism as the user does, with entries of lists counted from 1."""
     return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
 
 
 def list_directions(known: Sequence[Candidate]) -> str:
-    """Directions with their multipliers, the weakest first."""
+    """List directions with their multipliers, the weakest first."""
     rising = sorted(known, key=rank)
     texts = [f"{vector_text(each.way)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
     return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
 
 
 def opposite(way: Vector) -> Vector:
-    """The direction back."""
+    """Return the opposite direction."""
     return (-way[0], -way[1], 0.0)
 
 
 def in_given(look: Look) -> Built:
-    """The mechanism in the direction that is given, with a warning where another is clearly weaker."""
+    """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
     ahead = Candidate(angle_of(look.definition.towards)).way
     into = bodies_that_stop(look.obstacles, ahead)
     behind = () if into else bodies_that_stop(look.obstacles, opposite(ahead))
     built = mechanism_of(look.name, with_sides(look.definition, behind), look.bodies)
-    told = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
+    messages = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
     if look.definition.hinges is not None or next(look.definition.keys_along(), None) is not None:
-        return with_messages(built, (), told, look)
+        return with_messages(built, (), messages, look)
     candidates = evaluate_all(look)
-    told += weaker_than(built.mechanism, candidates, look)
-    return with_messages(built, candidates, told, look)
+    messages += weaker_than(built.mechanism, candidates, look)
+    return with_messages(built, candidates, messages, look)
 
 
 def direction_warnings(into: Sequence[str], ahead: Vector, look: Look) -> Iterator[Message]:
-    """That the direction given leads into a body."""
+    """Warn that the given direction leads into a body."""
     if into:
         values = {"direction": vector_text(ahead), "bodies": ", ".join(into)}
         yield message("direction-into", values, severity=Severity.WARNING, where=look.where)
 
 
 def weaker_than(given: Mechanism, candidates: Sequence[Candidate], look: Look) -> Iterator[Message]:
-    """A warning where a candidate that nothing stops is clearly weaker than the mechanism in its given direction."""
+    """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
     ahead = np.array(Candidate(angle_of(look.definition.towards)).way)
     open_ways = [each for each in candidates if each.multiplier is not None and not each.touching]
     if given.sides == "one":  # what stops it stands behind
@@ -158,14 +156,14 @@ def weaker_than(given: Mechanism, candidates: Sequence[Candidate], look: Look) -
 
 
 def length_text(length: float | None) -> Value:
-    """A displacement [m] as a value of a message."""
+    """Return a displacement [m] as a value of a message."""
     return "none, as it never overturns," if length is None else Quantity(length, "length")
 
 
 def obstacle_messages(
     candidates: Sequence[Candidate], found: Candidate, *, held: bool, where: str
 ) -> Iterator[Message]:
-    """The senses that bodies beside the mechanism stop."""
+    """Tell which directions are stopped by bodies beside the mechanism."""
     for each in candidates:
         if each.multiplier is None or not each.touching:
             continue
@@ -178,19 +176,19 @@ def obstacle_messages(
 
 
 def sides_messages(behind: Sequence[str], look: Look) -> Iterator[Message]:
-    """That it rocks to one side for what stands behind it."""
+    """Tell that it rocks to one side because of what stands behind it."""
     if behind and look.definition.sides is None:
         yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)
 
 
 def cannot_rock(candidate: Candidate, where: str) -> Message:
-    """Why a direction was left out."""
+    """Say why a direction was left out."""
     values = {"direction": vector_text(candidate.way), "why": candidate.why}
     return message("direction-left-out", values, severity=Severity.WARNING, where=where)
 
 
-def with_messages(built: Built, candidates: Sequence[Candidate], told: Sequence[Message], look: Look) -> Built:
-    """The mechanism with the candidates, the bodies beside it, and what is told of them."""
+def with_messages(built: Built, candidates: Sequence[Candidate], messages: Sequence[Message], look: Look) -> Built:
+    """Return the mechanism with its candidates, the bodies beside it and the messages on them."""
     beside = tuple(obstacle.body for obstacle in look.obstacles)
-    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(told))
+    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(messages))
     return replace(built, mechanism=found)

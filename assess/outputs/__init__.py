@@ -1,1 +1,1 @@
-"""What the program writes into folders: whole or not at all, and nothing of others is lost (docs/outputs.md)."""
+"""Files that the program writes: whole or not at all, and never over files of others (docs/outputs.md)."""

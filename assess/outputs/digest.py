@@ -1,4 +1,4 @@
-"""The SHA-256 of a file, by which a file that was changed is known."""
+"""The SHA-256 of a file, which tells whether it was changed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def digest(path: Path) -> str | None:
-    """The SHA-256 of a file; None where there is none, "" where it is no file or cannot be read."""
+    """Return the SHA-256 of a file; None if there is no such file, "" if it is not a regular file or cannot be read."""
     try:
         with path.open("rb") as opened:
             return hashlib.file_digest(opened, "sha256").hexdigest()

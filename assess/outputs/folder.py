@@ -1,4 +1,4 @@
-"""Writing a set of files into a folder: whole or not at all, alone, and nothing that is not ours touched."""
+"""A set of files written into a folder: whole or not at all, by one command at a time, without touching other files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from assess.outputs.recovery import Tell, keep_beside, recover
 from assess.outputs.signals import defer_signals
 from assess.outputs.stage import MADE, files_in, flush, stage
 
-_TOLD = 5  # names of files in a line
+_MOST_NAMES = 5  # of files in an error
 
 
 def _silent(_: Message) -> None:
@@ -28,14 +28,31 @@ def _silent(_: Message) -> None:
 def output_folder(
     folder: Path, *, command: str, owner: str = RESULTS, wanted: Sequence[str] = (), tell: Tell = _silent
 ) -> Iterator[Path]:
-    """A temporary folder; what the block leaves in it stands in `folder` afterwards, if the block raised nothing.
+    """Give a temporary folder; after the block, its files are moved into `folder`, unless the block raised.
 
-    command : what writes there, for others to be told while it does
-    owner : the set that the files make up, of `assess.outputs.manifest`; those of the set that are not made again are
-    removed, but for the results after which it is called
-    wanted : files that are known to come
-    tell : is told what was made good there
-    Raises OutputError at once where the folder cannot be written or holds files that may not be replaced.
+    Parameters
+    ----------
+    folder : Path
+        The folder to write into; made if absent.
+    command : str
+        The command that writes there, named to other commands meanwhile.
+    owner : str
+        The set that the files make up, of `assess.outputs.manifest`. Files of the set that are not made again are
+        removed, except the results it is named after.
+    wanted : sequence of str
+        Names of files that are certain to come.
+    tell : callable
+        Called with a message on what was recovered in the folder.
+
+    Yields
+    ------
+    Path
+        The temporary folder.
+
+    Raises
+    ------
+    OutputError
+        At once, if the folder cannot be written or holds files that may not be replaced.
     """
     if folder.exists() and not folder.is_dir():
         raise OutputError(f"{folder}: is a file; give a folder for the output")
@@ -50,7 +67,7 @@ def output_folder(
 
 @contextmanager
 def _make_folder(folder: Path) -> Iterator[None]:
-    """The folder, made with those above it where there is none; such as nothing came into are removed again."""
+    """Make the folder and its parents if absent; remove again those that stay empty."""
     absent = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -65,9 +82,9 @@ def _make_folder(folder: Path) -> Iterator[None]:
 
 
 def _obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> dict[str, str]:
-    """Why files in the folder cannot be replaced or removed, by their names.
+    """Return why files in the folder cannot be replaced or removed, by name.
 
-    wanted : files to be written; those of the set that are not among them go, but for its results
+    wanted : files to be written; other files of the set are to be removed, except its results
     """
     ours = manifest.of(owner)
     found = {}
@@ -89,12 +106,13 @@ def _refuse(folder: Path, wrong: Mapping[str, str], *, kept: str = "") -> None:
         return
     why = next(iter(wrong.values()))
     names = [str(folder / name) for name, each in wrong.items() if each == why]
-    more = f" and {len(names) - _TOLD} more" if len(names) > _TOLD else ""
-    raise OutputError(f"{', '.join(names[:_TOLD])}{more}: {why}; move it away, or give another folder with -o{kept}")
+    more = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
+    listed = ", ".join(names[:_MOST_NAMES])
+    raise OutputError(f"{listed}{more}: {why}; move it away, or give another folder with -o{kept}")
 
 
 def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
-    """Move what was made into the folder; what cannot go there is left beside it."""
+    """Move what was made into the folder; if that is not possible, leave it beside the folder."""
     made = place / MADE
     files = {name: digest(made / name) for name in files_in(made)}
     kept = {name: old for name, old in manifest.of(owner).items() if name == owner and name not in files}

@@ -1,9 +1,9 @@
-"""Moving finished files from their stage into a folder, so that a stop at any moment can be made good.
+"""Moves of finished files from their stage into a folder, which can be recovered from a stop at any moment.
 
-The stage holds the new files in `made`. A journal written there lists every move with the SHA-256 of what comes and of
-what goes; only then are files moved, those that go into `old`. Every step can be done again: whoever finds a stage with
-a journal goes on with it, or takes it back where the folder was changed meanwhile. Without its journal, a stage is
-something that was never finished, or that is done with.
+The stage holds the new files in `made`. A journal written there lists every move with the SHA-256 of the new and of the
+old file; only then are files moved, replaced ones into `old`. Every step can be repeated: the next command that finds a
+stage with a journal finishes the moves, or takes them back if the folder was changed meanwhile. A stage without a
+journal was never finished, or is done with.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from assess.outputs.stage import JOURNAL, MADE, OLD, files_in, flush
 
 @dataclass(frozen=True)
 class Move:
-    """What becomes of one file: `name` below the folder, SHA-256 of what comes and of what is there, None for none."""
+    """The move of one file: `name` below the folder, SHA-256 of the new and of the old file, None for no file."""
 
     name: str
     new: str | None
@@ -31,7 +31,7 @@ class Move:
 
 
 def begin(stage: Path, moves: Sequence[Move]) -> None:
-    """Write the journal, once all that it speaks of is on the disk."""
+    """Write the journal, once all files it lists are on the disk."""
     for folder in [stage / MADE, *(path for path in (stage / MADE).rglob("*") if path.is_dir())]:
         flush(folder)
     draft = stage / f"{JOURNAL}.draft"
@@ -44,7 +44,7 @@ def begin(stage: Path, moves: Sequence[Move]) -> None:
 
 
 def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
-    """Carry out what is left of the moves."""
+    """Carry out the moves that are not done yet."""
     for move in moves:
         made, saved, target = _places(stage, folder, move)
         if made.exists() or move.new is None:
@@ -59,7 +59,7 @@ def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
 
 
 def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
-    """Undo what was done of the moves; what has no place any more stays in the stage."""
+    """Undo the moves that are done; files whose place is taken stay in the stage."""
     for move in reversed(moves):
         made, saved, target = _places(stage, folder, move)
         now = digest(target)
@@ -77,7 +77,7 @@ def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
 
 
 def read_moves(stage: Path) -> list[Move] | None:
-    """The moves of the journal of a stage; None where it cannot be read."""
+    """Return the moves in the journal of a stage; None if it cannot be read."""
     try:
         content = json.loads((stage / JOURNAL).read_text(encoding="utf-8"))
         moves = [Move(str(each["name"]), each["new"], each["old"]) for each in content["moves"]]
@@ -87,7 +87,7 @@ def read_moves(stage: Path) -> list[Move] | None:
 
 
 def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
-    """Whether all that is to come is whole, and nothing stands in its place that nobody knew of."""
+    """Return whether all new files are whole, and no unknown file is in their place."""
     for move in moves:
         made, _, target = _places(stage, folder, move)
         now = digest(target)
@@ -99,7 +99,7 @@ def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
 
 
 def guess_moves(stage: Path, folder: Path) -> list[Move]:
-    """What was done, as the files tell it where the journal is damaged: what is in `old` stood in the folder."""
+    """Return the moves as the files show them, for a damaged journal: files in `old` were in the folder."""
     moves = []
     for name in files_in(stage / OLD) if (stage / OLD).is_dir() else []:
         was = digest(stage / OLD / name)
@@ -109,7 +109,7 @@ def guess_moves(stage: Path, folder: Path) -> list[Move]:
 
 
 def _places(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
-    """Where a file is made, kept and wanted; raises OutputError where a link leads out of the folder."""
+    """Return where a file is made, saved and wanted; raise OutputError if a link leads out of the folder."""
     places = stage / MADE / move.name, stage / OLD / move.name, folder / move.name
     for root, place in zip((stage, stage, folder), places, strict=True):
         if link := link_above(place, root):
@@ -118,7 +118,7 @@ def _places(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
 
 
 def _save(target: Path, saved: Path) -> None:
-    """Keep what stands in the folder; it stays there too where the disk can, so that readers never miss it."""
+    """Save the file in the folder; it also stays there if the disk has links, so that readers never miss it."""
     if saved.exists() or not target.exists():
         return
     saved.parent.mkdir(parents=True, exist_ok=True)
@@ -129,7 +129,7 @@ def _save(target: Path, saved: Path) -> None:
 
 
 def _close(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
-    """Flush the folders and take the journal away: from now on the stage is done with."""
+    """Flush the folders and remove the journal: from now on the stage is done with."""
     for place in sorted({(folder / move.name).parent for move in moves} | {folder}):
         if place.is_dir():
             flush(place)
@@ -138,7 +138,7 @@ def _close(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
 
 
 def _remove_empty(folder: Path, names: Sequence[str]) -> None:
-    """Remove the folders below `folder` that held or were to hold `names` and are empty."""
+    """Remove the empty folders below `folder` that held, or were to hold, `names`."""
     for parent in sorted({(folder / name).parent for name in names} - {folder}, reverse=True):
         with suppress(OSError):
             parent.rmdir()

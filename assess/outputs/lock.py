@@ -1,8 +1,8 @@
 """A lock on a folder that names its holder, held as long as a command writes there.
 
-The kernel lets go of it when its holder has ended, however that was: a lock file left behind holds nobody up, and it
-does not matter that numbers of processes come again. Kernels do not see each other's locks on every network folder, so
-a lock file signed on another machine is believed; and so is one on a disk without locks, as long as its process lives.
+The kernel releases it when its holder ends, however that happens: a lock file left behind blocks nobody, and it does
+not matter that process numbers are reused. Kernels do not see each other's locks on every network folder, so a lock
+file signed on another machine counts as held; so does one on a disk without locks, as long as its process lives.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from pathlib import Path
 from assess.errors import HeldError
 
 LOCK = ".assess-lock"
-PATIENCE = 10.0  # s, in which the children of a command that was killed end
+PATIENCE = 10.0  # s, within which the children of a killed command end
 _PAUSE = 0.02  # s
 _BOOT = Path("/proc/sys/kernel/random/boot_id")
 _BYTE = 1 << 30  # Windows hides what is locked from others: a byte far behind the text
@@ -32,7 +32,7 @@ _OPENED = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O
 
 @dataclass(frozen=True)
 class Holder:
-    """The process that holds a lock; boot: what names the running kernel, "" where nothing does."""
+    """The process that holds a lock; boot: id of the running kernel, "" if there is none."""
 
     pid: int
     host: str
@@ -49,7 +49,7 @@ class Holder:
         return self.host != socket.gethostname() and (self.boot == "" or self.boot != _boot())
 
     @property
-    def ended(self) -> bool:
+    def has_ended(self) -> bool:
         """Whether it is known to have ended."""
         return self.host == socket.gethostname() and (self.boot != _boot() or not _runs(self.pid))
 
@@ -58,8 +58,8 @@ class Holder:
 def hold_lock(folder: Path, *, command: str, patient: bool = False) -> Iterator[None]:
     """Hold the lock of `folder` while the block runs.
 
-    command : what holds it, for others to be told; patient : wait a while for a holder that lives
-    Raises HeldError that names the holder.
+    command : what holds it, named to other commands; patient : whether to wait a while for a living holder
+    Raises HeldError, which names the holder.
     """
     file = folder / LOCK
     handle = _acquire(file, patient=patient)
@@ -71,9 +71,9 @@ def hold_lock(folder: Path, *, command: str, patient: bool = False) -> Iterator[
 
 
 def is_abandoned(file: Path, *, unsigned: bool = True) -> bool:
-    """Whether nobody holds the lock `file`; raises OSError where there is none.
+    """Return whether nobody holds the lock `file`; raise OSError if there is no such file.
 
-    unsigned : what to say of one that nobody has signed and nobody holds, whose holder may be about to
+    unsigned : the answer for a lock that is neither signed nor held, whose holder may be about to sign it
     """
     handle = os.open(file, _OPENED & ~os.O_CREAT)
     try:
@@ -81,13 +81,13 @@ def is_abandoned(file: Path, *, unsigned: bool = True) -> bool:
         holder = _holder(handle)
         if holder is None:
             return unsigned and granted is not False
-        return granted or (granted is None and holder.ended)
+        return granted or (granted is None and holder.has_ended)
     finally:
         os.close(handle)
 
 
 def _acquire(file: Path, *, patient: bool) -> int:
-    """The open lock file, locked."""
+    """Return the handle of the lock file, locked."""
     deadline = time.monotonic() + PATIENCE
     while True:
         handle = os.open(file, _OPENED, 0o644)
@@ -97,10 +97,10 @@ def _acquire(file: Path, *, patient: bool) -> int:
             continue
         if granted and (holder is None or not holder.elsewhere):
             return handle
-        if granted is None and (holder is None or holder.ended):
+        if granted is None and (holder is None or holder.has_ended):
             return handle
         os.close(handle)
-        waits = patient or holder is None or holder.ended
+        waits = patient or holder is None or holder.has_ended
         if granted or not waits or time.monotonic() > deadline:
             raise HeldError(_held_text(file, holder, certain=granted is False))
         time.sleep(_PAUSE)
@@ -113,7 +113,7 @@ def _held_text(file: Path, holder: Holder | None, *, certain: bool) -> str:
 
 
 def _try_lock(handle: int) -> bool | None:
-    """Whether the kernel gives the lock; None where the disk has none."""
+    """Return whether the kernel grants the lock; None on a disk without locks."""
     try:
         if sys.platform == "win32":
             import msvcrt
@@ -130,7 +130,7 @@ def _try_lock(handle: int) -> bool | None:
 
 
 def _is(handle: int, file: Path) -> bool:
-    """Whether the file that is open stands at its path."""
+    """Return whether the open file is still the one at its path."""
     try:
         return os.path.samestat(os.fstat(handle), file.stat())
     except OSError:
@@ -146,7 +146,7 @@ def _sign(handle: int, command: str) -> None:
 
 
 def _holder(handle: int) -> Holder | None:
-    """Who signed the lock; None where nobody has yet."""
+    """Return who signed the lock; None if nobody has yet."""
     try:
         os.lseek(handle, 0, os.SEEK_SET)
         found = json.loads(os.read(handle, 10_000))
@@ -156,7 +156,7 @@ def _holder(handle: int) -> Holder | None:
 
 
 def _release(handle: int, file: Path) -> None:
-    """Remove the lock file, while it is held where that can be done."""
+    """Remove the lock file, while it is held where the system allows."""
     if sys.platform == "win32":
         os.close(handle)
         with suppress(OSError):
@@ -176,7 +176,7 @@ def _boot() -> str:
 
 
 def _runs(pid: int) -> bool:
-    """Whether a process of this number runs on this machine, as far as can be told."""
+    """Return whether a process of this number runs on this machine; True if that is not known."""
     if sys.platform == "win32":  # where signal 0 would end it
         return True
     try:

@@ -1,7 +1,7 @@
-"""The list of what the program wrote into a folder, by which command, with the SHA-256 of each file.
+"""The list of the files that the program wrote into a folder, by command, with the SHA-256 of each.
 
-What is not listed is the user's; what is listed and has another SHA-256 now was changed since it was written. Neither
-is ever replaced or removed.
+Files that are not listed are the user's; files that are listed with another SHA-256 were changed since they were
+written. Neither are ever replaced or removed.
 """
 
 from __future__ import annotations
@@ -16,27 +16,27 @@ from assess.outputs.digest import digest
 
 MANIFEST = ".assess-manifest.json"
 RESULTS, ENVELOPES, RECORDS = "results.json", "envelopes.json", "records"
-"""The sets of files: each command replaces and removes those of its own set only, called after its results."""
+"""The sets of files, named after their results: each command replaces and removes files of its own set only."""
 _EARLIER = {".assess-outputs": RESULTS, ".assess-envelopes": ENVELOPES}  # lists of names alone
-_SLACK = 60.0  # s that an output may be younger than such a list
+_SLACK = 60.0  # s by which an output may be younger than such a list
 
 
 @dataclass(frozen=True)
 class Manifest:
-    """The files of each set, with their SHA-256; None for one of an earlier list, which is not known.
+    """The files of each set, with their SHA-256; None for a file of an earlier list, whose SHA-256 is not known.
 
-    earlier : the lists of versions that kept no manifest, which it takes the place of
+    earlier : lists of versions that kept no manifest, which this one replaces
     """
 
     sets: Mapping[str, Mapping[str, str | None]] = field(default_factory=dict)
     earlier: tuple[str, ...] = ()
 
     def of(self, owner: str) -> Mapping[str, str | None]:
-        """The files of one set."""
+        """Return the files of one set."""
         return self.sets.get(owner, {})
 
     def known(self, folder: Path) -> Manifest:
-        """The same, with the SHA-256 that files of an earlier list have now."""
+        """Return the manifest with the present SHA-256 of files of an earlier list."""
         return Manifest(
             {
                 owner: {name: digest(folder / name) if old is None else old for name, old in files.items()}
@@ -45,13 +45,13 @@ class Manifest:
         )
 
     def text(self) -> str:
-        """The manifest as it is written."""
+        """Return the text of the manifest file."""
         sets = {owner: dict(sorted(self.sets[owner].items())) for owner in sorted(self.sets) if self.sets[owner]}
         return json.dumps({"format": 1, "sets": sets}, indent=1, ensure_ascii=False) + "\n"
 
 
 def read(folder: Path) -> Manifest:
-    """The manifest of a folder, empty where there is none that can be read; names that lead out of it are left out."""
+    """Return the manifest of a folder, without names that lead out of it; empty if there is none that can be read."""
     try:
         content = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
         listed = {str(owner): dict(files) for owner, files in content["sets"].items()}
@@ -61,7 +61,7 @@ def read(folder: Path) -> Manifest:
 
 
 def state(path: Path, sha256: str | None) -> str:
-    """What became of a file that was listed: "absent", "unchanged" or "changed"."""
+    """Return the state of a listed file: "absent", "unchanged" or "changed"."""
     now = digest(path)
     if now is None:
         return "absent"
@@ -69,13 +69,13 @@ def state(path: Path, sha256: str | None) -> str:
 
 
 def is_changed(path: Path) -> bool | None:
-    """Whether a file is another than the program wrote there; None where no manifest tells."""
+    """Return whether a file was changed since the program wrote it; None if no manifest lists it."""
     written = [files.get(path.name) for files in read(path.parent).sets.values() if path.name in files]
     return None if not written or written[0] is None else state(path, written[0]) == "changed"
 
 
 def _earlier(folder: Path) -> Manifest:
-    """What lists of earlier versions say; a file well younger than its list was changed since."""
+    """Return the manifest by lists of earlier versions; a file well younger than its list was changed since."""
     sets: dict[str, dict[str, str | None]] = {}
     for name, owner in _EARLIER.items():
         try:
@@ -95,13 +95,13 @@ def _younger(path: Path, written: float) -> bool:
 
 
 def stays_inside(name: str) -> bool:
-    """Whether a name cannot lead out of its folder, on any system."""
+    """Return whether a name cannot lead out of its folder, on any system."""
     paths = (PurePosixPath(name), PureWindowsPath(name))
     return bool(name) and "\0" not in name and not any(path.anchor or ".." in path.parts for path in paths)
 
 
 def link_above(path: Path, folder: Path) -> Path | None:
-    """The link, if any, that leads out of `folder` on the way to `path` in it."""
+    """Return the link that leads out of `folder` on the way to `path` in it; None if there is none."""
     above = path.relative_to(folder).parents
     return next((found for each in above if (found := folder / each) != folder and found.is_symlink()), None)
 

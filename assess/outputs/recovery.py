@@ -1,4 +1,4 @@
-"""Making good what a command that was stopped left in a folder: its last moves are finished, or taken back."""
+"""Recovery of a folder in which a command was stopped: its last moves are finished, or taken back."""
 
 from __future__ import annotations
 
@@ -15,9 +15,16 @@ Tell = Callable[[Message], None]
 
 
 def recover_for_reading(folder: Path, *, tell: Tell) -> None:
-    """Make good, for a command that only reads in `folder`, what one that was stopped while it moved files left there.
+    """Recover a folder for a command that only reads in it.
 
-    Waits for one that is moving files at this moment; changes nothing where nobody was stopped there.
+    Waits for a command that is moving files at this moment; does nothing if no command was stopped there.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    tell : callable
+        Called with a message on what was recovered.
     """
     if any((each / JOURNAL).is_file() for each in _stages(folder)):
         with hold_lock(folder, command="a command that reads there", patient=True):
@@ -25,7 +32,7 @@ def recover_for_reading(folder: Path, *, tell: Tell) -> None:
 
 
 def recover(folder: Path, *, tell: Tell) -> None:
-    """The same for the holder of the folder's lock; stages of commands that are gone are removed too."""
+    """Recover a folder whose lock the caller holds; remove stages that are left behind."""
     for stage in left_behind(folder, alone=True):
         if (stage / JOURNAL).is_file() and not stage.is_symlink():
             with defer_signals():
@@ -34,9 +41,9 @@ def recover(folder: Path, *, tell: Tell) -> None:
 
 
 def keep_beside(stage: Path, folder: Path) -> Path:
-    """Move what a stage holds into a new folder beside `folder`, in it where that cannot be; the new folder.
+    """Move the files of a stage into a new folder beside `folder`, or within it, and return the new folder.
 
-    Old files that have no place any more, since others stand there, go with it.
+    Old files whose place is taken by others go with them.
     """
     if (stage / OLD).is_dir() and files_in(stage / OLD):
         (stage / OLD).rename(stage / MADE / OLD)

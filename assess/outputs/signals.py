@@ -1,4 +1,4 @@
-"""Signals that ask the program to end: each ends it in order, and none cuts what must be done in one go."""
+"""Signals that ask the program to end: they end it in order, and never within a step that must be whole."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
-"""What ends a program politely: Ctrl-C, `kill`, and a terminal that is closed."""
+"""Signals that ask a program to end: Ctrl-C, `kill`, and a closed terminal."""
 
 
 class Terminated(BaseException):
-    """A signal asked the program to end; `number`: which.
+    """A signal asked the program to end; `number`: of the signal.
 
-    It is no KeyboardInterrupt: typer ends that one with 130 and says nothing.
+    It is not a KeyboardInterrupt, on which typer ends with 130 without a word.
     """
 
     def __init__(self, number: int) -> None:

@@ -1,4 +1,4 @@
-"""Writing one file that the user names: whole or not at all, and never over another."""
+"""One file that the user names, written whole or not at all, and never over another."""
 
 from __future__ import annotations
 
@@ -14,9 +14,26 @@ from assess.outputs.stage import MADE, clear, flush, stage
 
 @contextmanager
 def write_file(path: Path, *, command: str) -> Iterator[Path]:
-    """A path to write to; what stands there after the block stands at `path`, if the block raised nothing.
+    """Give a path to write to; after the block the file is moved to `path`, unless the block raised.
 
-    A file that is there already stays; that is right where it holds the same. Raises OutputError where it does not.
+    A file that exists already stays; it is an error if its content differs.
+
+    Parameters
+    ----------
+    path : Path
+        The file to be written.
+    command : str
+        The command that writes it, named to other commands meanwhile.
+
+    Yields
+    ------
+    Path
+        Where to write the file.
+
+    Raises
+    ------
+    OutputError
+        If the folder is absent, or `path` exists with another content.
     """
     if not path.parent.is_dir():
         raise OutputError(f"{path}: there is no folder {path.parent}; make it first")

@@ -1,4 +1,4 @@
-"""Folders in which outputs are made before they are moved into place, on the same disk."""
+"""Temporary folders in which outputs are made before they are moved into place, on the same disk."""
 
 from __future__ import annotations
 
@@ -21,9 +21,24 @@ _DAY = 86400.0  # s
 
 @contextmanager
 def stage(place: Path, *, command: str) -> Iterator[Path]:
-    """A new hidden folder in `place`, with an empty folder `made`; removed at the end, unless its journal is open.
+    """Give a new hidden folder in `place`, with an empty folder `made`; it is removed unless its journal is open.
 
-    Its own lock tells other commands that it is in use. Raises OutputError where nothing can be written.
+    Parameters
+    ----------
+    place : Path
+        The folder to make it in.
+    command : str
+        The command that uses it, named in its lock.
+
+    Yields
+    ------
+    Path
+        The stage.
+
+    Raises
+    ------
+    OutputError
+        If nothing can be written in `place`.
     """
     folder = place / f"{PREFIX}{token_hex(6)}"
     try:
@@ -51,14 +66,14 @@ def _make(folder: Path) -> None:
 
 
 def _empty(folder: Path) -> None:
-    """Remove all of a stage but what says that it is in use, which goes last; nothing where moves are unfinished."""
+    """Remove the files of a stage except its lock, which goes last; none while moves are unfinished."""
     for each in () if (folder / JOURNAL).exists() else folder.iterdir():
         if each.name != LOCK:
             remove(each)
 
 
 def left_behind(place: Path, *, alone: bool = False) -> list[Path]:
-    """The stages in `place` that no command uses any more; alone: no other command may begin one there now."""
+    """Return the stages in `place` that no command uses; alone: no other command can begin one there now."""
     try:
         found = sorted(place.glob(f"{PREFIX}*"))
     except OSError:
@@ -67,7 +82,7 @@ def left_behind(place: Path, *, alone: bool = False) -> list[Path]:
 
 
 def _left(found: Path, *, alone: bool) -> bool:
-    """Whether a stage is abandoned. One without a signed lock may just be beginning, or have ended as it did."""
+    """Return whether a stage is abandoned; one without a signed lock may just be beginning, or was stopped then."""
     lock = found / LOCK
     try:
         if lock.is_file():
@@ -82,14 +97,14 @@ def _old(path: Path) -> bool:
 
 
 def clear(place: Path) -> None:
-    """Remove the stages in `place` that hold nothing but what was never finished and nobody uses any more."""
+    """Remove the abandoned stages in `place` that hold no old files."""
     for each in left_behind(place):
         if not (each / OLD).exists():
             remove(each)
 
 
 def remove(found: Path) -> None:
-    """Remove a stage; a link is removed and not followed."""
+    """Remove a stage; a link is removed, not followed."""
     if found.is_dir() and not found.is_symlink():
         shutil.rmtree(found, ignore_errors=True)
         return
@@ -98,12 +113,12 @@ def remove(found: Path) -> None:
 
 
 def files_in(folder: Path) -> list[str]:
-    """Every file below `folder`, by its path with slashes, in a fixed order."""
+    """Return every file below `folder`, as a sorted list of paths with slashes."""
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
 
 
 def flush(path: Path) -> None:
-    """Bring a file, or the names in a folder, from the system's memory to the disk."""
+    """Flush a file, or the names in a folder, to the disk."""
     if os.name == "nt" and path.is_dir():
         return  # Windows opens no folders
     handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)

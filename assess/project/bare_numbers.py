@@ -8,7 +8,7 @@ from typing import Any
 from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, warning
-from assess.project.messages import Key, key_text, look_up
+from assess.project.key_text import Key, key_text, look_up
 from assess.project.usual_units import USUAL
 
 HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit
@@ -26,7 +26,7 @@ MATERIALS: Mapping[str, tuple[str, tuple[tuple[float, float, str], ...]]] = {
 """For each number of a material its dimension and the ranges in SI that no masonry has, each with the unit meant."""
 
 
-def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Message]:
+def bare_number_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
     """A warning for each plain number of the file that is hardly an earthquake, a wall, or a masonry."""
     yield from _weak(raw)
     for name, body in _tables(raw, "bodies"):

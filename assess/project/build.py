@@ -19,25 +19,26 @@ from assess.messages.message import Message, warning
 from assess.model.weakest import mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
-from assess.project.asking import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.bodies import bodies_of, models_of, solid_of
-from assess.project.components import horizontal, left_out
-from assess.project.deciding import facts_of, question_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
-from assess.project.grounding import base_elevation_of, ground_mechanism, ground_of
-from assess.project.messages import shown
-from assess.project.notices import notices_of
-from assess.project.record_set import RecordSet
-from assess.project.schema import Project, relative, resolve
+from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
+from assess.project.horizontal_records import horizontal_records, vertical_record_messages
+from assess.project.key_text import value_text
+from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
+from assess.project.question import facts_of, question_of
+from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
+from assess.project.study_messages import project_messages
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
-from assess.study.amplification import Standing, amplify
+from assess.study.amplification import MechanismInPlace, amplify
+from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.study.verdict import levels_with_site
+from records.paths import relative_path
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
@@ -71,10 +72,10 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, notices = all_records(content.records, project.folder)
+    named, messages = all_records(content.records, project.folder)
     study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
     if content.records.select is not None and spectrum is not None:
-        named, notices = record_set.select_records(
+        named, messages = record_set.select_records(
             content.records,
             content.records.select,
             spectrum=spectrum,
@@ -89,11 +90,11 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
         resolved=with_asked_procedures(resolve(project), content),
-        notices=(
-            *project.doubts,
+        messages=(
+            *project.messages,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
-            *notices_of(content, solids, study),
-            *notices,
+            *project_messages(content, solids, study),
+            *messages,
         ),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
@@ -128,14 +129,14 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
         grounded={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
         procedures=procedures_of(content),
-        offered=content.offered,
+        offered=content.site_procedures,
         options=options_of(content),
         mechanisms=tuple(each.mechanism for each in built.values()),
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
         amplified={
             name: amplify(
                 amplification_method_of(section),
-                Standing(
+                MechanismInPlace(
                     name=name,
                     definition=definitions[name],
                     built=built[name],
@@ -150,13 +151,13 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},
-        notices=(),
+        messages=(),
         sweeps=(),
         pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
         hazard=None if site is None else hazard_over_periods(site),
         free_periods=free_periods_of(content),
         knowledge=knowledge_of(content),
-        limit_state=None if site is None else site.declared,
+        limit_state=None if site is None else site.own_limit_state,
     )
 
 
@@ -164,7 +165,9 @@ def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Ma
     """The cases of one sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
     names = dependents(project.content, variation.path, beside=beside)
     if not names:
-        raise ProjectError(f"{variation.where}.key: {shown(variation.key)}: no mechanism depends on it; name another")
+        raise ProjectError(
+            f"{variation.where}.key: {value_text(variation.key)}: no mechanism depends on it; name another"
+        )
     cases = tuple(case_of(variant, project, files, names=names) for variant in variation.variants)
     return Sweep(variation.key, variation.unit, cases)
 
@@ -242,11 +245,11 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
 def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
     """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
     if section.select is not None:
-        return RecordSet((), Fitting(record_set.EVERYWHERE)), ()
+        return RecordSet((), Fitting(EVERYWHERE)), ()
     found = record_set.all_of(section, folder)
-    return replace(found, records=horizontal(found.records)), (
-        *left_out(found.records),
-        *record_set.record_messages(found.records),
+    return replace(found, records=horizontal_records(found.records)), (
+        *vertical_record_messages(found.records),
+        *record_messages(found.records),
     )
 
 
@@ -261,4 +264,4 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     used = [project.folder / record.path for record in records] if chosen else content.records.files
     beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
     for path in dict.fromkeys([*bodies, *tables, *used, *beside]):
-        yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
+        yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

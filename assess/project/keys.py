@@ -12,7 +12,7 @@ from typing import Any, get_args
 from pydantic.fields import FieldInfo
 
 from assess.errors import ProjectError
-from assess.project.messages import printable, shown
+from assess.project.key_text import escape_text, value_text
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.units import Kind
@@ -77,7 +77,7 @@ def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:
     if place is not None and (place.is_number or isinstance(place.value, Section)):
         return place
     what = "unknown key" if place is None else "holds no number"
-    raise ProjectError(f"{where}.key: {shown(key)}: {what}; {_remedy(key, places)}")
+    raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, places)}")
 
 
 def _remedy(key: str, places: Mapping[str, Place]) -> str:
@@ -87,7 +87,7 @@ def _remedy(key: str, places: Mapping[str, Place]) -> str:
     if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
         return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
     near = get_close_matches(key, [name for name, place in places.items() if place.is_number], n=1)
-    remedy = f'did you mean "{printable(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
+    remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
 
 

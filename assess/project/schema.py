@@ -22,13 +22,14 @@ from pydantic import ValidationError
 
 from assess.errors import ProjectError
 from assess.messages.message import Message
-from assess.project.bare_numbers import bare_numbers
-from assess.project.messages import one_line, printable, shown
+from assess.project.bare_numbers import bare_number_messages
+from assess.project.key_text import error_line, escape_text, value_text
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
-from assess.project.weight_densities import weight_densities
+from assess.project.weight_densities import weight_density_messages
 from assess.results import Resolved
+from records.paths import relative_path
 
 FORMAT = 1
 FILE_NAME = "project.toml"
@@ -43,7 +44,7 @@ class Project:
     content : its tables, every quantity an SI float, every path absolute or below `folder`
     path : the project file; sha256 : of its bytes
     variations : its sweeps, each with the content of every case
-    doubts : what looks like a slip in the file as it was written
+    messages : what looks like a slip in the file as it was written
     raw : what the file says, in the newest format, as it was written
     """
 
@@ -51,7 +52,7 @@ class Project:
     path: Path
     sha256: str
     variations: tuple[Variation, ...]
-    doubts: tuple[Message, ...]
+    messages: tuple[Message, ...]
     raw: Mapping[str, Any]
 
     @property
@@ -72,11 +73,11 @@ def load(path: Path | str) -> Project:
         content = Content.model_validate(raw, context={"folder": file.parent})
         varied = variations(content, raw, file.parent)
     except ValidationError as error:
-        raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
+        raise ProjectError(f"{file}: {error_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    doubts = (*bare_numbers(raw), *weight_densities(content, raw))
-    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, doubts, raw)
+    messages = (*bare_number_messages(raw), *weight_density_messages(content, raw))
+    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, messages, raw)
     _check_sources(project)
     return project
 
@@ -90,13 +91,13 @@ def _check_sources(project: Project) -> None:
     for key in project.content.report.sources:
         if key not in starts:
             near = get_close_matches(key, starts, n=1)
-            remedy = f"do you mean {shown(near[0])}?" if near else 'write one like "materials.NAME.density"'
-            raise ProjectError(f"{project.path}: report.sources: {shown(key)}: not a key of this file; {remedy}")
+            remedy = f"do you mean {value_text(near[0])}?" if near else 'write one like "materials.NAME.density"'
+            raise ProjectError(f"{project.path}: report.sources: {value_text(key)}: not a key of this file; {remedy}")
 
 
 def _project_file(path: Path) -> Path:
     if "\0" in str(path):
-        raise ProjectError(f"{shown(str(path))}: not a path; give a project file or its folder")
+        raise ProjectError(f"{value_text(str(path))}: not a path; give a project file or its folder")
     if not path.is_dir():
         return path
     if not (path / FILE_NAME).is_file():
@@ -141,16 +142,16 @@ def _toml_reason(message: str, text: str) -> str:
     """What tomllib found in the text, with the line in front."""
     match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)", message, re.DOTALL)
     if match is None:
-        return f"not valid TOML: {printable(message)}"
+        return f"not valid TOML: {escape_text(message)}"
     where = "end of the file" if match[4] else f"line {match[2]}, column {match[3]}"
     if match[1].startswith(("Cannot declare", "Cannot overwrite", "Cannot mutate", "Duplicate inline table key")):
         lines = text.rstrip().split("\n")
         name = _twice(match[1], lines[int(match[2]) - 1 if match[2] else -1])
-        return f"{where}: {printable(name) or 'this key'} stands there twice; give each its own name"
+        return f"{where}: {escape_text(name) or 'this key'} stands there twice; give each its own name"
     comma = match[2] and _DECIMAL_COMMA.search(text.split("\n")[int(match[2]) - 1])
     if comma:
         return f"{where}: {comma[1]}: a decimal comma; write {comma[1].replace(',', '.')}"
-    return f"{where}: not valid TOML: {printable(match[1])}; correct that line"
+    return f"{where}: not valid TOML: {escape_text(match[1])}; correct that line"
 
 
 def _twice(message: str, line: str) -> str:
@@ -164,7 +165,7 @@ def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
     """The content in the newest format, one pure step at a time."""
     given = raw.get("format", FORMAT)
     if not isinstance(given, int) or isinstance(given, bool) or given < 1:
-        raise ProjectError(f"format: {shown(given)}: not a format number; write format = {FORMAT}")
+        raise ProjectError(f"format: {value_text(given)}: not a format number; write format = {FORMAT}")
     if given > FORMAT:
         raise ProjectError(f"format: {given}: newer than this program, which reads up to {FORMAT}; update it")
     for step in range(given, FORMAT):
@@ -184,7 +185,7 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
     if isinstance(value, Section):
         names = zip(type(value).model_fields, value.entries().items(), strict=True)
         for name, (written, item) in names:
-            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.given(name), folder)
+            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.has_key(name), folder)
     elif isinstance(value, Mapping):
         for name, item in value.items():
             yield from _resolved(f"{key}.{name}", item, given, folder)
@@ -195,15 +196,10 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
 def _plain(value: Any, folder: Path) -> Any:
     """A value as JSON holds it."""
     if isinstance(value, Path):
-        return relative(value, folder)
+        return relative_path(value, folder)
     if isinstance(value, Section):
         return {key: _plain(item, folder) for key, item in value.entries().items()}
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
-
-
-def relative(path: Path, folder: Path) -> str:
-    """The path as the project file would write it."""
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
 
 
 def json_schema() -> dict[str, Any]:

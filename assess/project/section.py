@@ -88,6 +88,6 @@ class Section(BaseModel):
         """Every key of the table with its value, defaults included."""
         return {field.alias or name: getattr(self, name) for name, field in type(self).model_fields.items()}
 
-    def given(self, key: str) -> bool:
+    def has_key(self, key: str) -> bool:
         """Whether the user wrote `key`, rather than its default standing in."""
         return key in self.model_fields_set

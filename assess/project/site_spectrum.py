@@ -10,7 +10,7 @@ from pathlib import Path
 from assess.codes.context import Hazard
 from assess.errors import ProjectError, locate_errors
 from assess.project import sections
-from assess.project.deciding import limit_state_of, use_class_of
+from assess.project.question import limit_state_of, use_class_of
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError

@@ -13,8 +13,8 @@ from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.definitions import definition_of
+from assess.project.key_text import key_text
 from assess.project.keys import Key, with_value
-from assess.project.messages import key_text
 from assess.project.schema import Project
 from assess.project.variables import Alone, Subject, at_key, of_loads, thickness, turn_towards
 from assess.study.study import Study, Variable

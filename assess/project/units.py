@@ -17,7 +17,7 @@ from typing import Any
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.typed_quantity import QuantityError, number_and_unit
+from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.usual_units import AMBIGUOUS, DEFINED, USUAL, WEIGHTS, G
 
 _POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"

@@ -22,8 +22,8 @@ from assess.project import sections
 from assess.project.bodies import bodies_of
 from assess.project.definitions import definition_of
 from assess.project.dependents import dependents
+from assess.project.key_text import key_text
 from assess.project.keys import Key, value_at, with_value
-from assess.project.messages import key_text
 from assess.project.schema import Project
 from assess.project.variations import read_case
 from assess.study.study import Amplified, Study, Unvaried, Variable

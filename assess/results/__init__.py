@@ -1,6 +1,7 @@
-"""What a run found, as one frozen tree: the content of results.json, field by field.
+"""The results of a run as one frozen tree: the content of results.json, field by field.
 
-Units stand in the names. The tree is pure data: no clock, no job counts, so the same input gives the same bytes.
+Names of fields end in their units. The tree is pure data, without clock or number of jobs: the same input gives the
+same bytes.
 """
 
 from assess.results.amplification import AmplificationResult, CarriedMotion, Factor

@@ -11,7 +11,7 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class Factor(ShortRepr):
-    """What a record was multiplied by for its way up the building."""
+    """The factor by which a record is amplified up the building [-]."""
 
     record: str
     factor: float
@@ -19,9 +19,9 @@ class Factor(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class CarriedMotion(ShortRepr):
-    """The record that is amplified most, scaled to the target: at the ground and at the mechanism's base.
+    """The record that is amplified most, scaled to the target, at the ground and at the base of the mechanism.
 
-    Response spectra [k] of 5 % damping.
+    Response spectra [k]: of 5 % damping.
     """
 
     record: str
@@ -35,10 +35,10 @@ class CarriedMotion(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class AmplificationResult(ShortRepr):
-    """How the motion was carried from the ground to the mechanism.
+    """The amplification of the ground motion up to the mechanism.
 
-    height_m: of its base above the ground, None where nothing is amplified. said: what is done, with which numbers and
-    assumptions. motion: where the motion is filtered, not only multiplied.
+    height_m: of its base above the ground, None where nothing is amplified; said: description of the method, with its
+    numbers and assumptions; motion: present if the motion is filtered, not only multiplied.
     """
 
     method: str

@@ -9,7 +9,7 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class ComparisonRow(ShortRepr):
-    """One line of the comparison; rotation_ratio is None where the mechanism overturned or rotation is not known."""
+    """One row of the comparison; rotation_ratio is None where the mechanism overturned or rotation is not known."""
 
     mechanism: str
     level_pga_g: float

@@ -10,10 +10,10 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class DirectionSweep(ShortRepr):
-    """What resists rotation towards each direction, where the weakest was sought.
+    """The resistance to rotation towards each direction, where the weakest was sought.
 
-    angle_deg [n]: from +x towards +y, rising; uplift_multiplier [n]: at rest; weakest_deg: the angle chosen, the
-    smallest of the least multiplier; variation: 1 - least / largest multiplier; flat_deg: how much of the circle is
+    angle_deg [n]: from +x towards +y, rising; uplift_multiplier [n]: at rest; weakest_deg: the angle chosen, of several
+    with the least multiplier the smallest; variation: 1 - least / largest multiplier; flat_deg: part of the circle
     within one percent of the least.
     """
 
@@ -31,7 +31,7 @@ class DirectionCandidate(ShortRepr):
     """A direction towards which a mechanism may topple.
 
     angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
-    the control point where it overturns, of the weakest only; touching: the bodies that stop it.
+    the control point at overturning, of the weakest only; touching: the bodies that stop it.
     """
 
     angle_deg: float

@@ -11,7 +11,7 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class NamedPoint(ShortRepr):
-    """A hinge or another named place in the plane of motion: distance along the direction, elevation [m]."""
+    """A hinge or another named point in the plane of motion: distance along the direction, elevation [m]."""
 
     name: str
     at: Point
@@ -19,9 +19,9 @@ class NamedPoint(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class DrawnLoad(ShortRepr):
-    """A load in the plane of motion: where it acts [m], and the unit vector it pushes or pulls along.
+    """A load in the plane of motion: where it acts [m], and the unit vector of its force.
 
-    towards is None for a mass that is not bearing: it has no force at rest.
+    towards: None for a non-bearing mass, which has no force at rest.
     """
 
     name: str
@@ -32,10 +32,10 @@ class DrawnLoad(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Displaced(ShortRepr):
-    """The mechanism after a rotation of its leading block, as seen in the plane of motion, not mirrored [m].
+    """The mechanism after a rotation of its leading block, in the plane of motion, not mirrored [m].
 
-    blocks, loads and centroids follow the order of the drawing at rest; hinges are those of the branch that turns, and
-    block_of tells its blocks.
+    blocks, loads and centroids are in the order of the drawing at rest; hinges and block_of are of the branch that
+    turns.
     """
 
     rotation_rad: float
@@ -50,10 +50,10 @@ class Displaced(ShortRepr):
 class Drawing(ShortRepr):
     """The mechanism in its plane of motion, to scale [m]: closed outlines of the blocks, hinges, loads, centroid.
 
-    block_of: the block of the positive branch that each outline belongs to, from 0 at the base, -1 where it does not
-    move (an arch may join other voussoirs to blocks each way); centroids: of each block; displaced and
-    displaced_negative: turned to either side, far enough to be seen and no farther than overturning; fixed: outlines of
-    masonry that stays, as what lies under a cut.
+    block_of: block of the positive branch that each outline belongs to, from 0 at the base, -1 if it does not move (an
+    arch may divide into other blocks each way); centroids: of each block; displaced, displaced_negative: turned to
+    either side, far enough to be seen but not beyond overturning; fixed: outlines of masonry that does not move, as
+    below a cut.
     """
 
     blocks: tuple[Ring, ...]

@@ -14,12 +14,11 @@ class EnvelopeResult(ShortRepr):
     """Which pulses of the ground overturn a mechanism, in the worse polarity, by n frequencies and m amplitudes.
 
     gamma, nu_rad: of a mavroeidis-papageorgiou pulse, else None. overturned [n][m]: one row for each frequency.
-    lower_bound_g [n]: the least amplitude that overturns, None where none up to the highest does; polarity [n]: of that
-    pulse, 0 where there is none. islands [n]: how many of the amplitudes above the bound the mechanism stands.
-    uplift_g [n]: amplitude that starts rocking, 0 on joints without a threshold. factor [n]: amplification from the
-    ground to the mechanism's base. omega [n]: 2 pi f / p; lower_bound_ratio [n]: factor times bound over g lambda, both
-    of the linearised branch that uplifts first, to be read on dimensionless plots. case: of a swept mechanism, the case
-    that it is of; empty for others.
+    lower_bound_g [n]: least amplitude that overturns, None if none up to the highest does; polarity [n]: of that pulse,
+    0 if there is none. islands [n]: number of amplitudes above the bound that do not overturn. uplift_g [n]: amplitude
+    that starts rocking, 0 on joints without a threshold. factor [n]: amplification from the ground to the mechanism's
+    base. omega [n]: 2 pi f / p; lower_bound_ratio [n]: factor times bound over g lambda, both of the linearised branch
+    that uplifts first, for dimensionless plots. case: the case of a swept mechanism; empty for others.
     """
 
     shape: str
@@ -52,8 +51,8 @@ class CriticalBand(ShortRepr):
 class CriticalResult(ShortRepr):
     """The mechanism that the weakest pulse overturns, at each of n frequencies.
 
-    mechanism [n]: None where nothing overturns; lower_bound_g [n]: its bound. runner_up [n]: the second, margin [n]:
-    how much more it needs, as a share of the least. near [n]: all that need at most five percent more than the least.
+    mechanism [n]: None where nothing overturns; lower_bound_g [n]: its bound. runner_up [n]: the second; margin [n]:
+    of its bound over the least, as a share of the least. near [n]: all with bounds within five percent of the least.
     """
 
     frequency_hz: Floats

@@ -1,4 +1,4 @@
-"""The suite of records beside its target: how it was chosen, and what codes require of it."""
+"""The suite of records compared with its target, how it was chosen, and what codes require of it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class EquivalentPeriods(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Remaining(ShortRepr):
-    """How many candidates were left after a step of the selection."""
+    """The number of candidates left after a step of the selection."""
 
     step: str
     number: int
@@ -28,7 +28,7 @@ class Remaining(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class SelectionResult(ShortRepr):
-    """How the suite was chosen. misfit: of the suite's mean spectrum to the target; greedy_misfit: before exchanges."""
+    """How the suite was chosen; misfit: of its mean spectrum to the target [-]; greedy_misfit: before exchanges [-]."""
 
     fit: Literal["suite", "each"]
     components: Literal["single", "together"]
@@ -42,9 +42,9 @@ class SelectionResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class RequirementResult(ShortRepr):
-    """What a code asks of the suite, what was found, and its verdict; from_s, to_s: periods it was taken over.
+    """A requirement of a code on the suite, the value found, and the verdict; from_s, to_s: range of periods.
 
-    caveat: what the clause could not be compared with.
+    caveat: why the clause was not checked against the printed standard; empty if it was.
     """
 
     code: str
@@ -63,12 +63,11 @@ class RequirementResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class GroundMotionResult(ShortRepr):
-    """The suite of records beside its target, 5 % damping.
+    """The suite of records compared with its target, 5 % damping.
 
-    from_s, to_s: periods over which it was scaled and chosen; source: of that range, in words. mean_g,
+    from_s, to_s: range of periods over which it was scaled and chosen; source: of that range, in words. mean_g,
     geometric_mean_g, target_g [k]: at period_s; misfit: of the mean to the target over the range, mean squared
-    difference of natural logarithms.
-    selection: None where all records that were named are used.
+    difference of natural logarithms [-]. selection: None if all records of the project are used.
     """
 
     from_s: float

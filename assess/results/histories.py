@@ -11,9 +11,9 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class Trace(ShortRepr):
-    """A rocking history at the steps of the motion that drove it: signed rotation, ground acceleration.
+    """A rocking history at the steps of its motion: signed rotation, ground acceleration.
 
-    base_acceleration_g: what drove it, at the base of the mechanism; None where that is the ground's motion.
+    base_acceleration_g: motion at the base of the mechanism; None where that is the ground motion.
     """
 
     time_s: Floats
@@ -24,11 +24,11 @@ class Trace(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class HistoryResult(ShortRepr):
-    """Largest rocking response to one record at one level, in the worse polarity.
+    """The largest rocking response to one record at one level, in the worse polarity.
 
-    max_rotation_rad is signed; it, its ratio and its time are None where the record overturned the mechanism.
-    overturning_time_s: when the rotation passed phi_ov for the last time. branch: where the largest rotation was.
-    rebound: times the restitution of the mechanism, with which this history was worst; 1 where no range was run.
+    max_rotation_rad: signed; it, its ratio and its time are None where the record overturned the mechanism.
+    overturning_time_s: last passage of phi_ov. branch: of the largest rotation. rebound: factor on the restitution of
+    the mechanism with which this history was worst, 1 if no range was run [-].
     """
 
     record: str
@@ -49,10 +49,11 @@ class HistoryResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class SuiteResult(ShortRepr):
-    """All records at one level; mean_ratio is None where a record overturned, max_ratio is over those that stood.
+    """Statistics of all records at one level.
 
-    median_ratio, p84_ratio: rotations that half and 84 % of the records do not exceed, an overturned one counting as
-    the largest; None where such a record overturned.
+    mean_ratio: None where a record overturned; max_ratio: of the records that did not overturn. median_ratio,
+    p84_ratio: not exceeded by 50 % and 84 % of the records, an overturned one counting as the largest; None where that
+    record overturned.
     """
 
     level_pga_g: float

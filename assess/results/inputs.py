@@ -18,7 +18,7 @@ class Program(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Input(ShortRepr):
-    """One file that was read: path relative to the project file, and its SHA-256."""
+    """A file that was read: its path relative to the project file, and its SHA-256."""
 
     path: str
     sha256: str
@@ -26,7 +26,7 @@ class Input(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Resolved(ShortRepr):
-    """One value of the project as it was used: in SI, and whether the user gave it or it is a default."""
+    """A value of the project as used, in SI; given: whether by the user, or by default."""
 
     value: Any
     given: bool

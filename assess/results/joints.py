@@ -19,7 +19,7 @@ class BranchMoment(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class InterfaceCurves(ShortRepr):
-    """Moments of the positive branch by simpler interfaces, to set beside its own: rigid, and hinges fixed at a_SF."""
+    """Moments of the positive branch by simpler interfaces, for comparison: rigid, and hinges fixed at a_SF."""
 
     rigid: BranchMoment
     fixed_hinges: BranchMoment
@@ -27,14 +27,14 @@ class InterfaceCurves(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class HingeForceResult(ShortRepr):
-    """What a hinge passes on when its mechanism starts to rock, at the ground acceleration activation_g.
+    """The force through a hinge when its mechanism starts to rock, at the ground acceleration activation_g.
 
     horizontal_n, vertical_n: on the block that presses, along the branch's own direction and up; normal_n, shear_n:
-    square to its faces (compression positive) and along them; face: unit vector (along, up) square to the faces, to
-    that block; face_found: false where the geometry has no faces there and they are taken level.
-    needed_friction: |shear_n| / normal_n, None where nothing presses; friction: of the joint, None where not known.
-    sliding_g: the ground acceleration that slides it before it rocks, None where it rocks first or friction is not
-    known. held: whether a support holds it besides friction, as it does the top of a wall.
+    normal to its faces (compression positive) and along them; face: unit normal of the faces (along, up), towards that
+    block; face_found: False if the geometry has no faces there and they are taken as level. needed_friction: |shear_n|
+    / normal_n, None without compression; friction: of the joint, None if not known. sliding_g: ground acceleration at
+    which it slides before it rocks, None if it rocks first or friction is not known. held: whether a support holds it
+    besides friction, as at the top of a wall.
     """
 
     hinge: str

@@ -16,9 +16,9 @@ class LoadResult(ShortRepr):
     """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
 
     at: distance along the direction, elevation [m]; source: how it was found, or "given". lasting: how long a force or
-    tie is shown to be there, where it resists on some branch: to collapse, to its end on the way (at a rotation, where
-    its point has moved by end_m), or not at all, for want of the keys `missing`; None where it only drives. A tie that
-    lasts has an end too where its fracture strain is reached beyond collapse. seat_m: of a bearing mass.
+    tie that resists on some branch is shown to last: to collapse, to an earlier end (at end_rad, where its point has
+    moved by end_m), or not at all, because the keys `missing` are not given; None if it only drives. A tie that lasts
+    also has an end if its fracture strain is reached beyond collapse. seat_m: length of seat of a bearing mass.
     """
 
     name: str

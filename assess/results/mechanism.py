@@ -20,16 +20,16 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class MechanismResult(ShortRepr):
-    """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
+    """Everything about one mechanism; direction_sweep is None unless its direction was sought on a whole circle.
 
-    oscillator, curve: with every action that is there at rest. deciding_curve: with those that are shown to last to
-    collapse and those that drive, of which displacements and histories are asked, and to whose overturning rotations
-    (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
-    without the others.
-    direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
-    the weakest was found, or with which a given one was compared. base_elevation_m: of its base over the ground;
-    input_height_m: of what holds it, the mean of base and far support where it is held twice; above_ground: whether
-    that counts as above the ground; ground_known_from: what says where the ground is.
+    oscillator, curve: with every action that is there at rest. deciding_curve: with actions that are shown to last to
+    collapse and those that drive; displacements and histories are of this curve, and their ratios refer to its
+    overturning rotations (deciding_overturning_rad, of rigid joints, positive and negative). Both are None if the two
+    curves are the same, or if the mechanism falls at rest without the other actions.
+    direction: of positive rotation, horizontal; None for an equivalent block. candidates: directions among which the
+    weakest was found, or with which a given one was compared. base_elevation_m: of its base above the ground;
+    input_height_m: of its support, the mean of base and far support if it has both; above_ground: whether that counts
+    as above the ground; ground_known_from: source of the level of the ground.
     """
 
     name: str

@@ -12,7 +12,7 @@ from assess.short_repr import ShortRepr
 class LinearisedResult(ShortRepr):
     """Kinematic constants of a branch linearised at critical_rad (thesis 3.4-3.12): I, K, B, M, phi_cr, phi_ov.
 
-    uplift_multiplier: lambda of 3.11, to which thesis tables refer; the exact one stands beside it in the oscillator.
+    uplift_multiplier: lambda of 3.11, to which thesis tables refer; the exact one is that of the oscillator.
     """
 
     inertia_kg_m2: float
@@ -26,7 +26,7 @@ class LinearisedResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class OscillatorResult(ShortRepr):
-    """Rocking parameters of one branch."""
+    """The rocking parameters of one branch."""
 
     mass_kg: float
     inertia_kg_m2: float

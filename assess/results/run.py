@@ -1,4 +1,4 @@
-"""One run, whole."""
+"""The whole tree of one run."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Results(ShortRepr):
     """One run, whole.
 
     project : maps each key, written with dots, to its resolved value
-    stamp : of the inputs and the program, the same in every output made of these results; "" of earlier programs
+    stamp : of the inputs and the program, the same in every output of these results; "" in results of older versions
     """
 
     schema_version: int

@@ -1,4 +1,4 @@
-"""How the answers of a mechanism move with one number at a time."""
+"""How the answers of a mechanism change with one number at a time."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class SensitivityResult(ShortRepr):
-    """One answer of a mechanism with one number at its low and at its high value, all others as they are.
+    """One answer of a mechanism with one number at its low and at its high value, all others unchanged.
 
-    parameter : thickness, density, …; key : where it stands in the project, or the bodies it is of
-    base, low, high : of the parameter [unit], None where it is not varied, for which `remark` says why
+    parameter : thickness, density, …; key : its key in the project, or the bodies it belongs to
+    base, low, high : of the parameter [unit], None if it is not varied, for the reason in `remark`
     role : whether the procedure decides the limit state at this level
-    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; "index" of what
-        decides, named by `index`; or "capacity_pga_g", of all levels, which procedures by histories do not have here;
-        "" where nothing is varied
+    quantity : "demand_capacity" at level_pga_g, None where the body overturns or there is no answer; "index" of the
+        check that decides, named by `index`; "capacity_pga_g", of all levels, which procedures by histories do not have
+        here; "" if nothing is varied
     """
 
     mechanism: str

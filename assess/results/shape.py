@@ -1,6 +1,6 @@
-"""What the types of results do not say: numbers are finite, columns of one table are of one length, places exist.
+"""Consistency of results beyond their types: finite numbers, columns of equal length, indices and names that exist.
 
-Results are written so; a file that was changed since may not be, and would be drawn or added up wrongly.
+Results are written so; a file that was edited since may not be, and would be drawn or summed wrongly.
 """
 
 from __future__ import annotations
@@ -43,44 +43,44 @@ OF_ONE_LENGTH: Mapping[type, Groups] = {
          "elastic_frequency_hz", "restitution", "demand_capacity", "overturned", "capacity_pga_g", "outcome"),
     ),
 }  # fmt: skip
-"""The fields of each type that are columns of one table; one that is None is none."""
+"""Fields of each type that are columns of one table; a field that is None is ignored."""
 
 
 def faults(value: Any, where: str = "") -> Iterator[str]:
-    """What is wrong with results or a part of them, each with its place, as long as it is asked for."""
+    """Yield what is wrong with results or a part of them, with its place, one by one."""
     if isinstance(value, float):
         if not isfinite(value):
             yield f"{where}: {value} is not a finite number"
     elif is_dataclass(value):
-        yield from _of_fields(value, where)
+        yield from _field_faults(value, where)
     elif isinstance(value, Mapping):
         for key, each in value.items():
             yield from faults(each, f"{where}.{key}".lstrip("."))
     elif isinstance(value, tuple | list):
-        yield from _of_items(value, where)
+        yield from _item_faults(value, where)
 
 
-def _of_fields(value: Any, where: str) -> Iterator[str]:
+def _field_faults(value: Any, where: str) -> Iterator[str]:
     for names in OF_ONE_LENGTH.get(type(value), ()):
         lengths = {name: len(column) for name in names if (column := getattr(value, name)) is not None}
         if len(set(lengths.values())) > 1:
             counted = ", ".join(f"{number} of {name}" for name, number in lengths.items())
             yield f"{where}: columns of unequal length: {counted}"
-    yield from _of_places(value, where)
+    yield from _index_faults(value, where)
     for field in fields(value):
         yield from faults(getattr(value, field.name), f"{where}.{field.name}".lstrip("."))
 
 
-def _of_items(items: tuple[Any, ...] | list[Any], where: str) -> Iterator[str]:
+def _item_faults(items: tuple[Any, ...] | list[Any], where: str) -> Iterator[str]:
     kinds = set(map(type, items))
     if kinds <= _PLAIN and (float not in kinds or all(isfinite(each) for each in items if type(each) is float)):
-        return  # the most of them, at once
+        return  # most of them, checked at once
     for place, each in enumerate(items):
         yield from faults(each, f"{where}[{place}]")
 
 
-def _of_places(value: Any, where: str) -> Iterator[str]:
-    """Numbers that count places in another list."""
+def _index_faults(value: Any, where: str) -> Iterator[str]:
+    """Yield indices that are out of range."""
     if isinstance(value, r.View):
         if any(not 0 <= corner < len(value.vertices) for triangle in value.triangles for corner in triangle):
             yield f"{where}.triangles: a corner that is none of the vertices"
@@ -88,24 +88,24 @@ def _of_places(value: Any, where: str) -> Iterator[str]:
         if any(len(row) != len(value.amplitude_g) for row in value.overturned):
             yield f"{where}.overturned: a row that has not one value for each amplitude_g"
     elif isinstance(value, r.Results):
-        yield from _of_names(value)
+        yield from _name_faults(value)
     elif isinstance(value, r.SweepResult) and not 0 <= value.controlling < len(value.value):
         yield f"{where}.controlling: {value.controlling} is none of the {len(value.value)} cases"
 
 
-def _of_names(results: r.Results) -> Iterator[str]:
-    """Names of mechanisms: no two alike, and none elsewhere that is not among them."""
+def _name_faults(results: r.Results) -> Iterator[str]:
+    """Yield names of mechanisms that are repeated, and names elsewhere that are not among them."""
     names = [each.name for each in results.mechanisms]
     for place, name in enumerate(names):
         if name in names[:place]:
             yield f"mechanisms[{place}].name: {json.dumps(name)} a second time"
-    told = {
+    used_in = {
         "comparison": [row.mechanism for row in results.comparison],
         "verdict.mechanisms": [] if results.verdict is None else [row.mechanism for row in results.verdict.mechanisms],
         "sweeps": [row.mechanism for row in results.sweeps],
         "sensitivity": [row.mechanism for row in results.sensitivity],
     }
-    for where, used in told.items():
+    for where, used in used_in.items():
         for place, name in enumerate(used):
             if name not in names:
                 yield f"{where}[{place}].mechanism: {json.dumps(name)} is none of the mechanisms"

@@ -24,7 +24,7 @@ class SpectrumResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class RecordSpectrum(ShortRepr):
-    """Elastic response spectrum of a record after scaling, 5 % damping."""
+    """The elastic response spectrum of a record after scaling, 5 % damping."""
 
     period_s: Floats
     acceleration_g: Floats
@@ -32,9 +32,9 @@ class RecordSpectrum(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class PrimaryPulse(ShortRepr):
-    """A pulse within a record, scaled as the record is: the shape that matches it best, or another local optimum.
+    """A pulse within a record, scaled as the record: the one that matches it best, or another local optimum.
 
-    polarity: of the pulse, 1 or -1. energy_share: of the record's squared acceleration that the pulse explains.
+    polarity: 1 or -1; energy_share: share of the integral of squared acceleration that the pulse explains [-].
     """
 
     shape: str
@@ -49,7 +49,7 @@ class PrimaryPulse(ShortRepr):
 class RecordResult(ShortRepr):
     """A record as used: after scaling to the site's spectrum, before the factor of a level.
 
-    mse: mean squared natural-log misfit to the target after scaling. trail: what was done to it, in order.
+    mse: mean squared natural-log misfit to the target after scaling [-]; trail: its processing history, in order.
     """
 
     id: str

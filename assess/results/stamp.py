@@ -1,4 +1,4 @@
-"""The stamp of results: by which every output of one analysis is known to be of the same inputs and program."""
+"""The stamp of results, which shows that outputs are of the same inputs and program."""
 
 from __future__ import annotations
 
@@ -15,28 +15,70 @@ GROUPS, DIGITS = 4, 4  # in groups: no spreadsheet takes it for a number or a da
 
 
 def this_program() -> Program:
-    """The program that runs."""
+    """Return the program that runs."""
     return Program(NAME, version(NAME))
 
 
 def stamp(command: str, program: Program, inputs: Sequence[Input]) -> str:
-    """A short hash of what decides results: the command with its options, the program, and every file read.
+    """Return a short hash of the command with its options, the program, and every file read.
 
-    No clock, number of jobs, or place of the output has a part in it.
+    Clock, number of jobs, and place of the output are ignored.
+
+    Parameters
+    ----------
+    command : str
+        The command with its options.
+    program : Program
+        The program that made the results.
+    inputs : sequence of Input
+        The files that were read.
+
+    Returns
+    -------
+    str
+        Sixteen hexadecimal digits in groups of four.
     """
     files = [[each.path, each.sha256] for each in inputs]
-    said = json.dumps([command, program.name, program.version, files], ensure_ascii=True)
-    digest = hashlib.sha256(said.encode()).hexdigest()
+    text = json.dumps([command, program.name, program.version, files], ensure_ascii=True)
+    digest = hashlib.sha256(text.encode()).hexdigest()
     return "-".join(digest[DIGITS * place : DIGITS * (place + 1)] for place in range(GROUPS))
 
 
 def stamp_of_files(command: str, files: Sequence[Path], *options: object) -> str:
-    """The stamp of what a command makes of files by these options."""
+    """Return the stamp of what a command makes of files.
+
+    Parameters
+    ----------
+    command : str
+        The command.
+    files : sequence of Path
+        The files that it reads.
+    *options
+        Its options.
+
+    Returns
+    -------
+    str
+        The stamp.
+    """
     read = [Input(file.name, hashlib.sha256(file.read_bytes()).hexdigest()) for file in files]
     return stamp(f"{command} {options!r}", this_program(), read)
 
 
 def origin(command: str, shown: str) -> str:
-    """What a figure of its own says of where it comes from: the program, and a stamp of what it shows."""
+    """Return the origin of a single figure: the program, and a stamp of its content.
+
+    Parameters
+    ----------
+    command : str
+        The command that draws it.
+    shown : str
+        The numbers it shows, as text.
+
+    Returns
+    -------
+    str
+        Name and version of the program, and the stamp.
+    """
     program = this_program()
     return f"{program.name} {program.version}, stamp {stamp(f'{command} {shown}', program, ())}"

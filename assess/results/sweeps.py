@@ -14,12 +14,11 @@ class SweepResult(ShortRepr):
     """One mechanism for several values of one number of the project.
 
     value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first;
-    overturning_rad of rigid joints, overturning_flexible_rad and elastic_frequency_hz on its own, None where rigid.
-    demand_capacity [n]: the largest of the checks that decide, and capacity_pga_g [n] the least; where none decides, of
-    all checks by the letter of a code at all levels; None where the mechanism overturned (overturned is true) or none
-    is answered. outcome [n]: the verdict of the mechanism in each case. controlling: the case that is worst, from 0.
-    governs: whether that case stands for the mechanism in `mechanisms` and in the comparison, as the worst of
-    the mechanism's sweeps does.
+    overturning_rad with rigid joints; overturning_flexible_rad, elastic_frequency_hz: with its own, None if rigid.
+    demand_capacity [n]: largest of the checks that decide, capacity_pga_g [n]: least of them; if none decides, of all
+    checks by the letter of a code at all levels; None where the mechanism overturned (overturned is True) or no check
+    was evaluated. outcome [n]: verdict of the mechanism in each case. controlling: the most critical case, from 0.
+    governs: whether that case represents the mechanism in `mechanisms` and in the comparison.
     """
 
     mechanism: str

@@ -21,8 +21,8 @@ class View(ShortRepr):
     """The bodies of a mechanism in space [m], simplified and rounded for drawing; not for calculation.
 
     triangles: indices into vertices, anticlockwise seen from outside; block_of: the block that each triangle belongs
-    to, from 0 at the base, -1 where it does not move. sections: closed rings where cuts pass through the masonry.
-    size: of the bounding box across x, y, z. given: how many triangles the bodies have before they are simplified.
+    to, from 0 at the base, -1 if it does not move. sections: closed rings where cuts pass through the masonry.
+    size: of the bounding box along x, y, z. given: number of triangles of the bodies before simplification.
     """
 
     vertices: tuple[Place, ...]

@@ -1,4 +1,4 @@
-"""How the ground's motion reaches the base of a mechanism, with Rayleigh's method for what nobody gives."""
+"""The amplification of the ground motion up to the base of a mechanism; Rayleigh's method for values not given."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from assess.amplification.floor_motion import (
 )
 from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.lasting import height_of_support
+from assess.mechanisms.limits import height_of_support
 from assess.messages.message import Quantity, note
 from assess.model.assembly import Built
 from assess.model.body import Bodies
@@ -54,8 +54,8 @@ FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | 
 
 
 @dataclass(frozen=True, kw_only=True)
-class Amplifying:
-    """By which method the ground's motion is amplified up to a mechanism, and what is given for it.
+class AmplificationChoice:
+    """The method by which the ground motion is amplified up to a mechanism, and its given values.
 
     method : of FLOORS or FIRST_MODES, or "ec8-printed"; height : of the mechanism's base above the ground [m]
     natural_frequency [Hz], effective_height [m] : of the first mode; soil_factor : S [-], of "ec8-printed"
@@ -70,9 +70,9 @@ class Amplifying:
 
 @dataclass(frozen=True, kw_only=True)
 class Structure:
-    """The structure below a mechanism, None where nobody gives a value.
+    """The structure below a mechanism; values that are not given are None.
 
-    height [m]; natural_frequency [Hz], effective_height [m], damping [-] : of its first mode; period : where given [s]
+    height [m]; natural_frequency [Hz], effective_height [m], damping [-] : of its first mode; period [s]
     """
 
     height: float | None = None
@@ -83,10 +83,10 @@ class Structure:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Standing:
-    """A mechanism with all that bears on the motion at its base.
+class MechanismInPlace:
+    """A mechanism with everything that affects the motion at its base.
 
-    base_elevation : of its base above the ground [m], where it is given for it alone
+    base_elevation : height of its base above the ground, if given for this mechanism [m]
     """
 
     name: str
@@ -103,17 +103,25 @@ class Standing:
         return f"mechanisms.{self.name}.amplification"
 
 
-def amplify(asked: Amplifying | None, standing: Standing) -> Amplified:
-    """Find how the ground's motion reaches the mechanism's base.
+def amplify(asked: AmplificationChoice | None, standing: MechanismInPlace) -> Amplified:
+    """Find how the ground motion reaches the base of a mechanism.
 
     Parameters
     ----------
-    asked : the method, None for the ground's motion as it is
-    standing : the mechanism in its place
+    asked : AmplificationChoice, optional
+        The method; None for the ground motion as it is.
+    standing : MechanismInPlace
+        The mechanism in its place.
+
+    Returns
+    -------
+    Amplified
+        The amplification, with its description.
 
     Raises
     ------
-    ProjectError : a value is missing, or a height is outside the clause
+    ProjectError
+        If a value is missing, or a height is outside the clause.
     """
     if asked is None:
         return AS_IT_IS
@@ -123,8 +131,8 @@ def amplify(asked: Amplifying | None, standing: Standing) -> Amplified:
     return by_floor_factor(asked, standing, height=height)
 
 
-def height_of(asked: Amplifying, standing: Standing) -> float:
-    """Of what holds the mechanism above the ground [m]: given, its base, or the mean of base and far support or tie."""
+def height_of(asked: AmplificationChoice, standing: MechanismInPlace) -> float:
+    """Return the height of the support above the ground [m]: given, the base, or the mean of base and far support."""
     if asked.height is not None:
         return asked.height
     mechanism = standing.built.mechanism
@@ -137,8 +145,8 @@ def height_of(asked: Amplifying, standing: Standing) -> float:
     return max(base, 0.0) + height_of_support(mechanism) / 2.0
 
 
-def by_floor_factor(asked: Amplifying, standing: Standing, *, height: float) -> Amplified:
-    """The factor of a code for the height."""
+def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> Amplified:
+    """Return the amplification by the factor of a code for the height [m]."""
     building = standing.structure.height
     if building is None:
         raise ProjectError(
@@ -166,13 +174,13 @@ def by_floor_factor(asked: Amplifying, standing: Standing, *, height: float) -> 
     )
 
 
-def by_first_mode(asked: Amplifying, standing: Standing, *, height: float) -> Amplified:
-    """The first mode by what is given, else by Rayleigh's method."""
+def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> Amplified:
+    """Return the amplification by the first mode, with values given or by Rayleigh's method."""
     structure = standing.structure
-    frequency, effective = frequency_given(asked, structure), effective_height_given(asked, structure)
+    frequency, effective = given_frequency(asked, structure), given_effective_height(asked, structure)
     assumed: tuple[str, ...] = ()
     if frequency is None or effective is None:
-        found = rayleigh_of(standing)
+        found = rayleigh_mode_of(standing)
         frequency = frequency or (found.frequency, RAYLEIGH)
         effective = effective or (found.effective_height, RAYLEIGH)
         assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
@@ -193,8 +201,8 @@ def by_first_mode(asked: Amplifying, standing: Standing, *, height: float) -> Am
     return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))
 
 
-def frequency_given(asked: Amplifying, structure: Structure) -> tuple[float, str] | None:
-    """The first natural frequency [Hz] that the project gives, and where."""
+def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
+    """Return the first natural frequency [Hz] that is given, and its source; None if none is."""
     if asked.natural_frequency is not None:
         return asked.natural_frequency, "given"
     if structure.natural_frequency is not None:
@@ -204,8 +212,8 @@ def frequency_given(asked: Amplifying, structure: Structure) -> tuple[float, str
     return None
 
 
-def effective_height_given(asked: Amplifying, structure: Structure) -> tuple[float, str] | None:
-    """The effective height [m] that the project gives, and where."""
+def given_effective_height(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
+    """Return the effective height [m] that is given, and its source; None if none is."""
     if asked.effective_height is not None:
         return asked.effective_height, "given"
     if structure.effective_height is not None:
@@ -213,8 +221,8 @@ def effective_height_given(asked: Amplifying, structure: Structure) -> tuple[flo
     return None
 
 
-def rayleigh_of(standing: Standing) -> Rayleigh:
-    """Rayleigh's quotient of the whole bodies of a single block that stand on the ground, bent in its direction."""
+def rayleigh_mode_of(standing: MechanismInPlace) -> Rayleigh:
+    """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
     definition, scene = standing.definition, standing.built.scene
     if not isinstance(definition, SingleBlock) or scene is None:
         raise _missing(standing, "only a single-block of bodies that stand on the ground has a first mode of its own")
@@ -231,8 +239,8 @@ def rayleigh_of(standing: Standing) -> Rayleigh:
         raise ProjectError(f"{standing.where}: {error}") from None
 
 
-def young_modulus(name: str, standing: Standing) -> float:
-    """Of one body [Pa]."""
+def young_modulus(name: str, standing: MechanismInPlace) -> float:
+    """Return Young's modulus of a body [Pa]; raise ProjectError if it is not given."""
     material = standing.bodies[name].material
     if material is None:
         raise _missing(standing, f'body "{name}" has no geometry')
@@ -242,7 +250,7 @@ def young_modulus(name: str, standing: Standing) -> float:
     return modulus
 
 
-def _missing(standing: Standing, why: str) -> ProjectError:
+def _missing(standing: MechanismInPlace, why: str) -> ProjectError:
     return ProjectError(
         f"{standing.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
         "[building]"

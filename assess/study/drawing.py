@@ -27,7 +27,7 @@ DOWN = (0.0, -1.0)
 
 
 def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = None) -> Drawing:
-    """The mechanism at rest, and turned to the sides to which it rocks; the scene tells what stays."""
+    """Draw the mechanism at rest, and turned to each side to which it rocks; the scene has the bodies that stay."""
     chain = mechanism.positive
     mass = sum(block.mass for block in chain.blocks)
     x, z = (sum(block.mass * block.centroid[i] for block in chain.blocks) / mass for i in (0, 1))
@@ -39,26 +39,26 @@ def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = Non
         centroid=(x, z),
         block_of=tuple(block for _, block in pieces),
         centroids=tuple(block.centroid for block in chain.blocks),
-        displaced=draw_displaced(chain, oscillator.positive, pieces, mark=""),
+        displaced=draw_rotation(chain, oscillator.positive, pieces, mark=""),
         displaced_negative=draw_negative_side(mechanism, oscillator),
         fixed=() if scene is None else fixed_outlines(scene),
     )
 
 
 def pieces_of(chain: Chain, outlines: Sequence[Outline]) -> list[Piece]:
-    """Every ring of the outlines with its block, FIXED where it does not move."""
+    """Return every ring of the outlines with its block, FIXED where it does not move."""
     return [(ring, block) for block, outline in zip(block_numbers(chain), outlines, strict=True) for ring in outline]
 
 
 def block_numbers(chain: Chain) -> tuple[int, ...]:
-    """The block of each outline of a mechanism, FIXED where it does not move."""
+    """Return the block of each outline of a mechanism, FIXED where it does not move."""
     if not chain.parts:
         return tuple(range(len(chain.blocks)))
     return tuple(FIXED if number is None else number for _, number in chain.parts)
 
 
 def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
-    """Outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
+    """Return the outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
         vertices, triangles = simplify(solid.vertices, solid.triangles, limit=LIMIT)
@@ -68,14 +68,14 @@ def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
 
 
 def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displaced | None:
-    """The mechanism turned to its negative side, None where it rocks to one side only."""
+    """Draw the mechanism turned to its negative side; None if it rocks to one side only."""
     chain, branch = mechanism.negative, oscillator.negative
     if chain is None or branch is None:
         return None
     outlines = [
         tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
     ]
-    seen = draw_displaced(chain, branch, pieces_of(chain, outlines), mark="'")
+    seen = draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
     return Displaced(
         rotation_rad=seen.rotation_rad,
         blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in seen.blocks),
@@ -95,19 +95,19 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
 
 
 def hinges_of(mechanism: Mechanism) -> tuple[NamedPoint, ...]:
-    """Hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
+    """Return hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
     negative = () if mechanism.negative is None else hinges_of_chain(mechanism.negative, "'")
     back = (NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in negative)
     return (*hinges_of_chain(mechanism.positive, ""), *back)
 
 
 def hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
-    """Hinges A, B, … of a chain, in its own sign."""
+    """Return hinges A, B, … of a chain, in its own sign."""
     return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
 
 
-def draw_displaced(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
-    """The chain after the rotation at which it is shown, in its own sign."""
+def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
+    """Draw the chain after the rotation at which it is shown, in its own sign."""
     rotation = display_rotation(chain, branch.overturning, pieces)
 
     def at(points: Sequence[Point], block: int) -> Ring:
@@ -127,7 +127,7 @@ def draw_displaced(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mar
 
 
 def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) -> float:
-    """The rotation [rad] at which the farthest point has moved by SEEN, or overturning; two figures, rounded down."""
+    """Return the rotation [rad] that moves the farthest point by SEEN, or overturning; rounded down to two figures."""
     sets = [(np.array(ring), block) for ring, block in pieces]
     sets += [(np.array([block.centroid]), number) for number, block in enumerate(chain.blocks)]
     size = float(np.ptp(np.concatenate([*(points for points, _ in sets), chain.hinges]), axis=0).max())
@@ -141,7 +141,7 @@ def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) 
 
 
 def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float) -> FloatArray:
-    """Points [k, 2] of a block where they are after a rotation [rad]: where two of its points are gives all."""
+    """Return points [k, 2] of a block after a rotation [rad], by the motion of two of its points."""
     if block == FIXED:
         return points
     motion = move(chain, np.array([rotation]))
@@ -152,7 +152,7 @@ def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float
 
 
 def drawn_load(load: Load, at: Point) -> DrawnLoad:
-    """A load that acts at a point [m]: the way of its weight, of a force, or of a tie's pull."""
+    """Return a load that acts at a point [m], with the direction of its weight, of the force, or of the tie's pull."""
     if isinstance(load, PointMass):
         return DrawnLoad(load.name, at, "mass", DOWN if load.bearing else None)
     if isinstance(load, Force):
@@ -163,11 +163,11 @@ def drawn_load(load: Load, at: Point) -> DrawnLoad:
 
 
 def unit_vector(vector: Point) -> Point | None:
-    """The unit vector along a vector, None where it has no length."""
+    """Return the unit vector along a vector; None for a zero vector."""
     length = float(np.hypot(*vector))
     return (vector[0] / length, vector[1] / length) if length else None
 
 
 def as_points(array: FloatArray) -> tuple[Point, ...]:
-    """Points [k, 2] as plain numbers."""
+    """Return points [k, 2] as plain numbers."""
     return tuple((float(x), float(z)) for x, z in array)

@@ -1,4 +1,4 @@
-"""The loads of a mechanism as used, how long each is there, and what is told of those that are not shown to last."""
+"""The loads of a mechanism as used, how long each lasts, and messages on those that are not shown to last."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from math import inf
 
 from assess.loads.load import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.ends import displacement_at
-from assess.mechanisms.lasting import acting_of, variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
 from assess.messages.message import Message, Severity, message
@@ -16,7 +15,7 @@ from assess.results import Lasting, LoadResult
 
 
 def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
-    """Every load as used, and how it was found."""
+    """Return every load as used, with its source."""
     number, found = 0, []
     for load in mechanism.positive.loads:
         one = load_result(load)
@@ -28,7 +27,7 @@ def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
 
 
 def load_result(load: Load) -> LoadResult:
-    """A load as used, and how it was found."""
+    """Return a load as used, with its source."""
     source = load.source or "given"
     if isinstance(load, PointMass):
         seat = load.seat if load.bearing else None
@@ -40,8 +39,8 @@ def load_result(load: Load) -> LoadResult:
 
 
 def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
-    """A force or tie, by its number, with how long it is there on the branch where it ends first."""
-    sides = list(zip(acting_of(mechanism), variants(mechanism).ends, strict=True))
+    """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
+    sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
     resisting = [(one, kept[number]) for one, kept in sides if one.ever_resists(number)]
     if not resisting:
         return replace(load, missing=())
@@ -64,24 +63,24 @@ def _lasting(lasts: bool, broken: bool) -> Lasting:
 
 
 def load_messages(mechanism: Mechanism) -> Iterator[Message]:
-    """A warning for each tie, and force that drives neither way, that is not shown to last; and where all stands by it.
+    """Yield a warning for each tie or force that resists but is not shown to last, and if all depends on them.
 
-    A force that drives one way and resists the other is a thrust: there is nothing to give.
+    A force that drives one way and resists the other is a thrust and gets no warning.
     """
     if not actions_of(mechanism.positive):
         return
     where = f"mechanisms.{mechanism.name}"
-    thrusts = {each.name for one in acting_of(mechanism) for each in one.thrusts}
+    thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in load_results(mechanism):
         if load.lasting == "not shown" and load.name not in thrusts:
             values = {"load": load.name, "missing": ", ".join(load.missing)}
             yield message("not-lasting", values, severity=Severity.WARNING, where=where)
-    yield from unheld_messages(mechanism, where=where)
+    yield from unsupported_messages(mechanism, where=where)
 
 
-def unheld_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
-    """Why no displacement can be asked: the mechanism stands only by what is not shown to last."""
-    loads = variants(mechanism).standing_by
+def unsupported_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
+    """Return why no displacement can be assessed: the mechanism stands only by loads that are not shown to last."""
+    loads = mechanism.variants.standing_by
     if not loads:
         return ()
     return (message("unheld", {"loads": ", ".join(loads)}, severity=Severity.WARNING, where=where),)

@@ -1,4 +1,4 @@
-"""The suite of records beside its target: means, misfit, and what codes say of it."""
+"""The suite of records compared with its target: means, misfit, and the requirements of codes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,22 @@ from spectra.spectrum import Spectrum
 
 
 def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord]) -> GroundMotionResult | None:
-    """The suite of a study as scaled; None without records."""
+    """Return the scaled suite of a study, compared with its target.
+
+    Parameters
+    ----------
+    study : Study
+        The study.
+    spectrum : Spectrum
+        The target.
+    motions : sequence of ScaledRecord
+        The suite.
+
+    Returns
+    -------
+    GroundMotionResult or None
+        None without records.
+    """
     if not motions:
         return None
     return ground_motion_result(
@@ -48,10 +63,28 @@ def ground_motion_result(
     equivalent: dict[str, tuple[float, float]],
     own: Mapping[str, tuple[float, float]] = MappingProxyType({}),
 ) -> GroundMotionResult:
-    """A suite beside its target; source: of the range of periods; equivalent: periods [s] of mechanisms by name.
+    """Return a suite compared with its target.
 
-    own : the shortest and the longest period [s] by the code of requirements that defines its own
-    Without mechanisms the codes are asked for the periods whose multiples the range is.
+    Parameters
+    ----------
+    motions : sequence of ScaledRecord
+        The suite.
+    spectrum : Spectrum
+        The target.
+    fitting : Fitting
+        Range of periods of the scaling, and how the records were chosen.
+    source : str
+        Source of the range, in words.
+    equivalent : dict
+        Shortest and longest equivalent period of each mechanism by name [s]. If empty, those are used whose multiples
+        the range is.
+    own : mapping
+        Shortest and longest period by code, for codes that define their own [s].
+
+    Returns
+    -------
+    GroundMotionResult
+        With the requirements of every code.
     """
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
     shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
@@ -73,7 +106,7 @@ def ground_motion_result(
 
 
 def source_of(study: Study) -> str:
-    """Where the range of periods comes from."""
+    """Return the source of the range of periods, in words."""
     if study.fitting.selection is None:
         return "default of the scaling by least squares"
     given = study.resolved.get("records.select.periods")
@@ -83,7 +116,7 @@ def source_of(study: Study) -> str:
 
 
 def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Band) -> float:
-    """Mean squared natural-log difference between the mean spectrum and the target over the band [-]."""
+    """Return the mean squared natural-log difference between the mean spectrum and the target over the band [-]."""
     over = truncate_band(band, spectrum.longest_period)
     ratios = [
         m.scaling.factor * np.exp(-log_ratio(m.record, spectrum, period=over.period, nodes=over.nodes)) for m in motions
@@ -98,14 +131,14 @@ def requirements_of(
     longest: float,
     own: Mapping[str, tuple[float, float]],
 ) -> tuple[RequirementResult, ...]:
-    """What every code says of the suite; shortest, longest: equivalent periods [s]; own: those of some codes."""
+    """Return the requirements of every code; shortest, longest: equivalent periods [s]; own: those of some codes."""
     suite = suite_of([m.record for m in motions], [m.scaling.factor for m in motions], spectrum)
     found = all_requirements(suite, shortest=shortest, longest=longest, own=own)
     return tuple(requirement_result(one) for one in found)
 
 
 def requirement_result(one: Requirement) -> RequirementResult:
-    """A requirement as the results have it."""
+    """Return a requirement as a result."""
     low, high = one.periods or (None, None)
     return RequirementResult(
         code=one.code,
@@ -124,7 +157,7 @@ def requirement_result(one: Requirement) -> RequirementResult:
 
 
 def selection_result(found: Selection) -> SelectionResult:
-    """How a suite was chosen, as the results have it."""
+    """Return how a suite was chosen as a result."""
     of = found.criteria
     return SelectionResult(
         fit=of.fit,

@@ -1,4 +1,4 @@
-"""How high each mechanism stands above the ground, and how it is known where the ground is."""
+"""The height of each mechanism above the ground, and the source of the level of the ground."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from assess.codes.check import Reason, reason_message
 from assess.codes.context import is_above_ground
-from assess.mechanisms.lasting import height_of_support
+from assess.mechanisms.limits import height_of_support
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 
-DOUBTFUL = 0.5  # m: a lowest body farther from elevation 0 does not tell where the ground is
+FAR = 0.5  # m: a lowest body farther from elevation 0 does not show where the ground is
 BY_BUILDING = "by building.ground_elevation"
 BY_MECHANISM = "by its base_elevation"
 BY_TABLE = "by its elevation, the ground at 0"
@@ -20,11 +20,11 @@ UNKNOWN = "not known where the ground is: give building.ground_elevation, or its
 
 @dataclass(frozen=True)
 class Grounded:
-    """A mechanism over the ground.
+    """The height of a mechanism above the ground.
 
-    base : of its base [m]; support : of what holds it, the mean of base and far support where it is held twice [m]
-    above : whether that counts as above the ground; source : where the ground is known from
-    unknown : why no check can be answered, where it is not
+    base : height of its base [m]; support : height of its support, the mean of base and far support if it has both [m]
+    above : whether that counts as above the ground; source : of the level of the ground, in words
+    unknown : why no check can be answered, if that level is not known
     """
 
     base: float
@@ -36,10 +36,10 @@ class Grounded:
 
 @dataclass(frozen=True)
 class Ground:
-    """Where the ground is, as far as anybody says.
+    """The level of the ground, as far as given.
 
-    elevation : of the ground [m], None where nobody gives it; lowest : of the lowest body [m], None without bodies
-    building_height : of the building above the ground [m], 0 where nobody gives it
+    elevation : of the ground [m], None if not given; lowest : elevation of the lowest body [m], None without bodies
+    building_height : height of the building above the ground [m], 0 if not given
     """
 
     elevation: float | None = None
@@ -54,21 +54,30 @@ class Ground:
 def stand_on(
     ground: Ground, mechanism: Mechanism, *, base_elevation: float | None = None, by_table: bool = False
 ) -> Grounded:
-    """Find where a mechanism stands over the ground.
+    """Find the height of a mechanism above the ground.
 
     Parameters
     ----------
-    ground : what is said of the ground
-    mechanism : as built
-    base_elevation : of its base above the ground [m], where it is drawn alone and not in its place
-    by_table : whether the mechanism gives its own elevation, as one of published parameters does
+    ground : Ground
+        The level of the ground.
+    mechanism : Mechanism
+        The mechanism.
+    base_elevation : float, optional
+        Height of its base above the ground, if it is not drawn in its place [m].
+    by_table : bool
+        Whether the mechanism gives its own elevation, as one of published parameters does.
+
+    Returns
+    -------
+    Grounded
+        With the source of the level of the ground.
     """
     base = ground.below(mechanism, base_elevation)
     support = max(base, 0.0) + height_of_support(mechanism) / 2.0
     source = _source(ground, base_elevation, by_table=by_table)
     lowest = mechanism.elevation if ground.lowest is None else ground.lowest
     if not source:
-        source = BY_BODIES if abs(lowest) <= DOUBTFUL else UNKNOWN
+        source = BY_BODIES if abs(lowest) <= FAR else UNKNOWN
     unknown: tuple[Message, ...] = (
         (reason_message(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
     )
@@ -80,12 +89,12 @@ def stand_on(
 def _contradiction(
     base: float, drawn: float, lowest: float, mechanism: Mechanism, ground: Ground
 ) -> tuple[Message, ...]:
-    """Why a base_elevation below where the mechanism is drawn does not hold: the file says where the ground is.
+    """Return why a base_elevation below the drawn base cannot be right: the project defines the level of the ground.
 
-    It does by its ground_elevation, or by bodies under the mechanism, which then is not drawn alone.
+    It does so by ground_elevation, or by bodies under the mechanism, which is then not drawn alone.
     """
-    alone = lowest > mechanism.elevation - DOUBTFUL
-    if base >= drawn - DOUBTFUL or (alone and ground.elevation is None):
+    alone = lowest > mechanism.elevation - FAR
+    if base >= drawn - FAR or (alone and ground.elevation is None):
         return ()
     return (
         reason_message(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),
@@ -93,7 +102,7 @@ def _contradiction(
 
 
 def _source(ground: Ground, base_elevation: float | None, *, by_table: bool) -> str:
-    """Which key says where the ground is; empty where none does."""
+    """Return which key defines the level of the ground, in words; empty if none does."""
     if base_elevation is not None:
         return BY_MECHANISM
     if ground.elevation is not None:

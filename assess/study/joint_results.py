@@ -1,4 +1,4 @@
-"""The joints of a mechanism in the results tree."""
+"""The joints of a mechanism as results."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ POINTS = 200  # of a curve, at most
 
 
 def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Sequence[str]) -> tuple[dict[str, Any], ...]:
-    """Every hinge of both branches: what it presses with, and how its contact opens and crushes."""
+    """Return the force at every hinge of both branches, and how its contact opens and crushes."""
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     found: list[dict[str, Any]] = []
     for chain, side in zip(chains, oscillator.branches, strict=True):
@@ -37,7 +37,7 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
 
 
 def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
-    """A rigid contact without curve; its force when about to move, negative where it pulls."""
+    """Return a rigid contact, without curve; its force is that at incipient motion, negative in tension."""
     return {
         "hinge": hinge,
         "model": "rigid",
@@ -52,7 +52,7 @@ def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
 
 
 def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> list[dict[str, Any]]:
-    """The joints of one chain; forces at rest, rotations of the joints themselves.
+    """Return the joints of one chain: forces at rest, rotations of the joints themselves.
 
     mechanism_rotation_rad is that of the chain from its geometry; the branch counts from phi_e.
     """
@@ -91,15 +91,15 @@ def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> li
 
 
 def _finite(value: float) -> float | None:
-    """The value, None for an infinite one."""
+    """Return the value, None in place of inf."""
     return float(value) if isfinite(value) else None
 
 
 def interface_curves(mechanism: Mechanism, rigid: Sequence[Branch]) -> InterfaceCurves:
-    """The moment of the positive branch with rigid joints, and about its fixed hinges a_SF, beside its own curve."""
+    """Return the moment of the positive branch with rigid joints, and about its fixed hinges a_SF."""
     chain = FlexibleChain(mechanism.positive, mechanism.name).fixed_hinge_chain
     rotation = np.linspace(0.0, min(rigid[0].rotation[-1], limit(chain) * (1.0 - FLAT)), NODES)
-    fixed = virtual_work(chain, rotation).restoring  # which may be none from the start, where the joint still holds
+    fixed = virtual_work(chain, rotation).restoring  # may be zero from the start, where the joint still resists
     return InterfaceCurves(_moment(rigid[0].rotation, rigid[0].restoring), _moment(rotation, fixed))
 
 

@@ -1,4 +1,4 @@
-"""From oscillators to the results tree: rocking parameters and capacity curves."""
+"""Rocking parameters and capacity curves of oscillators as results."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from assess.oscillator import (
     displacement,
     elastic_frequency,
     equivalent_block,
-    linearise,
     participating_mass,
     threshold,
 )
@@ -22,13 +21,30 @@ from spectra.arrays import FloatArray
 
 
 def floats(values: FloatArray) -> tuple[float, ...]:
-    """An array as plain numbers."""
+    """Return an array as plain numbers."""
     return tuple(values.tolist())
 
 
 def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium: float) -> OscillatorResult:
-    """The rocking parameters of one branch; rigid: the same with rigid interfaces; equilibrium: phi_e in its sign."""
-    block, linear = equivalent_block(rigid, mass=mass), linearise(branch)
+    """Return the rocking parameters of one branch.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    mass : float
+        Total mass [kg].
+    rigid : Branch
+        The branch with rigid interfaces.
+    equilibrium : float
+        Rotation at rest phi_e, in the sign of the branch [rad].
+
+    Returns
+    -------
+    OscillatorResult
+        The parameters, some of the equivalent block of the rigid branch.
+    """
+    block, linear = equivalent_block(rigid, mass=mass), branch.linearised
     return OscillatorResult(
         mass_kg=mass,
         inertia_kg_m2=block.inertia,
@@ -47,7 +63,7 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
 
 
 def linearised_result(linear: Linearised) -> LinearisedResult:
-    """The kinematic constants of the linearised branch."""
+    """Return the kinematic constants of the linearised branch."""
     rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
     return LinearisedResult(
         inertia_kg_m2=linear.inertia,
@@ -61,7 +77,7 @@ def linearised_result(linear: Linearised) -> LinearisedResult:
 
 
 def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
-    """The capacity curve of one branch."""
+    """Return the capacity curve of one branch."""
     return BranchCurve(
         rotation_rad=floats(branch.rotation),
         inertia_kg_m2=floats(branch.inertia),
@@ -73,18 +89,18 @@ def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
 
 
 def curve_of(oscillator: Oscillator) -> Curve:
-    """The capacity curves of both branches."""
+    """Return the capacity curves of both branches."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     return Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass))
 
 
 def overturning_rotations(oscillator: Oscillator) -> tuple[float, float | None]:
-    """The overturning rotations of both branches on rigid joints [rad]."""
+    """Return the overturning rotations of both branches with rigid joints [rad]."""
     return oscillator.positive.overturning, None if oscillator.negative is None else oscillator.negative.overturning
 
 
 def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch, ...]:
-    """The branches of the mechanism with rigid interfaces."""
+    """Return the branches of the mechanism with rigid interfaces."""
     if not mechanism.flexible:
         return oscillator.branches
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]

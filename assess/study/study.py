@@ -1,4 +1,4 @@
-"""A project in the terms of the field: what `run` needs, with no trace of the file's schema."""
+"""A study: site, motions, mechanisms and questions as plain data."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ScaleTo = Literal["spectrum", "pga", "none"]
 
 @dataclass(frozen=True)
 class Artificial:
-    """Artificial records to be made: how many, the seed, and their duration [s]."""
+    """Artificial records to be made: their number, the seed, and their duration [s]."""
 
     count: int
     seed: int
@@ -39,9 +39,9 @@ class Artificial:
 class Fitting:
     """How records are scaled to the target, and how they were chosen.
 
-    band : periods that the scaling looks at; together : ids of records that keep one factor
-    selection : how they were chosen, with its criteria; None where all that the project names are used
-    nga : (id, number in the NGA database) of those that have one
+    band : periods over which they are scaled; together : ids of records that share one factor
+    selection : how they were chosen, with its criteria; None if all records of the project are used
+    nga : (id, number in the NGA database) of records that have one
     """
 
     band: Band
@@ -63,16 +63,17 @@ class PulseGrid:
 class Amplified:
     """How the ground's motion reaches the base of a mechanism.
 
-    method : as the project names it; height : of the base above the ground [m], None where nothing is amplified
-    said : what is done, with which numbers, and where they come from
-    assumed : sentences: what nobody gave; by_stiffness : whether it follows from the stiffness of the bodies
+    method : as in the project; height : of the base above the ground [m], None where nothing is amplified
+    description : what is done, with which numbers and their sources
+    assumptions : sentences on values that are not given
+    by_stiffness : whether the amplification follows from the stiffness of the bodies
     """
 
     method: str
     height: float | None
     amplification: Amplification
-    said: tuple[Message | str, ...]
-    assumed: tuple[str, ...] = ()
+    description: tuple[Message | str, ...]
+    assumptions: tuple[str, ...] = ()
     by_stiffness: bool = False
 
 
@@ -80,26 +81,26 @@ class Amplified:
 class Study:
     """Site, motions, mechanisms and questions of one assessment.
 
-    spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
-    hazard : of an Italian site over return periods; None where the site has but one spectrum
-    free_periods : of the mechanisms that vibrate before they lift off, by name
-    knowledge : level of knowledge by mechanism and code, where one is given
-    limit_state : what a single spectrum of the site is declared for; None where nobody says
+    spectrum : the site's elastic spectrum at its own PGA; None without a site
+    hazard : of an Italian site over return periods; None if the site has a single spectrum
+    free_periods : of the mechanisms that vibrate before uplift, by name
+    knowledge : level of knowledge by mechanism and code, where given
+    limit_state : that a single spectrum of the site is declared for; None if not declared
     levels : PGA at which demands are compared, rising [m/s2]
-    offered : those of the procedures that nobody asked for; shown where they decide
+    offered : procedures that are not requested; shown where they decide
     equations : the equation of motion of each mechanism's histories, by name
     amplified : how the motion of the histories reaches each mechanism, by name
     fitting : how the records are scaled
     scenes : the bodies in space of each mechanism that has geometry, by name
     sweeps : parametric studies; a case has none
     question : what decides
-    facts : what the pass of each mechanism needs and nobody gave, and what it rests on, by name
-    grounded : where each mechanism stands over the ground, by name
+    facts : what a pass of each mechanism needs and is not given, and its conditions, by name
+    grounded : the height of each mechanism above the ground, by name
     record_factor : a further factor on every record [-]
-    suite_faults : by code, the rules for suites that the records miss, known once the records are
-    survey : the numbers of a mechanism that the survey's tolerance bears on, by its name
-    variables : what the sensitivity of each mechanism varies
-    pulses : of the overturning envelopes; None where none are asked for
+    suite_faults : rules for suites that the records do not meet, by code; known once the records are
+    survey : returns the surveyed numbers of a mechanism by its name
+    variables : numbers that the sensitivity of each mechanism varies
+    pulses : of the overturning envelopes; None if none are requested
     """
 
     spectrum: Spectrum | None
@@ -119,7 +120,7 @@ class Study:
     scenes: dict[str, Scene]
     inputs: tuple[Input, ...]
     resolved: dict[str, Resolved]
-    notices: tuple[Message, ...]
+    messages: tuple[Message, ...]
     sweeps: tuple[Sweep, ...]
     pulses: PulseGrid | None
     hazard: Hazard | None
@@ -137,7 +138,7 @@ class Study:
 
 @dataclass(frozen=True)
 class Case:
-    """One value of a sweep: in the sweep's unit, named by table, key and value, and the study of what it changes."""
+    """One value of a sweep, in the sweep's unit; its name by table, key and value; the study of what it changes."""
 
     value: float
     name: str
@@ -162,8 +163,8 @@ class Variable:
     """One number of a mechanism that its sensitivity varies.
 
     parameter : in a word of the project file; key : where the number stands; unit : SI, "-" for none
-    base, low, high : [unit]; study_at : the study of the mechanism alone with another value of the number
-    remark : a sentence, empty where nothing is to be said
+    base, low, high : [unit]; study_at : returns the study of the mechanism alone with another value
+    remark : a sentence, may be empty
     """
 
     mechanism: str
@@ -179,7 +180,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class Unvaried:
-    """A number of a mechanism that its sensitivity leaves as it is, and why."""
+    """A number of a mechanism that its sensitivity does not vary, and why."""
 
     mechanism: str
     parameter: str

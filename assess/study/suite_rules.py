@@ -1,4 +1,4 @@
-"""What the codes whose histories are asked for want of a suite: over which periods, beside which spectrum.
+"""The rules of codes for suites of records: over which periods, and for which spectrum.
 
 One suite serves the whole building, so the range reaches the slowest of all its mechanisms.
 """
@@ -28,14 +28,14 @@ HELD = 3.0  # artificial records hold periods up to their duration over this, we
 
 
 class FittedRange(Protocol):
-    """Range of periods over which artificial records have to fit the target [s]."""
+    """The range of periods over which artificial records have to fit the target [s]."""
 
     def __call__(self, *, longest: float) -> Range:
-        """Return it for the longest period of the mechanisms [s]."""
+        """Return the range for the longest period of the mechanisms [s]."""
 
 
 class PeriodsOf(Protocol):
-    """Periods at the limit state, which stand for T_1 in the clauses of a code [s]."""
+    """The periods at the limit state, used as T_1 in the clauses of a code [s]."""
 
     def __call__(self, study: Study) -> Range:
         """Return the shortest and the longest of all mechanisms."""
@@ -43,7 +43,7 @@ class PeriodsOf(Protocol):
 
 @dataclass(frozen=True)
 class SuiteRules:
-    """One code's rules for suites: what it asks of them, over which periods, and those of the mechanisms by it."""
+    """The rules of one code: its requirements, the range of periods to be fitted, and the periods of the mechanisms."""
 
     code: str
     requirements: Requirements
@@ -52,12 +52,12 @@ class SuiteRules:
 
 
 def at_allowable(study: Study) -> Range:
-    """Periods of equal work at half of the rotation that overturns [s], for ASCE 43-05."""
+    """Return the periods of equal work at half the overturning rotation [s], for ASCE 43-05."""
     return extreme_periods(equivalent_periods(study.mechanisms))
 
 
 def at_limit_state(study: Study) -> Range:
-    """T_SLV or T_SLC, with the building's T_1 where a mechanism stands above the ground [s], for NTC 2018."""
+    """Return T_SLV or T_SLC, and the building's T_1 if a mechanism is above the ground [s], for NTC 2018."""
     state = deciding_state(study)
     low, high = extreme_periods(limit_state_periods(study.mechanisms, state=state))
     if study.building is None or not any(is_above_ground(each, study) for each in study.mechanisms):
@@ -66,12 +66,12 @@ def at_limit_state(study: Study) -> Range:
 
 
 def is_above_ground(mechanism: Mechanism, study: Study) -> bool:
-    """Whether a mechanism stands above the ground, be it on a plinth."""
+    """Return whether the base of a mechanism is above the ground, even if only on a plinth."""
     return study.grounded[mechanism.name].base > 0.0
 
 
 def deciding_state(study: Study) -> str:
-    """The ultimate limit state that decides by the Italian code; SLV where another code decides."""
+    """Return the ultimate limit state that decides by the Italian code; SLV if another code decides."""
     return next((state for state in states_of(study.question) if state in ULTIMATE), "SLV")
 
 
@@ -83,25 +83,25 @@ RULES: Mapping[str, SuiteRules] = {
 
 
 def codes_of_histories(study: Study) -> tuple[str, ...]:
-    """The codes whose histories are asked for."""
+    """Return the codes whose procedures by histories are requested."""
     return tuple(dict.fromkeys(SUITE_CODES[name] for name in study.procedures if uses_histories(name)))
 
 
 def codes_that_decide(study: Study) -> tuple[str, ...]:
-    """The codes whose histories may decide; where none does, those asked for."""
+    """Return the codes whose procedures by histories may decide; if none may, those requested."""
     deciding = [SUITE_CODES[name] for name in methods_of(study.question) if uses_histories(name)]
     return tuple(dict.fromkeys(deciding)) or codes_of_histories(study)
 
 
 def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
-    """The target of a suite: of the Italian code that of the limit state that decides, where the hazard has it."""
+    """Return the target of a suite: for the Italian code, the spectrum of the limit state that decides, if known."""
     if code != "ntc2018" or study.hazard is None:
         return spectrum
     return study.hazard.spectra.get(deciding_state(study), spectrum)
 
 
 def made_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
-    """Range of periods over which artificial records are made to fit: what the rules ask, as far as they can be [s].
+    """Return the range of periods over which artificial records are made to fit [s]: as the rules require, if possible.
 
     A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
     """

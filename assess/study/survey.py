@@ -1,7 +1,7 @@
-"""What the survey's tolerance takes from the index of each mechanism.
+"""The share of the index of each mechanism that the tolerance of the survey may take.
 
-The numbers it bears on are each varied alone, to their bad ends; what they take from the index is added up. Answers by
-histories have a spread of their own and are left out.
+Each surveyed number is varied alone, to its unfavourable end; the losses of index are added up. Answers by histories
+have a scatter of their own and are left out.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def tolerances(
     found: Verdict,
     mechanisms: Sequence[MechanismResult],
 ) -> dict[str, float]:
-    """Find, for each mechanism whose index is not far from its threshold, what the tolerance takes from the index."""
+    """Find the loss of index by the tolerance of the survey, for each mechanism whose index is near its threshold."""
     checks = {mechanism.name: mechanism.checks for mechanism in mechanisms}
     falls: dict[str, float] = {}
     for one in found.mechanisms:
@@ -49,7 +49,7 @@ def _matters(answer: Answer, target: float | None) -> bool:
 
 
 def _goodness(answer: Answer) -> float | None:
-    """The larger the better: the index, or capacity over demand."""
+    """Return capacity over demand: the index, or its inverse."""
     if answer.index is None or answer.index.value == 0.0:
         return None
     return 1.0 / answer.index.value if answer.index.name == "D/C" else answer.index.value
@@ -63,7 +63,7 @@ def _fall(
     answer: Answer,
     checks: Sequence[Check],
 ) -> float:
-    """The share of the index that the tolerance takes, all numbers together."""
+    """Return the share of the index that the tolerance takes, over all numbers."""
     base = find_deciding_check(checks, answer, question.basis, question.action)
     if base is None:
         return 0.0
@@ -76,7 +76,7 @@ def _fall(
 
 
 def _share(end: Check | None, base: Check) -> float:
-    """Capacity over demand of a case over that of the base; 0 where the case has no answer any more."""
+    """Return capacity over demand of a case over that of the base; 0 if the case has no answer."""
     if end is None:
         return 0.0
     if end.capacity_pga_g is not None and base.capacity_pga_g:
@@ -85,7 +85,7 @@ def _share(end: Check | None, base: Check) -> float:
 
 
 def _at(variable: Variable, value: float, spectrum: Spectrum, question: Question, answer: Answer) -> Check | None:
-    """The deciding check with one value of a number; None where the mechanism cannot be assessed there."""
+    """Return the deciding check with one value of a number; None if the mechanism cannot be assessed there."""
     try:
         study = replace(variable.study_at(value), procedures=(answer.procedure,), levels=(spectrum.pga,))
         found = check_case(study, spectrum, (), jobs=1)

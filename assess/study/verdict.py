@@ -22,20 +22,20 @@ from assess.study.study import Study
 
 
 def by_motion(question: Question) -> bool:
-    """Whether a method may decide that follows the motion of the ground, or whether nothing tells what decides."""
+    """Return whether a method by histories or energy may decide, or no method is named."""
     methods = methods_of(question)
     return not methods or any(FAMILIES[name] in (Family.HISTORY, Family.ENERGY) for name in methods)
 
 
 def states_of(question: Question) -> tuple[str, ...]:
-    """The limit states that decide, as checks name them."""
+    """Return the limit states that decide, as checks name them."""
     return tuple(state.checked_as for state in find_limit_states(question)[0])
 
 
 def decide(
     study: Study, mechanisms: Sequence[MechanismResult], tolerance: Mapping[str, float] | None = None
 ) -> Verdict:
-    """Decide on the checks of the mechanisms; tolerance: what the survey may take from the index of each, by name."""
+    """Decide on the checks of the mechanisms; tolerance: loss of index by the survey, by name."""
     near = tolerance or {}
     judged = [
         MechanismChecks(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms
@@ -44,13 +44,26 @@ def decide(
 
 
 def mark_result(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
-    """The mechanism with the checks that decide marked as such."""
+    """Return the mechanism with the checks that decide marked as such."""
     one = next(each for each in found.mechanisms if each.mechanism == mechanism.name)
     return replace(mechanism, checks=mark_deciding(mechanism.checks, one, question.basis, question.action))
 
 
 def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float, ...]:
-    """The levels of the study with the site's own action among them, rising [m/s2]."""
+    """Return the levels of the study, including the site's own action, rising.
+
+    Parameters
+    ----------
+    levels : tuple of float
+        PGA of the levels [m/s2].
+    site_pga : float
+        PGA of the site [m/s2].
+
+    Returns
+    -------
+    tuple of float
+        Levels [m/s2]; one equal to the site's PGA but for rounding is replaced by it.
+    """
     if any(isclose(level, site_pga, rel_tol=1e-9) for level in levels):
         return tuple(site_pga if isclose(level, site_pga, rel_tol=1e-9) else level for level in levels)
     return tuple(sorted((*levels, site_pga)))

@@ -1,4 +1,4 @@
-"""The bodies of a mechanism in space, light enough to stand in the results and to be drawn."""
+"""The bodies of a mechanism in space, simplified for the results and for drawing."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CORNERS = 300  # of a section's ring
 
 
 def view(mechanism: Mechanism, scene: Scene) -> View:
-    """The bodies with their axes of rotation, at rest."""
+    """Return the bodies with their axes of rotation, at rest."""
     members = [*zip(scene.members, block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
     surfaces = [(*surface(solids), owner) for solids, owner in members if solids]
     corners = np.concatenate([vertices for vertices, _, _ in surfaces])
@@ -46,14 +46,14 @@ def view(mechanism: Mechanism, scene: Scene) -> View:
 
 
 def surface(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
-    """The surfaces of several solids as one."""
+    """Return the surfaces of several solids as one."""
     starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
     triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
     return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
 
 
 def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
-    """The surfaces with no more than LIMIT triangles in all, shared out by area."""
+    """Simplify surfaces to no more than LIMIT triangles in all, shared by area."""
     if sum(len(triangles) for _, triangles, _ in surfaces) <= LIMIT:
         return list(surfaces)
     areas = np.array([area(vertices[triangles]) for vertices, triangles, _ in surfaces])
@@ -65,13 +65,13 @@ def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> l
 
 
 def area(corners: FloatArray) -> float:
-    """The area of triangles [m, 3, 3] [m2]."""
+    """Return the total area of triangles [m, 3, 3] [m2]."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return float(np.linalg.norm(normals, axis=1).sum()) / 2.0
 
 
 def axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Axis, ...]:
-    """The axis of each hinge, across the direction, as long as what moves is wide there."""
+    """Return the axis of each hinge, across the direction, over the width of the moving bodies."""
     along, up = scene.direction, np.array([0.0, 0.0, 1.0])
     across = np.array([-along[1], along[0], 0.0])
     reach = np.concatenate([solid.vertices for member in scene.members for solid in member]) @ across
@@ -84,17 +84,17 @@ def axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Axis, ...]:
 
 
 def thin_ring(ring: FloatArray) -> FloatArray:
-    """A closed ring [k, 3] with no more than CORNERS corners, evenly left out."""
+    """Thin a closed ring [k, 3] evenly to no more than CORNERS corners."""
     step = -(-(len(ring) - 1) // CORNERS)
     return np.concatenate([ring[:-1:step], ring[:1]])
 
 
 def places(points: FloatArray, decimals: int) -> tuple[Place, ...]:
-    """Points [k, 3] as plain numbers, rounded."""
+    """Return points [k, 3] as plain numbers, rounded."""
     return tuple(as_place(point) for point in np.round(points, decimals) + 0.0)
 
 
 def as_place(point: FloatArray) -> Place:
-    """A point [3] as plain numbers."""
+    """Return a point [3] as plain numbers."""
     x, y, z = point.tolist()
     return (x, y, z)

@@ -1,4 +1,4 @@
-"""The wall that a mechanism is of: its size, and what weight does to it, for the clauses that judge walls by them."""
+"""The wall that a mechanism is part of: its size and gravity moments, for the clauses on walls."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from assess.codes.context import Gravity, Support, Wall
 from assess.geometry.outline import Outline
 from assess.loads.load import Force, Load, PointMass, upward
 from assess.mechanisms.chain import Chain, Point
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.virtual_work import virtual_work
 
@@ -28,9 +27,9 @@ JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to 
 
 
 def wall_of(mechanism: Mechanism) -> Wall | None:
-    """The wall across its plane; None for what is no wall, or has no geometry that tells its size.
+    """Return the wall across its plane; None for mechanisms that are not walls, or without geometry.
 
-    The height goes from the base hinge to the hinge at the top, or to the top of what stands free. The thickness is
+    The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
     the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
     to one side only, the width of its outline just above.
     """
@@ -45,13 +44,13 @@ def wall_of(mechanism: Mechanism) -> Wall | None:
 
 
 def carries_floors(mechanism: Mechanism) -> bool:
-    """Whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
+    """Return whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
     return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
 
 
 def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
-    """What the weight of a wall and of what presses on it gives to each of its branches."""
-    rocker = variants(mechanism).deciding
+    """Return the gravity moments of a wall and of the loads that press on it, by branch."""
+    rocker = mechanism.variants.deciding
     found: dict[BranchName, Gravity] = {"positive": _gravity(mechanism.positive, rocker.positive.unstable)}
     if mechanism.negative is not None and rocker.negative is not None:
         found["negative"] = _gravity(mechanism.negative, rocker.negative.unstable)
@@ -59,9 +58,9 @@ def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
 
 
 def _gravity(chain: Chain, instability: float) -> Gravity:
-    """Of one branch, whose restoring moment falls to zero at `instability` [rad].
+    """Return the gravity moments of one branch, whose restoring moment falls to zero at `instability` [rad].
 
-    What presses are bearing masses and the vertical part of given forces; ties and horizontal forces have no part.
+    Bearing masses and the vertical part of applied forces press; ties and horizontal forces are ignored.
     """
     pressing = tuple(pressed for load in chain.loads if (pressed := _pressing(load)) is not None)
     at = np.array([0.0, instability])
@@ -80,7 +79,7 @@ def _gravity(chain: Chain, instability: float) -> Gravity:
 
 
 def _pressing(load: Load) -> Load | None:
-    """The part of a load that presses on the wall; None where it does not."""
+    """Return the part of a load that presses on the wall; None if there is none."""
     if upward(load) >= 0.0 or not isinstance(load, PointMass | Force):
         return None
     return load if isinstance(load, PointMass) else replace(load, force=(0.0, load.force[1]))
@@ -96,7 +95,7 @@ def _wall(mechanism: Mechanism, *, height: float, at: int) -> Wall | None:
 
 
 def _width(rings: Outline, level: float) -> float:
-    """Extent along x of closed rings at an elevation [m]; 0 where they do not reach it."""
+    """Return the extent along x of closed rings at an elevation [m]; 0 if they do not reach it."""
     crossed = [x for ring in rings for a, b in pairwise(ring) for x in _crossing(a, b, level)]
     return max(crossed) - min(crossed) if crossed else 0.0
 

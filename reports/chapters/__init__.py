@@ -1,1 +1,1 @@
-"""The chapters of the report: what each says, taken from the results."""
+"""The chapters of the report, made from the results."""

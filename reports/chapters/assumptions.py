@@ -1,4 +1,4 @@
-"""What the assessment rests on: each value with its source, measured, taken from literature, assumed, or a default."""
+"""The assumptions: each value with its source, measured, taken from literature, assumed, or a default."""
 
 from __future__ import annotations
 
@@ -7,14 +7,21 @@ from dataclasses import dataclass, field
 
 from assess.messages.plural import count_noun
 from assess.results import Resolved, Results
-from reports.chapters import tables
+from reports.chapters import check_tables
 from reports.document import Block, Cell, Column, Section, Table, Text, nonempty
 from reports.language.lettering import truncate
 from reports.language.numerals import entries
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
-OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # what a mechanism is, not what is assumed of it
+OWN = (
+    "kind",
+    "blocks",
+    "label",
+    "cut",
+    "hinges",
+    "hinges_negative",
+)  # the definition of a mechanism, not an assumption
 ASKED = ("analysis.levels", "analysis.procedures", "analysis.pulses", "analysis.sweep", "analysis.sensitivity")
 NOT_SAID = "given"
 SHORT, MANY = 24, 4  # characters of a name and names in a list
@@ -32,26 +39,26 @@ class _Row:
 
 
 def section(results: Results) -> Section:
-    """The list, and the procedures with what could not be compared."""
+    """Return the chapter: the values with their sources, the rules of the basis, and the procedures."""
     introduction = (
         "Each value is measured, taken from literature or assumed, as the project file states under "
         "report.sources; given, without a source; or a default of the program. A key with * applies to "
         "the mechanisms that are named. All other values of the project file are listed in the annex."
     )
     blocks: tuple[Block, ...] = (Text((introduction,)), table(results))
-    procedures = tables.procedures(results)
+    procedures = check_tables.procedures(results)
     return Section("Assumptions", 0, (*blocks, *nonempty(rules(results)), *nonempty(procedures)))
 
 
 def rules(results: Results) -> Table:
-    """The rules of the basis that decides, with the clauses they come from."""
+    """Return the rules of the deciding basis, with their clauses, as a table."""
     columns = (Column("Rule"), Column("Clause"))
     rows = () if results.verdict is None else results.verdict.clauses
     return Table("basis-rules", "The rules of the basis, and the clauses they come from.", columns, rows)
 
 
 def table(results: Results) -> Table:
-    """Every value that a result rests on, those alike in several mechanisms in one line."""
+    """Tabulate every value that a result rests on; values shared by several mechanisms have one line."""
     columns = (
         Column("Key", kind="given"),
         Column("Value (SI)", kind="given"),
@@ -81,7 +88,7 @@ def _rows(results: Results) -> Iterator[_Row]:
 
 
 def _without_name(key: str) -> tuple[str, str]:
-    """A key of a mechanism with * for its name, and the name."""
+    """Return a key of a mechanism with * for its name, and the name."""
     table, _, rest = key.partition(".")
     name, _, last = rest.partition(".")
     return (f"mechanisms.*.{last}", name) if table == "mechanisms" and last else (key, "")
@@ -95,7 +102,7 @@ def _left_out(key: str) -> bool:
 
 
 def _source(key: str, value: Resolved, sources: dict[str, str]) -> tuple[str, str]:
-    """The kind of source and its words, of the longest key of the sources that `key` begins with."""
+    """Return the kind of source and its words, of the longest key of the sources that `key` begins with."""
     known = [start for start in sources if key == start or key.startswith(f"{start}.")]
     if known:
         kind, _, words = sources[max(known, key=len)].partition(":")
@@ -104,7 +111,7 @@ def _source(key: str, value: Resolved, sources: dict[str, str]) -> tuple[str, st
 
 
 def _held(names: list[str], every: int) -> str:
-    """For which mechanisms."""
+    """Return the names that a value applies to, as a cell."""
     if not names:
         return ""
     if len(names) == every:

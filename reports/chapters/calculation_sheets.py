@@ -8,7 +8,7 @@ from reports.language.numerals import with_bound
 
 
 def calculation_sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
-    """The steps of one check, at its level."""
+    """Return the steps of one check at its level."""
     lines = tuple(
         Line(s.symbol, s.description, s.clause, s.formula, s.substituted, with_bound(s.value, s.bound), s.unit)
         for s in check.steps

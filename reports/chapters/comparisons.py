@@ -1,17 +1,54 @@
-"""Tables that set procedures and mechanisms beside each other (as thesis Tables 8.6 and 8.10)."""
+"""The chapter that compares procedures and mechanisms (as thesis Tables 8.6 and 8.10)."""
 
 from __future__ import annotations
+
+from functools import partial
 
 from assess.codes.check import Check
 from assess.results import ComparisonRow, Results
 from reports import governing
-from reports.chapters.tables import LEVEL, MECHANISM, OVERTURNED, PROCEDURE, breakable_name, rocking_cell, rotation_cell
-from reports.document import Cell, Column, Table
+from reports.chapters import descriptions, interface_variants, sweeps
+from reports.chapters.check_tables import (
+    LEVEL,
+    MECHANISM,
+    OVERTURNED,
+    PROCEDURE,
+    breakable_name,
+    rocking_cell,
+    rotation_cell,
+)
+from reports.document import Cell, Column, Figure, Section, Table, Text, nonempty
+from reports.figures import comparison as figure
 from reports.mechanism_title import mechanism_title
 
 
+def chapter(results: Results) -> list[Section]:
+    """Return the chapter; none without a comparison."""
+    if not results.comparison:
+        return []
+    names = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
+    draw = partial(figure.draw, governing.rows_to_draw(results), names, governing.overturned_rows(results))
+    caption = (
+        "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
+        "are readings of the thesis, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
+        "the spectrum."
+    )
+    standing = sweeps.controlling_cases(results.sweeps, names)
+    unlike = descriptions.unequal_inputs(results)
+    blocks = (
+        *standing,
+        *((Text(unlike),) if unlike else ()),
+        Figure("comparison", caption, draw),
+        *nonempty(capacities(results)),
+        side_by_side(results),
+        *nonempty(rotations(results)),
+        *interface_variants.blocks(results, name="interfaces"),
+    )
+    return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
+
+
 def side_by_side(results: Results) -> Table:
-    """Demand over capacity of every procedure beside each other, one line for each mechanism and level."""
+    """Tabulate demand over capacity, a column for each procedure, a line for each mechanism and level."""
     known = dict.fromkeys(row.procedure for row in results.comparison)
     names = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
     lines: dict[tuple[str, float], dict[str, Cell]] = {}
@@ -33,7 +70,7 @@ def side_by_side(results: Results) -> Table:
 
 
 def _worse(one: Cell, other: Cell) -> Cell:
-    """The worse of two ratios of one procedure (several limit states)."""
+    """Return the worse of two ratios of one procedure (several limit states)."""
     words = [cell for cell in (one, other) if isinstance(cell, str)]
     numbers = [cell for cell in (one, other) if isinstance(cell, float)]
     if words:
@@ -42,12 +79,14 @@ def _worse(one: Cell, other: Cell) -> Cell:
 
 
 def capacities(results: Results) -> Table:
-    """PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
-    asked = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
-    known = dict.fromkeys(name for found in asked.values() for name in found)
+    """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
+    by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
+    known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
     columns = (MECHANISM, *(Column(breakable_name(name), "g", "number") for name in known))
     rows = tuple(
-        (mechanism_title(m), *(asked[m.name].get(name) for name in known)) for m in results.mechanisms if asked[m.name]
+        (mechanism_title(m), *(by_mechanism[m.name].get(name) for name in known))
+        for m in results.mechanisms
+        if by_mechanism[m.name]
     )
     caption = (
         "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "
@@ -57,7 +96,7 @@ def capacities(results: Results) -> Table:
 
 
 def rotations(results: Results) -> Table:
-    """Largest rotation at each level beside the allowable, by every procedure (as thesis Table 8.10)."""
+    """Tabulate the largest rotation at each level and the allowable one, by procedure (as thesis Table 8.10)."""
     levels = governing.levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
     columns = (
         MECHANISM,
@@ -85,7 +124,7 @@ def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Ce
 
 
 def comparison(results: Results) -> Table:
-    """All mechanisms by all procedures."""
+    """Tabulate all mechanisms by all procedures."""
     columns = (
         MECHANISM,
         LEVEL,

@@ -1,4 +1,4 @@
-"""What the numbers say, in sentences: which mechanism is critical, by how much, and which procedures disagree."""
+"""Conclusions in sentences: the critical mechanism and its margin, and where procedures disagree."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from assess.codes.verdict import MechanismVerdict
 from assess.codes.verdict_text import margin_text
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
-from reports.chapters.sentences import join_names
 from reports.language.lettering import truncate
+from reports.language.lists import join_names, list_names
 from reports.language.numerals import numeral
 from reports.mechanism_title import mechanism_title
 
-LONGEST, MANY = 40, 6  # characters of a name in a sentence; names in a list
+LONGEST = 40  # characters of a name in a sentence
 MEASURES = {
     Family.DISPLACEMENT: "compares the displacement capacity with the spectral displacement at the secant period",
     Family.LINEAR: "checks the acceleration that starts the motion, reduced by q, not the rotation that follows",
@@ -35,7 +35,7 @@ MEASURES = {
 
 
 def conclusions(results: Results) -> tuple[str, ...]:
-    """The sentences, most important first; those that have nothing to say are left out."""
+    """Return the sentences, most important first, without those that do not apply."""
     own = governing.site_pga(results)
     return (
         *_critical_mechanism(results),
@@ -47,17 +47,12 @@ def conclusions(results: Results) -> tuple[str, ...]:
 
 
 def short_title(mechanism: MechanismResult) -> str:
-    """The name of a mechanism in a sentence."""
+    """Return the title of a mechanism for use in a sentence."""
     return truncate(mechanism_title(mechanism), LONGEST)
 
 
-def list_names(names: list[str]) -> str:
-    """Names with commas and an "and"; of many the first ones, and how many there are besides."""
-    return join_names([*names[:MANY], f"{len(names) - MANY} others"] if len(names) > MANY + 1 else names)
-
-
 def _critical_mechanism(results: Results) -> Iterator[str]:
-    """The mechanism that holds the least, by the procedures that decide, and the runner-up."""
+    """Yield the mechanism with the smallest margin by the deciding procedures, and the runner-up."""
     ranked = ranking(results)
     if not ranked or results.verdict is None:
         return
@@ -76,14 +71,14 @@ def _deciding_procedures(one: MechanismVerdict) -> str:
 
 
 def ranking(results: Results) -> list[tuple[MechanismResult, MechanismVerdict]]:
-    """Mechanisms with their verdict by their margin, rising; those where none is known are left out."""
+    """Sort the mechanisms by the margin of their verdict, smallest first, without those of unknown margin."""
     verdicts = {} if results.verdict is None else {one.mechanism: one for one in results.verdict.mechanisms}
     pairs = ((m, verdicts[m.name]) for m in results.mechanisms if m.name in verdicts)
     return sorted((pair for pair in pairs if pair[1].margin is not None), key=lambda pair: pair[1].margin or 0.0)
 
 
 def disagreements(results: Results, levels: tuple[float, ...]) -> Iterator[str]:
-    """At each level where procedures disagree: who fails whom, and what each of them measures."""
+    """Yield, for each level where procedures disagree, which mechanisms fail by which; then what each measures."""
     failing: dict[str, None] = {}
     for level in levels:
         apart = [m for m in results.mechanisms if _is_disputed(m, level)]
@@ -104,7 +99,7 @@ def disagreements(results: Results, levels: tuple[float, ...]) -> Iterator[str]:
 
 
 def describe_procedure(procedure: str) -> str:
-    """What a procedure measures; empty where nothing is known."""
+    """Return what a procedure measures; empty for one that is not known."""
     return MEASURES[FAMILIES[procedure]] if procedure in FAMILIES else ""
 
 
@@ -127,7 +122,7 @@ def _failing_mechanisms(mechanisms: list[MechanismResult], level: float, procedu
 
 
 def _spread(results: Results) -> Iterator[str]:
-    """How far the procedures lie apart in PGA at capacity."""
+    """Yield the spread of the procedures in PGA at capacity."""
     spreads = []
     for mechanism in results.mechanisms:
         known = governing.capacities(governing.code_checks(mechanism.checks))
@@ -145,7 +140,7 @@ def _spread(results: Results) -> Iterator[str]:
 
 
 def _overturning_records(results: Results) -> Iterator[str]:
-    """How many records overturn which mechanisms."""
+    """Yield how many records overturn which mechanisms."""
     fallen = [(m, suite) for m in results.mechanisms for suite in m.suites if suite.overturned]
     if fallen:
         each = list_names([_overturning_share(mechanism, suite) for mechanism, suite in fallen])
@@ -156,7 +151,7 @@ def _overturning_records(results: Results) -> Iterator[str]:
 
 
 def _factored_exception(results: Results) -> str:
-    """Which procedures on records still find one that overturns: with a confidence factor, or at a PGA of their own."""
+    """Return the procedures on records that still find overturning: with a confidence factor, or at another PGA."""
     fallen = dict.fromkeys(
         governing.procedure_label(check, mechanism.checks)
         for mechanism in results.mechanisms
@@ -173,7 +168,7 @@ def _overturning_share(mechanism: MechanismResult, suite: SuiteResult) -> str:
 
 
 def _weakest_pulses(results: Results) -> Iterator[str]:
-    """Which mechanism the weakest pulse overturns, where that was asked."""
+    """Yield the mechanism that the weakest pulse overturns, where envelopes were requested."""
     if results.critical is None:
         return
     bands = [(band, band.mechanism) for band in results.critical.bands if band.mechanism is not None]

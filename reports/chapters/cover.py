@@ -1,4 +1,4 @@
-"""The first page: the verdict, what it was asked by, the conditions under which it holds, and what is missing."""
+"""The first page: the verdict, its basis, its conditions, and what is missing."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SAFE = "With all of these given, at the safe value where there is one, the verdi
 
 
 def section(results: Results) -> Section:
-    """The verdict of the building and of each mechanism, with everything it rests on."""
+    """Return the page: the verdict of the building and of each mechanism, with its conditions and warnings."""
     found = results.verdict
     if found is None:
         return Section("Verdict", 0, (Text(("No verdict: nothing was assessed.",)),))
@@ -44,7 +44,7 @@ def section(results: Results) -> Section:
 
 
 def headline(found: Verdict) -> str:
-    """What the verdict means, in one sentence."""
+    """Return the meaning of the verdict in one sentence."""
     every = count_noun(len(found.mechanisms), "mechanism")
     number = sum(one.outcome == found.outcome for one in found.mechanisms)
     at = f"at the site’s own action, PGA {found.action.pga_g:.3g} g"
@@ -59,7 +59,7 @@ def headline(found: Verdict) -> str:
 
 
 def basis_table(found: Verdict) -> Table:
-    """What was asked: the code, limit states, action, methods, and the target."""
+    """Tabulate the basis of the verdict: code, limit states, action, methods and target."""
     index = building_index_text(found).replace("zeta_E", "ζ_E")
     rows = (
         ("Basis", f"{found.basis}: {found.edition}" if found.basis else "none named"),
@@ -75,7 +75,7 @@ def basis_table(found: Verdict) -> Table:
 
 
 def _missing(found: Verdict, results: Results) -> list[Block]:
-    """What would complete the verdict, as lines to paste, and what it would be with the safe values."""
+    """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
     blocks = _bullet_list("Missing:", [f"{each.key}: {_missing_reason(each)}." for each in found.missing])
@@ -90,7 +90,7 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
 
 
 def _missing_reason(missing: Missing) -> str:
-    """Why an input is needed, with the numbers of its reasons whole."""
+    """Return why an input is needed, with the numbers of its reasons whole."""
     text = missing.text
     for reason in missing.reasons:
         text = text.replace(reason.text, message_text(reason))
@@ -98,7 +98,7 @@ def _missing_reason(missing: Missing) -> str:
 
 
 def _relevant_warnings(results: Results) -> Iterator[str]:
-    """The warnings of the run, and the remarks of the checks that decide, each once."""
+    """Yield the warnings of the run, and the remarks of the checks that decide, each once."""
     for each in relevant_warnings(results.warnings):
         yield f"{each.where}: {message_text(each)}" if each.where else message_text(each)
     for mechanism in results.mechanisms:
@@ -109,7 +109,7 @@ def _relevant_warnings(results: Results) -> Iterator[str]:
 
 
 def _bullet_list(title: str, points: list[str]) -> list[Block]:
-    """A list under its title; of a long one the first points, and how many there are besides."""
+    """Return a list under its title; of a long one the first points, and how many there are besides."""
     if not points:
         return []
     more = [f"… and {len(points) - MANY} more."] if len(points) > MANY else []
@@ -117,6 +117,6 @@ def _bullet_list(title: str, points: list[str]) -> list[Block]:
 
 
 def fingerprint(results: Results) -> str:
-    """One SHA-256 over those of all files read, and how many they are: which inputs this report is of."""
+    """Return the number of files read and one SHA-256 over theirs, which identifies the inputs of the report."""
     joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
     return f"{count_noun(len(results.inputs), 'file')}, together SHA-256 {sha256(joined).hexdigest()}"

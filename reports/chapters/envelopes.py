@@ -31,7 +31,7 @@ METHOD = (
 
 
 def critical_chapter(results: Results) -> list[Section]:
-    """Which mechanism is critical at which frequency."""
+    """Return the chapter on the critical mechanism at each frequency; none without envelopes."""
     critical, mapped = results.critical, mechanisms_with_envelope(results)
     if critical is None or not mapped:
         return []
@@ -52,13 +52,13 @@ def critical_chapter(results: Results) -> list[Section]:
 
 
 def rename_mechanisms(critical: CriticalResult, called: dict[str, str]) -> CriticalResult:
-    """With mechanisms as the figure calls them."""
+    """Return the critical result with the titles of mechanisms in place of their names."""
     bands = tuple(replace(band, mechanism=called.get(band.mechanism or "")) for band in critical.bands)
     return replace(critical, bands=bands)
 
 
 def critical_sentence(critical: CriticalResult, called: dict[str, str]) -> str:
-    """Who is critical over which frequencies."""
+    """Return which mechanism is critical over which frequencies."""
     parts = [
         f"{called[band.mechanism]} from {numeral(band.from_hz, digits=3)} to {numeral(band.to_hz, digits=3)} Hz"
         for band in critical.bands
@@ -77,7 +77,7 @@ def critical_sentence(critical: CriticalResult, called: dict[str, str]) -> str:
 
 
 def bands_table(critical: CriticalResult, called: dict[str, str]) -> Table:
-    """The bands of the critical mechanism."""
+    """Tabulate the bands of frequency in which each mechanism is critical."""
     columns = (Column("Critical mechanism"), Column("From", "Hz", "number"), Column("To", "Hz", "number"))
     rows = tuple(
         (called.get(band.mechanism or "", "none overturns"), band.from_hz, band.to_hz) for band in critical.bands
@@ -111,7 +111,7 @@ def _primary_pulses(records: Sequence[RecordResult]) -> list[Block]:
 
 
 def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: str, *, level: int) -> list[Section]:
-    """The envelope of one mechanism."""
+    """Return the section on the envelope of one mechanism; none without an envelope."""
     one = mechanism.envelope
     if one is None:
         return []
@@ -137,7 +137,7 @@ def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: s
 
 
 def describe_envelope(one: EnvelopeResult) -> str:
-    """What the map says in a sentence or two."""
+    """Describe an envelope in a sentence or two."""
     known = [(bound, f) for bound, f in zip(one.lower_bound_g, one.frequency_hz, strict=True) if bound is not None]
     if not known:
         return f"No pulse up to {numeral(one.amplitude_g[-1], digits=3)} g overturns it at any of the frequencies."
@@ -156,7 +156,7 @@ def describe_envelope(one: EnvelopeResult) -> str:
 
 
 def _amplification_sentence(one: EnvelopeResult) -> str:
-    """How much of the ground's motion reaches the mechanism; empty where it acts as it is."""
+    """Return how much of the ground's motion reaches the mechanism; empty where it acts as it is."""
     least, most = min(one.factor), max(one.factor)
     if least == most == 1.0:
         return ""
@@ -170,12 +170,12 @@ def _amplification_sentence(one: EnvelopeResult) -> str:
 
 
 def mechanisms_with_envelope(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:
-    """The mechanisms that have an envelope, with it."""
+    """Return the mechanisms that have an envelope, each with it."""
     return [(mechanism, mechanism.envelope) for mechanism in results.mechanisms if mechanism.envelope is not None]
 
 
 def data(results: Results) -> tuple[Table, ...]:
-    """Every bound at every frequency, for the spreadsheet and CSV."""
+    """Tabulate every bound at every frequency, for the spreadsheet and the CSV files."""
     mapped = mechanisms_with_envelope(results)
     if not mapped:
         return ()
@@ -192,9 +192,9 @@ def data(results: Results) -> tuple[Table, ...]:
     )
     critical = results.critical.mechanism if results.critical is not None else ()
     rows = tuple(
-        (mechanism.name, f, bound, sign, up, factor, omega, ratio, "critical" if who == mechanism.name else "")
+        (mechanism.name, f, bound, sign, up, factor, omega, ratio, "critical" if name == mechanism.name else "")
         for mechanism, one in mapped
-        for f, bound, sign, up, factor, omega, ratio, who in zip(
+        for f, bound, sign, up, factor, omega, ratio, name in zip(
             one.frequency_hz, one.lower_bound_g, one.polarity, one.uplift_g, one.factor, one.omega,
             one.lower_bound_ratio, critical, strict=True,
         )

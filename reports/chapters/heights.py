@@ -1,9 +1,9 @@
-"""How high over the ground each mechanism has its base, and where its input acts."""
+"""The height of each base above the ground, and of the point where the input acts."""
 
 from __future__ import annotations
 
 from assess.results import MechanismResult, Results
-from reports.chapters.tables import MECHANISM
+from reports.chapters.check_tables import MECHANISM
 from reports.document import Cell, Column, Table
 from reports.mechanism_title import mechanism_title
 
@@ -18,7 +18,7 @@ COLUMNS = (
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism whose elevation is known."""
+    """Tabulate the heights of the mechanisms whose elevation is known."""
     caption = (
         "Height of each base above the ground. For a mechanism above the ground, the ground motion can "
         "make a check fail but cannot make it pass. The input acts at the height of the supports: the "

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from assess.results import HistoryResult, MechanismResult, SuiteResult
-from reports.chapters.tables import LEVEL, OVERTURNED, rocking_cell
+from reports.chapters.check_tables import LEVEL, OVERTURNED, rocking_cell
 from reports.document import Cell, Column, Table
 
 
 def suites(mechanism: MechanismResult, *, name: str) -> Table:
-    """The record suite at each level."""
+    """Tabulate the statistics of the suite of records at each level."""
     columns = (
         LEVEL,
         Column("Records", kind="number"),
@@ -43,7 +43,7 @@ def _mean(mean_ratio: float | None, overturned: int) -> Cell:
 
 
 def histories(mechanism: MechanismResult, *, name: str) -> Table:
-    """The largest response to each record at each level."""
+    """Tabulate the largest response to each record at each level."""
     columns = (
         Column("Record"),
         LEVEL,

@@ -1,4 +1,4 @@
-"""Mechanisms that differ by their interface alone, set beside each other (thesis Table 8.7)."""
+"""Mechanisms that differ by their interface alone, compared (thesis Table 8.7)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from reports.document import Block, Cell, Column, Table, Text
 from reports.language.lettering import truncate
 from reports.mechanism_title import mechanism_title
 
-OWN = ("label", "interface", "interfaces")  # keys in which siblings may differ
+OWN = ("label", "interface", "interfaces")  # keys in which variants may differ
 SHORT = 50  # characters of a name in a sentence
 
 
@@ -23,12 +23,12 @@ class Variants:
 
     @property
     def name(self) -> str:
-        """What they are called together."""
+        """The title of the first, for all of them."""
         return mechanism_title(next(iter(self.members.values())))
 
 
 def find_variants(results: Results) -> tuple[Variants, ...]:
-    """Every group with two interfaces or more, the rigid one first, then in the order of the project."""
+    """Return every group with two interfaces or more, the rigid one first, then in the order of the project."""
     groups = (_distinct(group) for group in _groups(results))
     return tuple(Variants(_by_interface(group)) for group in groups if len(group) > 1)
 
@@ -46,7 +46,7 @@ def _groups(results: Results) -> list[list[MechanismResult]]:
 
 
 def _distinct(group: list[MechanismResult]) -> list[MechanismResult]:
-    """The first mechanism of each interface: others with the same one differ in nothing."""
+    """Return the first mechanism of each interface; others with the same interface are identical."""
     found: list[MechanismResult] = []
     for mechanism in group:
         if all(mechanism.interfaces != other.interfaces for other in found):
@@ -55,7 +55,7 @@ def _distinct(group: list[MechanismResult]) -> list[MechanismResult]:
 
 
 def definition(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:
-    """What the project says of a mechanism, but for its interface and label: [(key, value)]."""
+    """Return what the project says of a mechanism, except its interface and label: {(key, value)}."""
     start = f"mechanisms.{mechanism.name}."
     found = ((key[len(start) :], each.value) for key, each in results.project.items() if key.startswith(start))
     same = frozenset((key, repr(value)) for key, value in found if key.partition(".")[0] not in OWN)
@@ -73,7 +73,7 @@ def _by_interface(group: list[MechanismResult]) -> dict[str, MechanismResult]:
 
 
 def blocks(results: Results, *, name: str) -> list[Block]:
-    """Sentence and table; nothing where no two mechanisms differ by their interface alone."""
+    """Return sentence and table; none where no two mechanisms differ by their interface alone."""
     groups = find_variants(results)
     if not groups:
         return []
@@ -87,7 +87,7 @@ def _sentence(group: Variants) -> str:
 
 
 def table(groups: tuple[Variants, ...], *, name: str) -> Table:
-    """PGA at capacity of each procedure and mechanism, a column for each kind of interface."""
+    """Tabulate the PGA at capacity of each procedure and mechanism, a column for each kind of interface."""
     models = tuple(dict.fromkeys(model for group in groups for model in group.members))
     every = [check for group in groups for mechanism in group.members.values() for check in mechanism.checks]
     roles = {(check.procedure, check.limit_state): check for check in every}
@@ -108,7 +108,7 @@ def _row(check: Check, group: Variants, models: tuple[str, ...], every: list[Che
 
 
 def _capacity(mechanism: MechanismResult | None, like: Check) -> float | None:
-    """The least peak ground acceleration at capacity of one procedure [g]; it does not depend on the level."""
+    """Return the least peak ground acceleration at capacity of one procedure [g]; it does not depend on the level."""
     known = () if mechanism is None else mechanism.checks
     same = [c for c in known if (c.procedure, c.limit_state) == (like.procedure, like.limit_state)]
     return min((c.capacity_pga_g for c in same if c.capacity_pga_g is not None), default=None)

@@ -1,4 +1,4 @@
-"""What the report says of the joints of a mechanism: table, figures, and what they carry in the governing record."""
+"""The joints of a mechanism: table, figures, and what they carry in the governing record."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ ASSUMED = (
 
 
 def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
-    """Table, figures and sentence on the joints of a mechanism; nothing where all are rigid."""
+    """Return table, figures and sentence on the joints of a mechanism; none where all are rigid."""
     if not joints.deformable_joints(mechanism):
         return []
     moment = (
@@ -49,7 +49,7 @@ def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
 
 
 def table(mechanism: MechanismResult, *, name: str) -> Table:
-    """Every hinge of both branches: what it presses on."""
+    """Tabulate every hinge of both branches with the contact that it presses on."""
     columns = (
         Column("Hinge"),
         Column("Model"),
@@ -85,7 +85,7 @@ def _row(found: dict[str, Any]) -> tuple[Cell, ...]:
 
 
 def at_peak(mechanism: MechanismResult) -> str:
-    """What the joints carry at the largest rotation of the governing record, in one sentence."""
+    """Describe what the joints carry at the largest rotation of the governing record."""
     found = governing.history(mechanism)
     if found is None:
         return "No time history was run: the contact stress at the peak of a record is not known."
@@ -101,7 +101,7 @@ def at_peak(mechanism: MechanismResult) -> str:
 
 
 def _pressed(interface: dict[str, Any], rotation: float) -> str:
-    """Stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
+    """Return stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
     stress, resultant, opened, crushed = joints.values_at(interface, rotation)
     strength = interface["strength_pa"]
     limit = "" if strength is None else f" (strength {_aligned(strength / 1e6, 'MPa')})"
@@ -120,6 +120,6 @@ def _percent(share: float) -> str:
 
 
 def limits(mechanisms: tuple[MechanismResult, ...]) -> Iterator[str]:
-    """What the model of the joints leaves out, where there are any."""
+    """Yield the limits of the model of the joints, where there are any."""
     if any(joints.deformable_joints(mechanism) for mechanism in mechanisms):
         yield ASSUMED

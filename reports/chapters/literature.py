@@ -1,4 +1,4 @@
-"""The references of a report: those that its procedures and models rest on."""
+"""The references of a report: the sources of its procedures and models."""
 
 from __future__ import annotations
 
@@ -41,15 +41,15 @@ PULSES = (
 
 
 def section(results: Results) -> Section:
-    """The references as a list, each once."""
+    """Return the references as a list, each once."""
     return Section("References", 0, (Items(tuple(dict.fromkeys(_cited(results)))),))
 
 
 def _cited(results: Results) -> Iterator[str]:
     if results.spectrum is not None and results.spectrum.code in OF_SPECTRUM:
         yield OF_SPECTRUM[results.spectrum.code]
-    asked = dict.fromkeys(check.procedure for mechanism in results.mechanisms for check in mechanism.checks)
-    for procedure in asked:
+    procedures = dict.fromkeys(check.procedure for mechanism in results.mechanisms for check in mechanism.checks)
+    for procedure in procedures:
         yield from (text for start, text in OF_PROCEDURE.items() if procedure.startswith(start))
     yield from ALWAYS
     if any(mechanism.envelope is not None for mechanism in results.mechanisms):

@@ -1,4 +1,4 @@
-"""The verdict of each mechanism: the answer that decides each limit state, by which procedure, and why."""
+"""The verdict of each mechanism: the deciding answer of each limit state, its procedure and reason."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ COLUMNS = (
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism and limit state that decides; answers where one is not the mechanism's verdict."""
+    """Tabulate the verdict, a line for each mechanism and limit state that decides."""
     caption = (
         "The verdict of each mechanism at the site’s own action: the procedure that decides each limit "
         "state, its index, and the peak ground acceleration up to which the mechanism holds."
@@ -42,7 +42,7 @@ def table(results: Results) -> Table:
 
 
 def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> Iterator[tuple[Cell, ...]]:
-    """The lines of a mechanism, one for each limit state."""
+    """Yield the lines of a mechanism, one for each limit state."""
     name, outcome = names.get(one.mechanism, one.mechanism), outcome_text(one.outcome, near=one.at_the_limit)
     for answer in one.answers:
         decided = outcome_text(answer.outcome, near=answer.at_the_limit)
@@ -59,7 +59,7 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
 
 
 def _why(answer: Answer, one: MechanismVerdict) -> str:
-    """Why it ends so, and which input is missing where that alone stands in the way of its answer."""
+    """Return the reason, and the missing inputs where they alone prevent an answer."""
     if answer.outcome == one.outcome or not one.missing:
         return message_text(answer.reason)
     return f"{message_text(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"

@@ -1,4 +1,4 @@
-"""The chapter on levels besides the site's own: what the accepted methods say there, which is no verdict."""
+"""The chapter on levels other than the site's own: results of the accepted methods there, without a verdict."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import conclusions
-from reports.chapters.tables import LEVEL, MECHANISM, breakable_name
+from reports.chapters.check_tables import LEVEL, MECHANISM, breakable_name
 from reports.document import Cell, Column, Items, Section, Table, Text
+from reports.language.lists import list_names
 from reports.mechanism_title import mechanism_title
 
 TITLE = "Study at other peak ground accelerations"
@@ -19,7 +20,7 @@ RANKED = (Outcome.FAIL, Outcome.NOT_ANSWERED, Outcome.PASS, Outcome.NOT_APPLICAB
 
 
 def chapter(results: Results) -> list[Section]:
-    """The study; nothing where the site's own action is the only level."""
+    """Return the study; none where the site's own action is the only level."""
     if not governing.other_levels(results):
         return []
     paragraphs = (NOT_A_VERDICT, *passes_beyond_capacity(results))
@@ -29,14 +30,14 @@ def chapter(results: Results) -> list[Section]:
 
 
 def methods(results: Results) -> tuple[str, ...]:
-    """The procedures that may decide; without a basis, all by the letter of a code."""
+    """Return the procedures that may decide; without a basis, all by the letter of a code."""
     accepted = () if results.verdict is None else results.verdict.methods
-    asked = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.code_checks(m.checks))
-    return tuple(name for name in asked if name in accepted) or tuple(asked)
+    procedures = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.code_checks(m.checks))
+    return tuple(name for name in procedures if name in accepted) or tuple(procedures)
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism and level: the outcome of each method, and the largest ratio."""
+    """Tabulate the outcome of each method and the largest ratio, a line for each mechanism and level."""
     names = methods(results)
     columns = (
         MECHANISM,
@@ -59,7 +60,7 @@ def _row(results: Results, mechanism: MechanismResult, level: float, names: tupl
 
 
 def _deciding_states(checks: tuple[Check, ...], results: Results) -> tuple[Check, ...]:
-    """Of the checks of one procedure those of the limit states that decide, where it knows them by name."""
+    """Return the checks of one procedure at the deciding limit states, where it has them by name."""
     states = () if results.verdict is None else results.verdict.limit_states
     return tuple(check for check in checks if check.limit_state in states) or checks
 
@@ -70,7 +71,7 @@ def _outcome(checks: tuple[Check, ...]) -> str | None:
 
 
 def passes_beyond_capacity(results: Results) -> tuple[str, ...]:
-    """Which mechanisms pass at a level above their PGA at capacity, and why that is no slip."""
+    """Explain why mechanisms pass at a level above their PGA at capacity, where some do."""
     names = [
         conclusions.short_title(m)
         for m in results.mechanisms
@@ -79,7 +80,7 @@ def passes_beyond_capacity(results: Results) -> tuple[str, ...]:
     if not names:
         return ()
     return (
-        f"{conclusions.list_names(names)}: records that overturn the mechanism, or rotate it too far, at "
+        f"{list_names(names)}: records that overturn the mechanism, or rotate it too far, at "
         "one PGA can be survived at a higher one. The PGA at capacity is the last before the suite first "
         "fails; a pass at a higher level is not a margin.",
     )

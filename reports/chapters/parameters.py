@@ -5,7 +5,7 @@ from __future__ import annotations
 from operator import attrgetter
 
 from assess.results import BranchCurve, HingeForceResult, MechanismResult, OscillatorResult, Results
-from reports.chapters.tables import MECHANISM, uplift_cell
+from reports.chapters.check_tables import MECHANISM, uplift_cell
 from reports.document import Cell, Column, Table
 
 LIFTS, NOT_GIVEN, ROCKS_FIRST = "lifts", "not given", "rocks first"
@@ -32,7 +32,7 @@ PARAMETERS: tuple[tuple[str, str, str], ...] = (
 
 
 def parameters(mechanism: MechanismResult, *, name: str) -> Table:
-    """The rocking parameters of both branches."""
+    """Tabulate the rocking parameters of both branches."""
     columns = (
         Column("Parameter"),
         Column("Unit"),
@@ -55,7 +55,7 @@ def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
 
 
 def loads(mechanism: MechanismResult, *, name: str) -> Table:
-    """What each block carries or is pulled by, and how that was found."""
+    """Tabulate the loads of each block and their source."""
     columns = (
         Column("Load"),
         Column("x", "m", "number"),
@@ -86,7 +86,7 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
-    """What each hinge passes on when the mechanism starts to rock, and the friction that takes."""
+    """Tabulate the forces at each hinge when the mechanism starts to rock, and the friction that they need."""
     columns = (
         Column("Hinge"),
         Column("Rocks from", "g", "number"),
@@ -113,7 +113,7 @@ def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def _friction(forces: HingeForceResult) -> tuple[Cell, Cell, Cell]:
-    """Friction needed and there is, and the acceleration that slides the hinge, or why there is none."""
+    """Return friction needed, friction available, and the acceleration that slides the hinge or why there is none."""
     needed: Cell = LIFTS if forces.needed_friction is None else forces.needed_friction
     if forces.friction is None:
         return needed, NOT_GIVEN, None
@@ -126,7 +126,7 @@ def _held(forces: HingeForceResult) -> str:
 
 
 def curves(results: Results) -> Table:
-    """The capacity curves of every mechanism, point by point."""
+    """Tabulate the capacity curves of every mechanism, point by point."""
     columns = (
         MECHANISM,
         Column("Branch"),

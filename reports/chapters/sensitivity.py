@@ -1,4 +1,4 @@
-"""How the verdict of a mechanism moves with numbers that are not well known: sentences, tornado figure and table."""
+"""How the verdict of a mechanism depends on uncertain numbers: sentences, tornado figure and table."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from math import inf
 
 from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
+from reports.chapters.check_tables import OVERTURNED
 from reports.chapters.sensitivity_ranking import (
     SIDES,
     Case,
@@ -22,7 +23,6 @@ from reports.chapters.sensitivity_ranking import (
     span,
     verdict_at,
 )
-from reports.chapters.tables import OVERTURNED
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import tornado
 from reports.language.lettering import truncate
@@ -60,7 +60,7 @@ INTENT = (
 
 
 def chapter(results: Results, mechanism: str, *, called: str, name: str) -> list[Section]:
-    """The sensitivity of one mechanism, nothing where there is none; called: in sentences; name: begins its names."""
+    """Return the sensitivity of one mechanism; none where nothing was varied."""
     rows = tuple(row for row in results.sensitivity if row.mechanism == mechanism)
     found = rank_inputs(rows)
     blocks: list[Block] = []
@@ -73,7 +73,7 @@ def chapter(results: Results, mechanism: str, *, called: str, name: str) -> list
 
 
 def data(results: Results) -> tuple[Table, ...]:
-    """Every answer of every mechanism, for the spreadsheet and the CSV files."""
+    """Tabulate every answer of every mechanism, for the spreadsheet and the CSV files."""
     if not results.sensitivity:
         return ()
     columns = (
@@ -108,7 +108,7 @@ def data(results: Results) -> tuple[Table, ...]:
 
 
 def sentences(found: Sequence[VariedInput], called: str) -> tuple[str, ...]:
-    """What the numbers say: whether the verdict changes, what moves each answer most."""
+    """Return the findings: whether the verdict changes, and what affects each answer most."""
     return (
         verdict_stability(found, called),
         *flipping_checks(found),
@@ -117,7 +117,7 @@ def sentences(found: Sequence[VariedInput], called: str) -> tuple[str, ...]:
 
 
 def verdict_stability(found: Sequence[VariedInput], called: str) -> str:
-    """Whether what decides the mechanism changes; where nothing does, whether any check does at any level."""
+    """State whether the deciding answer changes; where nothing decides, whether any check does at any level."""
     changed = [
         f"{quantity_name(each.number)} at {value_text(each.number, side)} ({'FAIL' if failing else 'pass'})"
         for each in found
@@ -135,13 +135,13 @@ def verdict_stability(found: Sequence[VariedInput], called: str) -> str:
 
 
 def is_assessed(each: VariedInput, side: Side) -> bool:
-    """Whether the case of one side could be assessed."""
+    """Return whether the case of one side could be assessed."""
     return any(verdict_at(row, side) is not None for row in each.rows)
 
 
 def flipping_checks(found: Sequence[VariedInput]) -> Iterator[str]:
-    """The checks whose verdict turns."""
-    told = [
+    """Yield the checks whose verdict changes, in one sentence."""
+    changes = [
         f"{row.procedure} at {level_text(row)} g with {quantity_name(row)} at {value_text(row, side)} "
         f"({VERDICT_WORDS[row.verdict_base]} → {VERDICT_WORDS[verdict_at(row, side)]})"
         for each in found
@@ -149,13 +149,13 @@ def flipping_checks(found: Sequence[VariedInput]) -> Iterator[str]:
         for side in SIDES
         if row.quantity != "index" and flips(row, side)
     ]
-    if told:
-        more = f"; and {len(told) - MOST} more, see the table sensitivity" if len(told) > MOST else ""
-        yield f"Checks whose verdict changes: {'; '.join(told[:MOST])}{more}."
+    if changes:
+        more = f"; and {len(changes) - MOST} more, see the table sensitivity" if len(changes) > MOST else ""
+        yield f"Checks whose verdict changes: {'; '.join(changes[:MOST])}{more}."
 
 
 def strongest_influence(found: Sequence[VariedInput], place: int) -> str:
-    """Which number moves one of the answers that are shown most, from what to what, and which hardly do."""
+    """Describe the number that affects one of the answers most, its effect, and the numbers that hardly do."""
     rows = [each.shown[place] for each in found]
     most = max(rows, key=span)
     what = f"{answer_name(most)} ({most.procedure})"
@@ -169,19 +169,19 @@ def strongest_influence(found: Sequence[VariedInput], place: int) -> str:
 
 
 def answer_name(row: SensitivityResult) -> str:
-    """What an answer is."""
+    """Return the name of an answer."""
     if row.quantity == "index":
         return f"index {row.index}".replace("zeta_E", "ζ_E")
     return "PGA at capacity" if row.quantity == "capacity_pga_g" else f"demand over capacity at {level_text(row)} g"
 
 
 def level_text(row: SensitivityResult) -> str:
-    """The peak ground acceleration that a ratio is of [g]."""
+    """Return the peak ground acceleration of a ratio [g]."""
     return numeral(row.level_pga_g or 0.0, digits=3)
 
 
 def answer_text(row: SensitivityResult, at: Case) -> str:
-    """An answer in words, with its unit."""
+    """Return an answer in words, with its unit."""
     found = answer_value(row, at)
     if found is None:
         return "not known"
@@ -191,12 +191,12 @@ def answer_text(row: SensitivityResult, at: Case) -> str:
 
 
 def value_text(row: SensitivityResult, side: Side) -> str:
-    """The low or the high value of a number with its unit."""
+    """Return the low or the high value of a number with its unit."""
     return " ".join(value_and_unit(row, row.low if side == "low" else row.high)).rstrip()
 
 
 def value_and_unit(row: SensitivityResult, value: float | None) -> tuple[str, str]:
-    """A value of a number, and its unit in the size that suits the number."""
+    """Return a value of a number, and its unit in a size that suits it."""
     if value is None:
         return "not known", ""
     size = abs(row.base or value)
@@ -206,7 +206,7 @@ def value_and_unit(row: SensitivityResult, value: float | None) -> tuple[str, st
 
 
 def quantity_name(row: SensitivityResult) -> str:
-    """What a number is called: the parameter, and of what, as far as its key tells."""
+    """Return the name of a number: the parameter, and of what as far as its key tells."""
     word = WORDS.get(row.parameter, row.parameter)
     if row.key.startswith("materials."):
         return f"{word} of {truncate(row.key.removeprefix('materials.').rpartition('.')[0], 30)}"
@@ -226,7 +226,7 @@ def remarks(rows: Sequence[SensitivityResult], found: Sequence[VariedInput]) -> 
 
 
 def figure(found: Sequence[VariedInput], *, name: str) -> Figure:
-    """The tornado: a panel for each answer that is shown."""
+    """Return the tornado figure: a panel for each answer that is shown."""
     caption = (
         "Effect of each value, varied one at a time, the largest first; its low and high values are given "
         "beside its name. The dashed line separates pass from fail; an arrow marks a body that overturns."
@@ -235,7 +235,7 @@ def figure(found: Sequence[VariedInput], *, name: str) -> Figure:
 
 
 def panels(found: Sequence[VariedInput]) -> tuple[tornado.Panel, ...]:
-    """The answers that are shown, with the names of the numbers."""
+    """Return the panels of the tornado, one for each answer that is shown."""
     names = [(quantity_name(each.number), range_text(each.number)) for each in found]
     beside = next((row for row in found[0].shown if row.quantity == "demand_capacity"), None)
     made = []
@@ -261,18 +261,18 @@ def panels(found: Sequence[VariedInput]) -> tuple[tornado.Panel, ...]:
 
 
 def range_text(number: SensitivityResult) -> str:
-    """Low to high value of a number, with its unit once."""
+    """Return the low to the high value of a number, with its unit once."""
     (low, _), (high, unit) = value_and_unit(number, number.low), value_and_unit(number, number.high)
     return f"{low} to {high} {unit}".rstrip()
 
 
 def new_verdict(row: SensitivityResult, side: Side) -> str:
-    """What a verdict turns to, empty where it stays."""
+    """Return the verdict that a check changes to; empty where it does not change."""
     return VERDICT_WORDS[verdict_at(row, side)] if flips(row, side) else ""
 
 
 def table(found: Sequence[VariedInput], *, name: str) -> Table:
-    """What the tornado shows, in numbers."""
+    """Tabulate the values of the tornado."""
     columns = (
         Column("Number"),
         Column("Unit"),

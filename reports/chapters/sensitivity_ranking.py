@@ -1,4 +1,4 @@
-"""The numbers that a mechanism's sensitivity varies, in the order in which they move its answers."""
+"""The varied numbers of a mechanism, ranked by their effect on its answers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from assess.results import SensitivityResult
 from reports.governing import DAMAGE
 
 Case = Literal["base", "low", "high"]
-"""Where a number stands: as assessed, at its low, at its high value."""
+"""The value of a number: as assessed, low or high."""
 
 Side = Literal["low", "high"]
 SIDES: tuple[Side, Side] = ("low", "high")
@@ -25,7 +25,7 @@ NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all 
 class VariedInput:
     """One number of a mechanism.
 
-    rows : all its answers; shown : those that stand for them, in one order for all numbers of the mechanism: the PGA at
+    rows : all its answers; shown : those that represent them, in one order for all numbers of the mechanism: the PGA at
     capacity and the ratio of the procedure that governs, as far as they are known, and the ratio of the histories
     """
 
@@ -34,17 +34,17 @@ class VariedInput:
 
     @property
     def decisive(self) -> tuple[SensitivityResult, ...]:
-        """The rows of what decides; where nothing does, all."""
+        """The rows of the deciding procedures; all rows where none decides."""
         return tuple(row for row in self.rows if row.role == "deciding") or self.rows
 
     @property
     def number(self) -> SensitivityResult:
-        """Any of its rows, for what they have in common: parameter, key, unit, base, low, high, remark."""
+        """Any of its rows, for what all share: parameter, key, unit, base, low, high, remark."""
         return self.rows[0]
 
 
 def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
-    """Every number of a mechanism that is varied, the one that moves the answers shown farthest first."""
+    """Return every varied number of a mechanism, the one with the largest effect on the answers shown first."""
     numbers: dict[tuple[str, str], list[SensitivityResult]] = {}
     for row in rows:
         if row.quantity:
@@ -64,17 +64,17 @@ def _varied_input(
 
 
 def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
-    """What an answer is of."""
+    """Return quantity, procedure, limit state and level of an answer."""
     return row.quantity, row.procedure, row.limit_state, row.level_pga_g
 
 
 def representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
-    """The answers that stand for all, out of those of one number.
+    """Choose, among the answers of one number, those that represent all.
 
-    They are the index of what decides, and the PGA at capacity of its procedure. Where nothing decides, they are of the
-    procedure with the least PGA at capacity, at the level nearest to it, and beside it of the histories at this level;
-    where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and stands for it
-    only where a procedure knows nothing else.
+    These are the index of the deciding answer, and the PGA at capacity of its procedure. Where none decides, they are
+    those of the procedure with the least PGA at capacity, at the level nearest to it, and of the histories at this
+    level; where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and
+    replaces it only where a procedure has nothing else.
     """
     index = [row for row in rows if row.quantity == "index"]
     if index:
@@ -96,32 +96,32 @@ def representative_answers(rows: Sequence[SensitivityResult]) -> list[Sensitivit
 
 
 def answer_value(row: SensitivityResult, at: Case) -> float | None:
-    """The answer with the number there: infinite where the body overturns, None where it is not known."""
+    """Return the answer in a case: infinite where the body overturns, None where it is not known."""
     found = {"base": row.at_base, "low": row.at_low, "high": row.at_high}[at]
     return inf if found is None and verdict_at(row, at) == Outcome.FAIL else found
 
 
 def verdict_at(row: SensitivityResult, at: Case) -> Outcome | None:
-    """The verdict with the number there; None where it was not assessed."""
+    """Return the verdict in a case; None where it was not assessed."""
     return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
 
 
 def span(row: SensitivityResult) -> float:
-    """The width of what an answer takes; 0 where it is not known, or overturns at all values."""
+    """Return the width of the range of an answer; 0 where it is not known, or overturns in all cases."""
     known = [found for at in CASES if (found := answer_value(row, at)) is not None]
     return max(known) - min(known) if known and min(known) < inf else 0.0
 
 
 def is_negligible(row: SensitivityResult) -> bool:
-    """Whether an answer hardly moves."""
+    """Return whether an answer hardly changes."""
     return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
 
 
 def flips(row: SensitivityResult, side: Side) -> bool:
-    """Whether a verdict turns from pass to fail or back."""
+    """Return whether a verdict changes from pass to fail or back."""
     return {row.verdict_base, verdict_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
 
 
 def fails(rows: Sequence[SensitivityResult], at: Case) -> bool:
-    """Whether any check fails with the number there."""
+    """Return whether any check fails in a case."""
     return any(verdict_at(row, at) == Outcome.FAIL for row in rows)

@@ -1,4 +1,4 @@
-"""The chapter on the structure: what it is made of, its bodies, and all mechanisms beside each other."""
+"""The chapter on the structure: its materials, its bodies, and all mechanisms side by side."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import partial
 
 from assess.results import MechanismResult, Resolved, Results
 from reports import joints
-from reports.chapters import tables
+from reports.chapters import check_tables
 from reports.document import Block, Cell, Column, Figure, Section, Table, nonempty
 from reports.figures import overview
 from reports.language.measures import as_typed, unit_word
@@ -26,7 +26,7 @@ Tables = dict[str, dict[str, Resolved]]
 
 
 def section(results: Results) -> list[Section]:
-    """The chapter; nothing where there is nothing to show."""
+    """Return the chapter; none where there is nothing to show."""
     blocks: list[Block] = [
         *nonempty(materials(results)),
         *nonempty(bodies(results)),
@@ -37,7 +37,7 @@ def section(results: Results) -> list[Section]:
 
 
 def overviews(mechanisms: tuple[MechanismResult, ...]) -> list[Figure]:
-    """All mechanisms at rest to one scale, as many to a figure as a page holds."""
+    """Return figures of all mechanisms at rest to one scale, as many to a figure as a page holds."""
     pages = [mechanisms[at : at + overview.MOST] for at in range(0, len(mechanisms), overview.MOST)]
     caption = (
         "The mechanisms at rest in their planes of motion, all to one scale, with the hinges of the positive branch. "
@@ -50,7 +50,7 @@ def overviews(mechanisms: tuple[MechanismResult, ...]) -> list[Figure]:
 
 
 def materials(results: Results) -> Table:
-    """The materials with their properties."""
+    """Tabulate the materials with their properties."""
     rows = tuple(
         (name, *(_value(found, key) for key, _, _ in _MATERIAL))
         for name, found in tables_of(results, "materials").items()
@@ -60,7 +60,7 @@ def materials(results: Results) -> Table:
 
 
 def bodies(results: Results) -> Table:
-    """The bodies, with what gives their geometry."""
+    """Tabulate the bodies and the source of their geometry."""
     rows = tuple(
         (name, _value(found, "material"), _geometry(found)) for name, found in tables_of(results, "bodies").items()
     )
@@ -68,7 +68,7 @@ def bodies(results: Results) -> Table:
 
 
 def tables_of(results: Results, table: str) -> Tables:
-    """The tables [table.NAME] of the project by name: key -> value."""
+    """Return the tables [table.NAME] of the project by name: key -> value."""
     found: Tables = {}
     for key, value in results.project.items():
         start, _, rest = key.partition(".")
@@ -96,7 +96,7 @@ def _sized(value: object, unit: str) -> Cell:
 
 
 def mechanisms(results: Results) -> Table:
-    """Every mechanism by its rocking parameters (as thesis Table 8.2)."""
+    """Tabulate every mechanism by its rocking parameters (as thesis Table 8.2)."""
     columns = (
         Column("Mechanism"),
         Column("Kind"),
@@ -124,7 +124,7 @@ def _row(mechanism: MechanismResult) -> tuple[Cell, ...]:
         of.radius_m,
         of.slenderness_rad,
         of.p_eq_per_s,
-        tables.uplift_cell(of.uplift_multiplier),
+        check_tables.uplift_cell(of.uplift_multiplier),
         of.overturning_rad,
     )
     kind = (mechanism_title(mechanism), mechanism.kind, mechanism.sides, joints.model_name(mechanism))

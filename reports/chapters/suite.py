@@ -1,4 +1,4 @@
-"""What the report says of the suite of records: how it was chosen, beside which limits, and how it is amplified."""
+"""The suite of records: its selection, its requirements, and its amplification."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ VERDICTS = {"met": "yes", "not met": "no", "not answered": "not answered"}
 
 
 def blocks(results: Results) -> list[Block]:
-    """The suite in the site chapter; nothing without records."""
+    """Return the suite's part of the site chapter; none without records."""
     motion = results.ground_motion
     if motion is None:
         return []
@@ -31,7 +31,7 @@ def blocks(results: Results) -> list[Block]:
 
 
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
-    """Range of periods, and the rules of the selection."""
+    """Return the range of periods, and the rules of the selection."""
     over = (
         f"The records are compared with the target from {motion.from_s:.4g} s to {motion.to_s:.4g} s, both ends "
         f"included ({motion.source}). The mean squared difference of the logarithms of their mean and the target is "
@@ -51,7 +51,7 @@ def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
 
 
 def periods(results: Results, motion: GroundMotionResult) -> Table:
-    """Equivalent periods of the mechanisms."""
+    """Tabulate the equivalent periods of the mechanisms."""
     columns = (Column("Mechanism"), Column("Shortest", "s", "number"), Column("Longest", "s", "number"))
     called = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
     rows = tuple(
@@ -66,7 +66,7 @@ def periods(results: Results, motion: GroundMotionResult) -> Table:
 
 
 def selection_steps(motion: GroundMotionResult) -> Table:
-    """How many records were left after each step of the selection."""
+    """Tabulate the number of records left after each step of the selection."""
     steps = () if motion.selection is None else motion.selection.remaining
     columns = (Column("Records"), Column("Number", kind="number"))
     rows = tuple((one.step, one.number) for one in steps)
@@ -74,7 +74,7 @@ def selection_steps(motion: GroundMotionResult) -> Table:
 
 
 def amplification(results: Results) -> Table:
-    """The factor of each record for its way up to each mechanism, as thesis Table 8.9."""
+    """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
     rows = tuple((r.id, r.event, *(of.get(r.id) for of in factors)) for r in results.records) if raised else ()
@@ -87,7 +87,7 @@ def amplification(results: Results) -> Table:
 
 
 def requirements(motion: GroundMotionResult) -> Table:
-    """What each code asks of the suite."""
+    """Tabulate the requirements of each code on the suite."""
     columns = (
         Column("Code"),
         Column("Clause"),

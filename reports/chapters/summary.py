@@ -1,19 +1,20 @@
-"""The summary: what the numbers say, and what every procedure answers for every mechanism at the site's own action."""
+"""The summary: conclusions, and the answer of every procedure for every mechanism at the site's own action."""
 
 from __future__ import annotations
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import governing
-from reports.chapters import conclusions, inputs, tables
+from reports.chapters import check_tables, conclusions, inputs
 from reports.document import Block, Cell, Column, Items, Section, Table, Text, nonempty
+from reports.language.lists import list_names
 from reports.mechanism_title import mechanism_title
 
 REFERENCE = "SLV"  # the limit state whose PGA is the level's
 
 
 def section(results: Results) -> Section:
-    """The findings in words, and the answers of all procedures at the site's own action."""
+    """Return the chapter: conclusions in words, answers of all procedures at the site's own action, warnings."""
     found = conclusions.conclusions(results)
     warned: list[Block] = nonempty(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
     answers = nonempty(governing_checks(results)) or [Text(("No code procedure gave a result.",))]
@@ -22,7 +23,7 @@ def section(results: Results) -> Section:
 
 
 def own_pga_note(results: Results) -> tuple[Text, ...]:
-    """Which limit states are not checked at the level in the table, where the site has a hazard of its own for them."""
+    """Name the limit states that have a PGA of their own, where the site has a hazard for them."""
     every = (check for mechanism in results.mechanisms for check in governing.code_checks(mechanism.checks))
     checks = [check for check in every if check.return_period_years is not None]
     states = dict.fromkeys(check.limit_state for check in checks if check.limit_state != REFERENCE)
@@ -30,19 +31,19 @@ def own_pga_note(results: Results) -> tuple[Text, ...]:
         return ()
     sentence = (
         "The PGA in the tables is that of the level. "
-        f"Limit states {conclusions.list_names(list(states))} have their own PGA and "
+        f"Limit states {list_names(list(states))} have their own PGA and "
         "spectrum by the hazard of the site; their calculation sheets give them."
     )
     return (Text((sentence,)),)
 
 
 def governing_checks(results: Results) -> Table:
-    """Every mechanism by every procedure at the site's own action: role, demand, allowable, ratio, PGA, outcome."""
+    """Tabulate every mechanism by every procedure at the site's own action."""
     columns = (
-        tables.MECHANISM,
-        tables.PROCEDURE,
+        check_tables.MECHANISM,
+        check_tables.PROCEDURE,
         Column("Role"),
-        *tables.DEMAND_COLUMNS,
+        *check_tables.DEMAND_COLUMNS,
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
         Column("Outcome", kind="verdict"),
@@ -61,8 +62,8 @@ def governing_checks(results: Results) -> Table:
 
 
 def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
-    named, quantity, demand, capacity, ratio = tables.demand_cells(check, mechanism.checks)
-    accelerations = (tables.uplift_cell(check.uplift_pga_g), check.capacity_pga_g)
+    named, quantity, demand, capacity, ratio = check_tables.demand_cells(check, mechanism.checks)
+    accelerations = (check_tables.uplift_cell(check.uplift_pga_g), check.capacity_pga_g)
     return (
         mechanism_title(mechanism),
         named,

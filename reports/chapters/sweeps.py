@@ -7,7 +7,7 @@ from functools import partial
 
 from assess.messages.plural import count_noun
 from assess.results import DirectionSweep, MechanismResult, SweepResult
-from reports.chapters.tables import OVERTURNED, uplift_cell
+from reports.chapters.check_tables import OVERTURNED, uplift_cell
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import directions as directions_figure
 from reports.figures import sweep as sweep_figure
@@ -26,7 +26,7 @@ JOINTS = (
 
 
 def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
-    """Every sweep of one mechanism; `name` begins the names of its tables and figures."""
+    """Return every sweep of one mechanism; `name` begins the names of its tables and figures."""
     blocks: list[Block] = [Text((RULE,))] if sweeps else []
     for place, sweep in enumerate(sweeps, start=1):
         stem = f"{name}-sweep-{place:02d}"
@@ -39,7 +39,7 @@ def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
 
 
 def sentence(sweep: SweepResult) -> str:
-    """What was swept, which case controls, and whether it stands for the mechanism."""
+    """State what was swept, which case controls, and whether it represents the mechanism."""
     standing = (
         "This case represents the mechanism in the rest of this report."
         if sweep.governs
@@ -50,18 +50,18 @@ def sentence(sweep: SweepResult) -> str:
 
 
 def swept_key(sweep: SweepResult) -> str:
-    """The key that is swept, for a sentence."""
+    """Return the swept key for use in a sentence."""
     return truncate(sweep.key, 100)
 
 
 def controlling_case(sweep: SweepResult) -> str:
-    """The controlling case in words."""
+    """Return the controlling case in words."""
     unit = "" if sweep.unit == "-" else f" {sweep.unit}"
     return f"{as_given(sweep.value[sweep.controlling])}{unit}"
 
 
 def table(sweep: SweepResult, *, name: str) -> Table:
-    """One line for each value, in the user's order."""
+    """Tabulate a sweep, a line for each value in the user's order."""
     columns = (
         Column("Value", sweep.unit, "number"),
         Column("p", "1/s", "number"),
@@ -82,7 +82,7 @@ def table(sweep: SweepResult, *, name: str) -> Table:
 
 
 def on_joints(sweep: SweepResult) -> list[tuple[Column, Sequence[float | None]]]:
-    """What joints that give way add to the table: columns with their values [n], where any are known."""
+    """Return the columns that deformable joints add to the table, with their values [n], where any are known."""
     columns: list[tuple[Column, Sequence[float | None]]] = [
         (Column("φₒᵥ on joints", "rad", "number"), sweep.overturning_flexible_rad),
         (Column("Elastic frequency", "Hz", "number"), sweep.elastic_frequency_hz),
@@ -108,7 +108,7 @@ def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
 
 
 def controlling_cases(sweeps: Sequence[SweepResult], names: dict[str, str]) -> list[Block]:
-    """Which cases stand in the comparison; `names`: mechanism -> what it is called."""
+    """State the cases that represent swept mechanisms in the comparison; `names`: mechanism -> title."""
     cases = [f"{names[s.mechanism]}, {swept_key(s)} = {controlling_case(s)}" for s in sweeps if s.governs]
     if not cases:
         return []
@@ -125,7 +125,7 @@ def controlling_cases(sweeps: Sequence[SweepResult], names: dict[str, str]) -> l
 
 
 def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
-    """The direction in which the mechanism is weakest, where it was sought."""
+    """Return sentence and figure on the weakest direction, where it was searched for."""
     found = mechanism.direction_sweep
     if found is None:
         return []
@@ -135,7 +135,7 @@ def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
 
 
 def direction_sentence(found: DirectionSweep) -> str:
-    """The direction chosen, and how flat the minimum is."""
+    """State the direction chosen, and how flat the minimum is."""
     return (
         f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° "
         "from +x towards +y. The load multiplier is within 1 % of its minimum over "

@@ -1,4 +1,4 @@
-"""A ground motion beside what it is at the base of a mechanism up the building."""
+"""A ground motion and the motion at the base of a mechanism up the building."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
 
 
 def draw(motion: CarriedMotion) -> Figure:
-    """Acceleration [g] over time [s], and response spectra [g] over period [s], at the ground and at the base."""
+    """Draw acceleration [g] over time [s] and response spectra [g] over period [s], at the ground and at the base."""
     with report_style():
         figure = sheet(4.2)
         time, spectrum = figure.subplots(2, 1, height_ratios=(1.2, 1))

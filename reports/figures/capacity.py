@@ -16,7 +16,7 @@ _UNITS = ((1e6, "MN m"), (1e3, "kN m"), (1.0, "N m"))
 
 
 def draw(mechanism: MechanismResult) -> Figure:
-    """Restoring moment (left) and lambda = restoring / (g B) (right) over rotation, both branches as mirrored."""
+    """Draw restoring moment (left) and lambda = restoring / (g B) (right) over rotation, both branches as mirrored."""
     positive, negative = mechanism.curve.positive, mechanism.curve.negative
     with report_style():
         figure = sheet(2.35)

@@ -17,7 +17,7 @@ BEYOND = 2.5  # larger ratios are drawn at the edge [-]
 
 
 def draw(rows: tuple[ComparisonRow, ...], names: dict[str, str], overturned: frozenset[ComparisonRow]) -> Figure:
-    """Demand / capacity [-] per mechanism, one panel for each level; a cross at the edge where records overturn.
+    """Draw demand / capacity [-] by mechanism, a panel for each level; a cross at the edge where records overturn.
 
     names: mechanism -> what to write beside its line; overturned: rows whose demand is beyond overturning.
     """
@@ -40,7 +40,7 @@ def draw(rows: tuple[ComparisonRow, ...], names: dict[str, str], overturned: fro
 
 
 def line_labels(names: dict[str, str]) -> list[str]:
-    """What stands beside each line: the label on two lines, or where that tells two apart no more, the name."""
+    """Return the label beside each line, on two lines; the name where two labels would be the same."""
     short = {name: fold(text, width=24) for name, text in names.items()}
     times = Counter(short.values())
     return [text if times[text] == 1 else label(name, 24) for name, text in short.items()]
@@ -65,14 +65,14 @@ def _panel(axes: Axes, rows: list[ComparisonRow], order: list[str], overturned: 
 
 
 def marker_kind(row: ComparisonRow, overturned: frozenset[ComparisonRow]) -> str:
-    """How a row is drawn: "overturned", "beyond" the scale or "inside" it."""
+    """Return how a row is drawn: "overturned", "beyond" the scale or "inside" it."""
     if row in overturned:
         return "overturned"
     return "beyond" if (row.demand_capacity or 0.0) > BEYOND else "inside"
 
 
 def _dots(axes: Axes, procedure: str, seen: str, at: list[tuple[float, float]]) -> None:
-    """The rows of a procedure that look alike, in one line without ink between them."""
+    """Draw the rows of a procedure that look alike as one line without ink between them."""
     ink = pen(procedure)
     face = "white" if ink.dash == "--" else ink.colour
     marker = {"overturned": "x", "beyond": ">", "inside": ink.marker}[seen]

@@ -24,7 +24,7 @@ _PANELS = (("resultant_m", 1.0, "resultant from the edge [m]"), ("peak_stress_pa
 
 
 def draw(mechanism: MechanismResult) -> Figure:
-    """Distance of the resultant [m] and peak stress [MPa] of each joint over the mechanism's rotation [rad]."""
+    """Draw the distance of the resultant [m] and the peak stress [MPa] of each joint over the rotation [rad]."""
     end = max(
         side.overturning_rad for side in (mechanism.oscillator, mechanism.oscillator_negative) if side is not None
     )
@@ -46,13 +46,13 @@ def draw(mechanism: MechanismResult) -> Figure:
 
 
 def axis_start(mechanism: MechanismResult, end: float) -> float:
-    """Where the axis of rotations begins [rad]: before any joint opens, and never above a thousandth of its end."""
+    """Return the start of the axis of rotations [rad]: before any joint opens, at most a thousandth of its end."""
     opening = [float(found["opening_rad"]) for found in joints.deformable_joints(mechanism) if found["opening_rad"]]
     return min([*(BEFORE * at for at in opening), SHORTEST * end])
 
 
 def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:
-    """Of each joint that is unlike those before it: itself, colour, line, and the hinges that it stands for."""
+    """Return each joint unlike those before it: itself, colour, line, and the hinges that it represents."""
     found: list[tuple[dict[str, Any], str, str, list[str]]] = []
     branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
     for branch, dash in branches:
@@ -66,7 +66,7 @@ def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], st
 
 
 def are_alike(one: dict[str, Any], other: dict[str, Any]) -> bool:
-    """Whether two joints have the same curves, to the eye."""
+    """Return whether two joints have the same curves, to the eye."""
     return all(_same_curve(one["curve"], other["curve"], key) for key, _, _ in _PANELS)
 
 

@@ -12,7 +12,7 @@ LONGEST = 4.0  # s: of the period axis, as far as most codes give their spectra
 
 
 def draw(spectrum: SpectrumResult) -> Figure:
-    """Pseudo-acceleration [g] over period [s], with the corner periods marked."""
+    """Draw pseudo-acceleration [g] over period [s], with the corner periods marked."""
     end = min(LONGEST, max(spectrum.period_s))
     with report_style():
         figure = sheet(3.3)

@@ -11,7 +11,7 @@ from reports.figures.style import FAIL, report_style, sheet
 
 
 def draw(found: DirectionSweep) -> Figure:
-    """The multiplier at uplift [-] around the circle, 0 degrees at +x and 90 at +y, and the weakest direction."""
+    """Draw the multiplier at uplift [-] around the circle, 0 degrees at +x and 90 at +y, and the weakest direction."""
     angle = np.radians([*found.angle_deg, found.angle_deg[0]])
     multiplier = [*found.uplift_multiplier, found.uplift_multiplier[0]]
     least = min(found.uplift_multiplier)

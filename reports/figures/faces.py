@@ -1,4 +1,4 @@
-"""The faces of bodies in space, made ready to be drawn one over the other."""
+"""The faces of bodies in space, sorted for drawing one over the other."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import shapely
 
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
-EDGE_ON = 1e-3  # of a unit normal: a face that looks to the eye by less is not drawn
+EDGE_ON = 1e-3  # of a unit normal: a face turned to the eye by less is not drawn
 BESIDE = 1e-6  # of the bodies' size: faces that overlap by less do not cover one another
 
 
@@ -22,7 +22,7 @@ class Faces:
     ----------
     corners : anticlockwise seen from outside [m, 3, 3] [m]
     edges : whether the edge from each corner to the next is drawn [m, 3]
-    owner : what each belongs to [m]
+    owner : block of each [m]
     """
 
     corners: FloatArray
@@ -36,14 +36,14 @@ class Faces:
 
 
 def normals(corners: FloatArray) -> FloatArray:
-    """Unit normals [m, 3] of triangles [m, 3, 3]; of one without area, zero."""
+    """Return unit normals [m, 3] of triangles [m, 3, 3]; of one without area, zero."""
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     return np.asarray(normal / np.where(length > 0.0, length, 1.0), dtype=np.float64)
 
 
 def visible_edges(vertices: FloatArray, triangles: IntArray, *, eye: FloatArray, sharp: float) -> BoolArray:
-    """Which edges [m, 3] of a surface to draw: sharp ones, rims, and those at which it turns away from the eye.
+    """Find the edges [m, 3] of a surface to draw: sharp ones, rims, and those at which it turns away from the eye.
 
     Parameters
     ----------
@@ -63,15 +63,15 @@ def visible_edges(vertices: FloatArray, triangles: IntArray, *, eye: FloatArray,
 
 
 def front_faces(faces: Faces, eye: FloatArray) -> Faces:
-    """The faces that look towards the eye, a unit vector [3], and are not seen edge-on."""
+    """Return the faces that look towards the eye, a unit vector [3], and are not seen edge-on."""
     which = faces.normals @ eye > EDGE_ON
     return Faces(faces.corners[which], faces.edges[which], faces.owner[which])
 
 
 def painting_order(corners: FloatArray) -> list[int]:
-    """The order in which to draw triangles [m, 3, 3], seen along the third coordinate, so that none hides a nearer one.
+    """Return the order in which to draw triangles [m, 3, 3] so that none hides a nearer one.
 
-    Where two cover each other in a ring, the one whose middle is farthest is drawn first.
+    Where faces cover each other in a ring, the one whose middle is farthest is drawn first.
     """
     behind, before = occluding_pairs(corners)
     covers: dict[int, list[int]] = {}
@@ -98,7 +98,7 @@ def painting_order(corners: FloatArray) -> list[int]:
 
 
 def occluding_pairs(corners: FloatArray) -> tuple[IntArray, IntArray]:
-    """Pairs of triangles [m, 3, 3] seen along the third coordinate: which lies behind [k], and which before it [k]."""
+    """Return overlapping pairs of triangles [m, 3, 3]: the one behind [k] and the one in front [k]."""
     flat = np.asarray(shapely.polygons(corners[:, :, :2]), dtype=np.object_)
     one, other = shapely.STRtree(flat).query(flat)
     first = one < other
@@ -117,7 +117,7 @@ def occluding_pairs(corners: FloatArray) -> tuple[IntArray, IntArray]:
 
 
 def are_separated(one: FloatArray, other: FloatArray, *, by: float) -> BoolArray:
-    """Whether an edge of either of two triangles in a plane [k, 3, 2] lies between them [k].
+    """Return whether an edge of either of two triangles in a plane [k, 3, 2] lies between them [k].
 
     by : the gap from which on they are; a negative one lets them overlap by that much
     """
@@ -128,7 +128,7 @@ def are_separated(one: FloatArray, other: FloatArray, *, by: float) -> BoolArray
 
 
 def edge_separates(these: FloatArray, those: FloatArray, *, by: float) -> BoolArray:
-    """Whether an edge of the first of two triangles in a plane [k, 3, 2] lies between them [k], as `separated`."""
+    """Return whether an edge of the first of two triangles in a plane [k, 3, 2] lies between them [k]."""
     edge = np.roll(these, -1, axis=1) - these
     outward = np.stack([edge[..., 1], -edge[..., 0]], axis=-1)
     outward /= np.maximum(np.linalg.norm(edge, axis=-1, keepdims=True), np.finfo(np.float64).tiny)
@@ -138,7 +138,7 @@ def edge_separates(these: FloatArray, those: FloatArray, *, by: float) -> BoolAr
 
 
 def plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
-    """The third coordinate [k] of the planes of triangles [k, 3, 3] at points [k, 2]."""
+    """Return the third coordinate [k] of the planes of triangles [k, 3, 3] at points [k, 2]."""
     normal = normals(corners)
     away = np.einsum("ki,ki->k", normal[:, :2], at - corners[:, 0, :2])
     return np.asarray(corners[:, 0, 2] - away / normal[:, 2], dtype=np.float64)

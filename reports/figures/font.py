@@ -12,7 +12,7 @@ _FILES = {"regular": "DejaVuSans.ttf", "bold": "DejaVuSans-Bold.ttf", "italic": 
 
 
 def font_file(face: str) -> Path:
-    """Path of the font `face` ("regular", "bold", "italic"), as matplotlib ships it."""
+    """Return the path of the font `face` ("regular", "bold", "italic"), as matplotlib ships it."""
     import matplotlib  # late: a fifth of a second, and tables in CSV draw no letters
 
     return Path(matplotlib.get_data_path()) / "fonts" / "ttf" / _FILES[face]
@@ -27,7 +27,7 @@ def _glyphs() -> frozenset[int]:
 
 
 def printable(text: str) -> str:
-    """`visible`, and characters that the report's font lacks or a PDF font cannot map shown as their code too."""
+    """Return `visible` text with characters that the font lacks, or a PDF font cannot map, shown as their code too."""
     if text.isascii() and text.isprintable():
         return text
     known = _glyphs()

@@ -13,7 +13,7 @@ _LIMIT = 1.3  # of the rotation axis [-]
 
 
 def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allowable: float | None) -> Figure:
-    """Acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s], with its limits."""
+    """Draw acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s]."""
     with report_style():
         figure = sheet(3.4)
         ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
@@ -39,7 +39,7 @@ def _motion(axes: Axes, trace: Trace) -> None:
 
 
 def ratio(mechanism: MechanismResult, trace: Trace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """Rotation over the rigid overturning rotation of the deciding branch it is on [-], signed."""
+    """Return the rotation over the rigid overturning rotation of the deciding branch [-], signed."""
     turned = np.asarray(trace.rotation_rad, dtype=np.float64)
     negative = mechanism.oscillator_negative or mechanism.oscillator
     both = (mechanism.oscillator.overturning_rad, negative.overturning_rad)

@@ -1,4 +1,4 @@
-"""Names beside the points of a figure, set where there is room."""
+"""Names of points in a figure, placed where there is room."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LED = 20.0  # a name farther off than this has a line to its point [pt]
 
 @dataclass(frozen=True)
 class Label:
-    """A name for a point, which stands at `at` [pt] from the lower left corner of the panel."""
+    """A name for a point; `at` [pt] from the lower left corner of the panel."""
 
     text: str
     at: tuple[float, float]
@@ -33,7 +33,7 @@ class Label:
 def write(
     axes: Axes, labels: Sequence[Label], *, window: tuple[float, float], drawn: Sequence[tuple[float, float]] = ()
 ) -> None:
-    """Write the labels into a panel of a size `window` [pt], each where it covers least of what stands there.
+    """Write the labels into a panel of a size `window` [pt], each where it covers least.
 
     drawn : points [pt] of lines that the names should leave free
     """
@@ -55,7 +55,7 @@ def write(
 def offsets(
     labels: Sequence[Label], *, window: tuple[float, float], drawn: Sequence[tuple[float, float]] = ()
 ) -> list[tuple[float, float]]:
-    """From each point to the lower left corner of its name [pt], one after the other, least covered first choice."""
+    """Return the offset from each point to the lower left corner of its name [pt], least covered place first."""
     taken = [(x - MARK, y - MARK, x + MARK, y + MARK) for x, y in (*(label.at for label in labels), *drawn)]
     found = []
     for label in labels:
@@ -68,7 +68,7 @@ def offsets(
 
 
 def candidates(label: Label, size: tuple[float, float]) -> list[tuple[tuple[float, float], Box]]:
-    """Where a name of a size [pt] may stand, nearest first: the offset of its lower left corner, and its box."""
+    """Return places for a name of a size [pt], nearest first: the offset of its lower left corner, and its box."""
     (x, y), (wide, high) = label.at, size
     made = []
     for far in DISTANCES:
@@ -81,21 +81,21 @@ def candidates(label: Label, size: tuple[float, float]) -> list[tuple[tuple[floa
 
 
 def cost(box: Box, taken: Sequence[Box], window: tuple[float, float]) -> float:
-    """What a box covers of others, and what of it lies outside the window, which is worse [pt2]."""
+    """Return the area [pt2] that a box covers of others, plus that outside the window, which counts more."""
     inside = overlap(box, (0.0, 0.0, *window))
     area = (box[2] - box[0]) * (box[3] - box[1])
     return sum(overlap(box, other) for other in taken) + 3.0 * (area - inside)
 
 
 def overlap(one: Box, other: Box) -> float:
-    """The area that two boxes share [pt2]."""
+    """Return the area that two boxes share [pt2]."""
     wide = min(one[2], other[2]) - max(one[0], other[0])
     high = min(one[3], other[3]) - max(one[1], other[1])
     return max(wide, 0.0) * max(high, 0.0)
 
 
 def extent(text: str) -> tuple[float, float]:
-    """Width and height of a line of letters [pt]."""
+    """Return width and height of a line of letters [pt]."""
     font = FontProperties(family=FAMILY, size=SIZE)
     wide, high, _ = text_to_path.get_text_width_height_descent(text, font, ismath=False)
     return wide, max(high, 0.75 * SIZE)

@@ -9,7 +9,7 @@ from matplotlib.offsetbox import OffsetBox
 
 
 def cache_extents(legend: Legend) -> Legend:
-    """The legend, each of its boxes measured once by each renderer.
+    """Return the legend, with each of its boxes measured once by each renderer.
 
     matplotlib measures a box with all that is in it again for every box around it, in the layout and in drawing.
     """

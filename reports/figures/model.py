@@ -1,4 +1,4 @@
-"""The bodies of a mechanism as a model that a reader can turn: what reports/figures/view.py draws, from any side."""
+"""The bodies of a mechanism as a model that a reader can turn: the scene of view.py, from any side."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from reports.figures.view import BEYOND, RAISED, SHARP, SHARP_IN_SCANS, TURNED, 
 
 
 def model_of_view(view: View, *, positive: int) -> Model:
-    """The model of a view, the first `positive` of whose axes are those of the positive branch."""
+    """Return the model of a view, the first `positive` of whose axes are those of the positive branch."""
     along, size = np.array(view.direction), float(max(view.size))
     arrow = direction_arrow(np.array(view.vertices), along, size)
     wires = [Wire(ring, INK, dashed=True) for ring in view.sections]
@@ -29,7 +29,7 @@ def model_of_view(view: View, *, positive: int) -> Model:
 
 
 def _parts(view: View) -> tuple[Part, ...]:
-    """The faces of each block, and of what does not move."""
+    """Return the faces of each block, and of what does not move."""
     faces: dict[int, list[tuple[int, int, int]]] = {}
     for block, triangle in zip(view.block_of, view.triangles, strict=True):
         faces.setdefault(block, []).append(triangle)

@@ -1,4 +1,4 @@
-"""The moment over rotation of a mechanism with joints, beside those of simpler ones (thesis Fig. 8.8)."""
+"""Moment over rotation of a mechanism with deformable joints and of simpler ones (thesis Fig. 8.8)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NEAR = 0.03  # of an axis: joints whose marks are nearer share one
 
 
 def draw(mechanism: MechanismResult) -> Figure:
-    """Moment / largest rigid moment [-] over rotation [rad] of the positive branch: rigid, hinges at a_SF, its own."""
+    """Draw moment / largest rigid moment [-] over rotation [rad]: rigid joints, hinges at a_SF, its own joints."""
     rest, own, simpler = mechanism.oscillator.equilibrium_rad, mechanism.curve.positive, mechanism.interface_curves
     largest = max(own.restoring_n_m if simpler is None else simpler.rigid.restoring_n_m)
     rotation, moment = np.asarray(own.rotation_rad) + rest, np.asarray(own.restoring_n_m) / largest
@@ -40,7 +40,7 @@ def draw(mechanism: MechanismResult) -> Figure:
 
 
 def _marks(axes: Axes, mechanism: MechanismResult, rotation: FloatArray, moment: FloatArray) -> None:
-    """Where each joint begins to open, and where its edge begins to crush."""
+    """Mark where each joint begins to open, and where its edge begins to crush."""
     for key, face, offset in (("opening_rad", "white", (6, -3)), ("crushing_rad", OWN, (-2, -10))):
         for at, height, hinges in places(mechanism, key, rotation, moment):
             axes.plot([at], [height], "o", color=OWN, markerfacecolor=face, markersize=4.5, zorder=3)
@@ -52,7 +52,7 @@ def _marks(axes: Axes, mechanism: MechanismResult, rotation: FloatArray, moment:
 def places(
     mechanism: MechanismResult, key: str, rotation: FloatArray, moment: FloatArray
 ) -> list[tuple[float, float, list[str]]]:
-    """Rotation [rad] and moment [-] at which joints of the positive branch open or crush, with the hinges of each."""
+    """Return rotation [rad] and moment [-] at which joints of the positive branch open or crush, with their hinges."""
     found: list[tuple[float, float, list[str]]] = []
     for interface in joints.joints_of_branch(mechanism, "positive"):
         at = joints.event_rotation(interface, key)

@@ -1,4 +1,4 @@
-"""Mechanisms beside each other at rest, to one scale."""
+"""Mechanisms side by side at rest, to one scale."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NAME, GAP, LEFT = 0.34, 0.12, 0.42  # room for names, between panels, for the ax
 
 
 def draw(mechanisms: tuple[MechanismResult, ...]) -> Figure:
-    """One panel for each mechanism, centred on its masonry; elevations [m] from the lowest of all."""
+    """Draw a panel for each mechanism, centred on its masonry; elevations [m] from the lowest of all."""
     columns = min(COLUMNS, len(mechanisms))
     rows = ceil(len(mechanisms) / columns)
     spans = [_span(mechanism.drawing) for mechanism in mechanisms]
@@ -42,7 +42,7 @@ def draw(mechanisms: tuple[MechanismResult, ...]) -> Figure:
 
 
 def _span(drawing: Drawing) -> tuple[Point, Point]:
-    """Where the moving masonry and its hinges lie: least and largest x, least and largest z [m]."""
+    """Return extent of the moving masonry and its hinges: least and largest x, least and largest z [m]."""
     points = [point for ring in drawing.blocks for point in ring] + [hinge.at for hinge in drawing.hinges]
     along, up = [x for x, _ in points], [z for _, z in points]
     return (min(along), max(along)), (min(up), max(up))

@@ -59,7 +59,7 @@ class _Ticks:
 
 @dataclass(frozen=True)
 class _Numbered:
-    """Where the ticks that are seen stand [n], their numbers [n], and the power of ten of these."""
+    """Values of the visible ticks [n], their numbers [n], and the power of ten of these."""
 
     values: FloatArray
     numbers: tuple[str, ...]
@@ -90,7 +90,7 @@ class _Scale(Axis):
     Attributes
     ----------
     along : place of its coordinate in a point: 0 for x, 1 for y
-    side : the edge at which it stands
+    side : the edge at which it is drawn
     setting : of a number at its tick: across, up
     """
 
@@ -100,17 +100,17 @@ class _Scale(Axis):
     setting: tuple[str, str]
 
     def reset_ticks(self) -> None:
-        """No artist is made of a tick before somebody asks for it."""
+        """Forget ticks; an artist is made of one only when asked for."""
         self.majorTicks: Any = []
         self.minorTicks: Any = []
         self._found: dict[tuple[object, ...], _Numbered] = {}
 
     def get_children(self) -> list[Artist]:
-        """Its label, and the power of ten of its numbers."""
+        """Return its label, and the power of ten of its numbers."""
         return [self.label, self.offsetText]
 
     def get_tightbbox(self, renderer: Any = None, *, for_layout_only: bool = False) -> Bbox | None:
-        """What its letters cover [px]; in the layout the label counts by its distance from the panel alone."""
+        """Return the box of its letters [px]; in the layout only the distance of the label from the panel counts."""
         if not self.get_visible():
             return None
         ruler = RULER if renderer is None or self._pixels == 1.0 else renderer
@@ -121,7 +121,7 @@ class _Scale(Axis):
         return Bbox.union([box for box in (numbers, power, label) if box is not None])
 
     def draw(self, renderer: RendererBase) -> None:
-        """Grid, ticks, numbers, label and power of ten."""
+        """Draw grid, ticks, numbers, label and power of ten."""
         if not self.get_visible():
             return
         ticks = self._ticks()
@@ -134,7 +134,7 @@ class _Scale(Axis):
         self.stale = False
 
     def _ticks(self) -> list[_Ticks]:
-        """The larger ticks, and the smaller ones of a scale that has any."""
+        """Return the larger ticks, and the smaller ones of a scale that has any."""
         has_minor = not isinstance(self.get_minor_locator(), NullLocator)
         return [self._kind("major")] + ([self._kind("minor")] if has_minor else [])
 
@@ -154,7 +154,7 @@ class _Scale(Axis):
         )
 
     def _numbered(self, which: Literal["major", "minor"]) -> _Numbered:
-        """The ticks that are seen: a scale is laid out twice and then drawn, most often with the same ones."""
+        """Return the ticks that are seen: a scale is laid out twice and then drawn, most often with the same ones."""
         major = which == "major"
         locator = self.get_major_locator() if major else self.get_minor_locator()
         formatter = self.get_major_formatter() if major else self.get_minor_formatter()
@@ -168,14 +168,14 @@ class _Scale(Axis):
         return self._found[known]
 
     def _is_seen(self, values: FloatArray) -> NDArray[np.bool_]:
-        """Which values lie within the panel [n]."""
+        """Return whether each value is within the panel [n]."""
         transform = self.get_transform()
         first, last = sorted(transform.transform(np.asarray(self.get_view_interval(), dtype=np.float64)))
         at, room = transform.transform(values), _CLOSE * (last - first)
         return np.asarray((at >= first - room) & (at <= last + room))
 
     def _points(self, values: FloatArray) -> FloatArray:
-        """Where values lie along the scale [px]."""
+        """Return positions of values along the scale [px]."""
         points = np.tile(np.asarray(self.axes.viewLim.min, dtype=np.float64), (values.size, 1))
         points[:, self.along] = values
         return np.asarray(self.axes.transData.transform(points))[:, self.along]
@@ -187,7 +187,7 @@ class _Scale(Axis):
 
     @property
     def _edge(self) -> float:
-        """Where the scale stands [px]."""
+        """Position of the scale across its direction [px]."""
         return float(self.axes.bbox.min[1 - self.along])
 
     def _point(self, along: float, away: float) -> Point:
@@ -203,7 +203,7 @@ class _Scale(Axis):
             self._stroke(renderer, ticks.at, self._edge - ticks.length, colour=ticks.colour, width=ticks.width)
 
     def _stroke(self, renderer: RendererBase, at: FloatArray, end: float, *, colour: Any, width: float) -> None:
-        """Lines square to the scale, from its edge to `end` [px]."""
+        """Draw lines square to the scale, from its edge to `end` [px]."""
         ends = [self._point(along, away) for along in at.tolist() for away in (self._edge, end)]
         pen = renderer.new_gc()
         pen.set_foreground(colour)
@@ -224,7 +224,7 @@ class _Scale(Axis):
         pen.restore()
 
     def _places(self, ticks: _Ticks) -> list[tuple[Point, str]]:
-        """Numbers and where they stand."""
+        """Return positions of the numbers [px], each with its number."""
         if not ticks.is_numbered:
             return []
         away = self._edge - ticks.length - ticks.pad
@@ -249,11 +249,11 @@ class _Scale(Axis):
         return Bbox([lowest, highest])
 
     def _power(self, outside: float) -> float:
-        """The height of the power of ten [px], where the numbers end at `outside`."""
+        """Return the height of the power of ten [px], where the numbers end at `outside`."""
         raise NotImplementedError
 
     def _narrowed(self, box: Bbox) -> Bbox:
-        """A box as it counts in the layout: one point along the scale."""
+        """Return a box as it counts in the layout: one point along the scale."""
         corners, middle = np.array(box.get_points()), box.get_points().mean(axis=0)
         corners[:, self.along] = middle[self.along] - 0.5, middle[self.along] + 0.5
         return Bbox(corners)
@@ -283,18 +283,18 @@ class Panel(Axes):
     name = "panel"
 
     def _init_axis(self) -> None:
-        """Where matplotlib's projections make their axes."""
+        """Make the scales, as matplotlib's projections make their axes."""
         self.xaxis: Any = _Across(self, clear=False)
         self.yaxis: Any = _Up(self, clear=False)
         for side, axis in (("bottom", self.xaxis), ("top", self.xaxis), ("left", self.yaxis), ("right", self.yaxis)):
             self.spines[side].register_axis(axis)
 
     def legend(self, *given: Any, **named: Any) -> Legend:
-        """A legend whose boxes are measured once."""
+        """Return a legend whose boxes are measured once."""
         return cache_extents(super().legend(*given, **named))
 
     def clear(self) -> None:
-        """Frames at the edges of the panel, which take no place beside their scales."""
+        """Put frames at the edges of the panel, which take no place beside their scales."""
         super().clear()
         for spine in self.spines.values():
             spine.set_position(("outward", 0.0))
@@ -303,7 +303,7 @@ class Panel(Axes):
 
 @lru_cache(maxsize=4096)
 def _lettered(text: str, size: Any, setting: tuple[str, str]) -> _Lettered:
-    """A text as matplotlib sets it at the origin."""
+    """Return a text as matplotlib sets it at the origin."""
     across, up = setting
     letters, catcher = Text(0.0, 0.0, text, fontsize=size, ha=across, va=up, figure=_PAPER), _Catcher()
     letters.draw(catcher)
@@ -311,7 +311,7 @@ def _lettered(text: str, size: Any, setting: tuple[str, str]) -> _Lettered:
 
 
 class _Catcher(Ruler):
-    """Keeps the lines that it is asked to draw."""
+    """A renderer that keeps the lines of text it is to draw."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -322,5 +322,5 @@ class _Catcher(Ruler):
 
 
 def _extent(text: Text, ruler: RendererBase) -> Bbox | None:
-    """What a text covers [px], where it is seen."""
+    """Return what a text covers [px], where it is seen."""
     return Bbox(text.get_window_extent(ruler)) if text.get_visible() and text.get_text() else None

@@ -16,7 +16,7 @@ OVERTURNED = 1.06  # where a record that overturned is drawn [-]
 
 
 def draw(mechanism: MechanismResult) -> Figure:
-    """phi / phi_ov [-] over PGA [g]: a curve per procedure, its allowable, the levels, and every record's maximum."""
+    """Draw phi / phi_ov [-] over PGA [g]: a curve for each procedure, allowables, levels, and maxima of records."""
     with report_style():
         figure = sheet(3.7)
         axes = figure.subplots()
@@ -33,7 +33,7 @@ def draw(mechanism: MechanismResult) -> Figure:
 
 
 def one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """The first check of each procedure and limit state that has a PGA-rotation curve."""
+    """Return the first check of each procedure and limit state that has a PGA-rotation curve."""
     first: dict[tuple[str, str], Check] = {}
     for check in checks:
         if check.pga_curve.pga_g:

@@ -1,4 +1,4 @@
-"""Response spectra of records, alone or beside a target."""
+"""Response spectra of records, alone or with a target."""
 
 from __future__ import annotations
 
@@ -16,7 +16,14 @@ from reports.figures.suite import SHORTEST, means
 
 
 def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> Figure:
-    """Pseudo-acceleration [n, k] [g] over period [k] [s], logarithmic; more than seven records alike, without names."""
+    """Draw response spectra over a logarithmic axis of periods; more than seven records alike, without names.
+
+    Parameters
+    ----------
+    names : of the records [n]
+    period : [k] [s]
+    ordinates : pseudo-accelerations [n, k] [g]
+    """
     with report_style():
         figure = sheet(3.3)
         axes = figure.subplots()
@@ -26,7 +33,13 @@ def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[n
 
 
 def beside_target(motion: GroundMotionResult, records: Sequence[RecordResult]) -> Figure:
-    """Above the target and the scaled records, below their means and limits (as thesis Fig. 8.14)."""
+    """Draw target and scaled records above, their means and limits below (as thesis Fig. 8.14).
+
+    Parameters
+    ----------
+    motion : target, means and the range of periods fitted
+    records : with their spectra
+    """
     period = np.array(motion.period_s)
     shown = period >= SHORTEST
     ordinates = np.array([record.spectrum.acceleration_g for record in records])

@@ -13,15 +13,15 @@ class Ruler(RendererBase):
     """A renderer that measures and draws nothing."""
 
     def flipy(self) -> bool:
-        """Heights grow upwards."""
+        """Return False: heights grow upwards."""
         return False
 
     def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
-        """Width, height and depth below the line [pt]."""
+        """Return width, height and depth below the line [pt]."""
         return _measured(s, prop.copy())
 
     def _get_font_height_metrics(self, prop: FontProperties) -> tuple[float, float, float]:
-        """Height above the line, depth below it and gap between lines [pt] of a font.
+        """Return height above the line, depth below it and gap between lines [pt] of a font.
 
         Asked by matplotlib 3.11, which else reads the tables of the font anew for every text.
         """
@@ -32,7 +32,7 @@ class Canvas(FigureCanvasBase):
     """What a figure is laid out on; it is drawn as marks, not by what matplotlib saves."""
 
     def get_renderer(self) -> Ruler:
-        """What its letters are measured with."""
+        """Return the renderer that measures its letters."""
         return RULER
 
 

@@ -55,7 +55,7 @@ class Window:
 
 @dataclass(frozen=True)
 class Layout:
-    """How the panels stand: columns, inches to the metre, and the size of a panel [in]."""
+    """Arrangement of the panels: columns, inches to the metre, and the size of a panel [in]."""
 
     columns: int
     scale: float
@@ -63,7 +63,7 @@ class Layout:
 
 
 def draw(mechanism: MechanismResult) -> Figure:
-    """One panel at rest with hinges, loads and centroids named, one for each side to which the mechanism rocks."""
+    """Draw a panel at rest with hinges, loads and centroids named, and one for each side to which it rocks."""
     drawing = mechanism.drawing
     turned = [each for each in (drawing.displaced, drawing.displaced_negative) if each is not None]
     count = 1 + len(turned)
@@ -80,7 +80,7 @@ def draw(mechanism: MechanismResult) -> Figure:
 
 
 def common_window(drawing: Drawing) -> Window:
-    """The window that holds the mechanism at rest and displaced, the masonry beside it, and room for names."""
+    """Return the window that holds the mechanism at rest and displaced, the masonry beside it, and room for names."""
     scenes = [each for each in (drawing, drawing.displaced, drawing.displaced_negative) if each is not None]
     points = np.array([point for scene in scenes for point in drawn_points(scene)])
     arrow = ARROW * float(np.ptp(points, axis=0).max())
@@ -95,13 +95,13 @@ def common_window(drawing: Drawing) -> Window:
 
 
 def extent_between(ring: Sequence[Point], low: float, high: float) -> tuple[float, ...]:
-    """How far [m] a ring reaches to both sides between two elevations [m]; nothing where it does not."""
+    """Return how far [m] a ring reaches to both sides between two elevations [m]; empty where it does not."""
     part = shapely.intersection(shapely.Polygon(ring), shapely.box(-1e9, low, 1e9, high))
     return () if part.is_empty else (part.bounds[0], part.bounds[2])
 
 
 def drawn_points(scene: Drawing | Displaced) -> Iterator[Point]:
-    """Every point that is drawn, but for arrows."""
+    """Yield every point that is drawn, except of arrows."""
     yield from (point for ring in scene.blocks for point in ring)
     yield from (hinge.at for hinge in scene.hinges)
     yield from (load.at for load in scene.loads)
@@ -109,7 +109,7 @@ def drawn_points(scene: Drawing | Displaced) -> Iterator[Point]:
 
 
 def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
-    """Tail and head [m] of the arrow of a load: a force pushes onto its point, a tie or a weight pulls from it."""
+    """Return tail and head [m] of a load's arrow: a force pushes onto its point, a tie or a weight pulls from it."""
     if load.towards is None:
         return ()
     (x, z), (along, up) = load.at, load.towards
@@ -119,7 +119,7 @@ def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
 
 
 def arrange_panels(count: int, size: tuple[float, float]) -> Layout:
-    """The number of columns in which `count` panels of a window's size [m] are drawn largest."""
+    """Return the layout in which `count` panels of a window's size [m] are drawn largest."""
     wide, high = size
     made = []
     for columns in range(1, count + 1):
@@ -132,7 +132,7 @@ def arrange_panels(count: int, size: tuple[float, float]) -> Layout:
 
 
 def add_panel(figure: Figure, place: int, layout: Layout, rows: int, window: Window) -> Axes:
-    """The axes of one panel: equal scale, in metres."""
+    """Add the axes of one panel: equal scale, in metres."""
     wide, high = layout.panel
     row, column = divmod(place, layout.columns)
     tall = rows * (high + BOTTOM + TOP)
@@ -168,14 +168,14 @@ def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> No
 
 
 def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
-    """The hinges with the colour of their branch."""
+    """Return the hinges, each with the colour of its branch."""
     count = len(drawing.displaced.hinges)
     colours = [POSITIVE] * count + [NEGATIVE] * (len(drawing.hinges) - count)
     return list(zip(drawing.hinges, colours, strict=True))
 
 
 def names(drawing: Drawing, window: Window) -> list[tuple[Point, str, str]]:
-    """What is named at rest, where, and in which colour: hinges, centroids, loads (an arrow at its free end)."""
+    """Return what is named at rest, where, and in which colour: hinges, centroids, loads (an arrow at its free end)."""
     made = [(hinge.at, label(hinge.name, 14), colour) for hinge, colour in hinges_with_colour(drawing)]
     if len(drawing.centroids) > 1:
         made += [(at, f"G{place}", INK) for place, at in enumerate(drawing.centroids, start=1)]
@@ -187,7 +187,7 @@ def names(drawing: Drawing, window: Window) -> list[tuple[Point, str, str]]:
 
 
 def shaft(ends: tuple[Point, ...]) -> list[Point]:
-    """Points along an arrow, close enough together that no name fits between them."""
+    """Return points along an arrow, close enough together that no name fits between them."""
     if not ends:
         return []
     (x0, z0), (x1, z1) = ends
@@ -211,7 +211,7 @@ def _turned(axes: Axes, drawing: Drawing, displaced: Displaced, colour: str, win
 
 
 def shade(block: int) -> str:
-    """The colour of a block, from 0 at the base; grey where it does not move."""
+    """Return the colour of a block, from 0 at the base; grey where it does not move."""
     return FIXED if block < 0 else BLOCKS[block % len(BLOCKS)]
 
 
@@ -220,14 +220,14 @@ def _points(layout: Layout) -> tuple[float, float]:
 
 
 def _labels(axes: Axes, named: Sequence[tuple[Point, str, str]], layout: Layout) -> list[Label]:
-    """Labels with their points as distances from the panel's corner [pt]."""
+    """Return labels with their points as distances from the panel's corner [pt]."""
     (left, _), (low, _) = axes.get_xlim(), axes.get_ylim()
     scale = layout.scale * INCH
     return [Label(text, ((at[0] - left) * scale, (at[1] - low) * scale), colour) for at, text, colour in named]
 
 
 def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
-    """What the mechanism stands on: masonry that stays, or level ground, hatched below."""
+    """Draw the support of the mechanism: masonry that does not move, or level ground, hatched below."""
     for ring in drawing.fixed:
         axes.add_artist(Polygon(ring, facecolor=FIXED, edgecolor=MUTED, linewidth=0.6, zorder=0.6))
     if drawing.fixed:
@@ -251,7 +251,7 @@ def _centroids(axes: Axes, centroids: Sequence[Point]) -> None:
 
 
 def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
-    """A dot for a mass, an arrow for what has a direction."""
+    """Draw a dot for a mass, an arrow for what has a direction."""
     style = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     for load in loads:
         if load.kind == "mass":
@@ -262,7 +262,7 @@ def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
 
 
 def _direction(axes: Axes, layout: Layout) -> None:
-    """The direction of motion, along +x, above the panel."""
+    """Draw the direction of motion, along +x, above the panel."""
     arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
     right, height = layout.panel[0] * INCH, layout.panel[1] * INCH + 9.0
     axes.annotate(

@@ -15,7 +15,7 @@ COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6
 
 
 def draw(target: SpectrumResult, records: tuple[RecordResult, ...]) -> Figure:
-    """Pseudo-acceleration [g] over period [s]: target, each record as scaled, and the records' geometric mean."""
+    """Draw pseudo-acceleration [g] over period [s]: target, each record as scaled, and their geometric mean."""
     with report_style():
         figure = sheet(3.3)
         axes = figure.subplots()

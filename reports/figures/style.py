@@ -32,8 +32,8 @@ PASS, FAIL = "#00694c", "#b3380e"
 BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
 STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
 POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
-BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, told apart in grey too
-FIXED = "#dfe2e5"  # masonry that stays
+BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, distinct in grey too
+FIXED = "#dfe2e5"  # masonry that does not move
 
 _RC: dict[Any, Any] = {
     "font.family": [FAMILY],
@@ -45,7 +45,7 @@ _RC: dict[Any, Any] = {
     "axes.labelcolor": INK,
     "axes.grid": True,
     "axes.axisbelow": True,
-    "axes.titley": 1.0,  # scales stand below
+    "axes.titley": 1.0,  # scales are below
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.formatter.use_mathtext": False,
@@ -98,24 +98,24 @@ _OTHER = Pen(MUTED, ":", "x")
 
 
 def pen(procedure: str) -> Pen:
-    """The pen of `procedure`; grey and dotted for one this table does not know."""
+    """Return the pen of a procedure; grey and dotted for one that is not in the table."""
     return PROCEDURES.get(procedure, _OTHER)
 
 
 @contextmanager
 def report_style() -> Iterator[None]:
-    """Within it, figures are made and drawn in the report's style."""
+    """Make and draw figures in the report's style within this context."""
     with matplotlib.rc_context(_RC):
         yield
 
 
 def sheet(height: float, *, width: float = WIDTH) -> Figure:
-    """An empty figure of `width` x `height` [in] that lays itself out; made within `styled`."""
+    """Return an empty figure of `width` x `height` [in] that lays itself out; made within `report_style`."""
     return _Sheet(figsize=(width, height), layout="constrained")
 
 
 def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
-    """An empty figure of `width` x `height` [in] whose panels are placed by hand; made within `styled`."""
+    """Return an empty figure of `width` x `height` [in] whose panels are placed by hand; made within `report_style`."""
     return _Sheet(figsize=(width, height))
 
 
@@ -138,16 +138,16 @@ class _Sheet(Figure):
         return file.getvalue()
 
     def legend(self, *given: Any, **named: Any) -> Legend:
-        """A legend whose boxes are measured once."""
+        """Return a legend whose boxes are measured once."""
         return cache_extents(super().legend(*given, **named))
 
     def add_subplot(self, *place: Any, **given: Any) -> Axes:
-        """A panel, unless another projection is asked for."""
+        """Add a panel, unless another projection is asked for."""
         made: Axes = super().add_subplot(*place, **_as_panel(given))
         return made
 
     def add_axes(self, *place: Any, **given: Any) -> Axes:
-        """A panel, unless another projection is asked for."""
+        """Add a panel, unless another projection is asked for."""
         made: Axes = super().add_axes(*place, **_as_panel(given))
         return made
 
@@ -157,20 +157,20 @@ def _as_panel(given: dict[str, Any]) -> dict[str, Any]:
 
 
 def legend_above(axes: Axes, *, columns: int) -> None:
-    """A legend above the panel, where it covers no curve."""
+    """Put a legend above the panel, where it covers no curve."""
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=columns)
 
 
 def label(text: str, limit: int = 40) -> str:
-    """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
+    """Return user text for a figure: printable, and no longer than `limit` characters."""
     return truncate(printable(text), limit)
 
 
 def record_label(text: str, limit: int) -> str:
-    """The name of a record as it may stand in a figure, with its beginning and its end."""
+    """Return the name of a record for a figure, shortened in the middle."""
     return truncate_middle(printable(text), limit)
 
 
 def fold(text: str, *, width: int, lines: int = 2) -> str:
-    """User text as a label of several lines of at most `width` characters."""
+    """Fold user text into a label of several lines of at most `width` characters."""
     return "\n".join(wrap(printable(text), width, max_lines=lines, placeholder="…"))

@@ -1,4 +1,4 @@
-"""The mean of a suite of records beside its target and the limits of codes."""
+"""The mean of a suite of records, its target and the limits of codes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MEAN = "#0072b2"
 
 
 def draw(motion: GroundMotionResult) -> Figure:
-    """Pseudo-acceleration [g] over period [s], logarithmic: target, means, and limits over the range fitted."""
+    """Draw pseudo-acceleration [g] over period [s], logarithmic: target, means, and limits over the range fitted."""
     with report_style():
         figure = sheet(3.0)
         means(figure.subplots(), motion)
@@ -23,7 +23,7 @@ def draw(motion: GroundMotionResult) -> Figure:
 
 
 def means(axes: Axes, motion: GroundMotionResult) -> None:
-    """The same in a panel."""
+    """Draw target, means and limits into a panel."""
     period, target = np.array(motion.period_s), np.array(motion.target_g)
     shown = period >= SHORTEST
     fitted = (period >= motion.from_s) & (period <= motion.to_s)

@@ -1,4 +1,4 @@
-"""A parametric study: what changes with the number that is swept."""
+"""A parametric study: results over the swept number."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Values = Sequence[float | None]
 
 
 def draw(sweep: SweepResult) -> Figure:
-    """What changes over the values, a panel for each quantity that is known of any case."""
+    """Draw the results over the values, a panel for each quantity that is known of any case."""
     shown = panels(sweep)
     with report_style():
         figure = sheet(2.3)
@@ -30,9 +30,9 @@ def draw(sweep: SweepResult) -> Figure:
 
 
 def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
-    """The quantities of which any value is known, with their names.
+    """Return the quantities of which any value is known, with their names.
 
-    On joints without a threshold of uplift the overturning rotation stands in the place of the multiplier.
+    On joints without a threshold of uplift the overturning rotation replaces the multiplier.
     """
     threshold = (sweep.uplift_multiplier, "load multiplier at uplift λ [-]")
     overturning = (sweep.overturning_flexible_rad, "overturning on joints φₒᵥ [rad]")
@@ -45,12 +45,12 @@ def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
 
 
 def known(values: Values) -> bool:
-    """Whether any case has a value."""
+    """Return whether any case has a value."""
     return any(value is not None for value in values)
 
 
 def _curve(axes: Axes, sweep: SweepResult, values: Values) -> None:
-    """The values in the order of what is swept, those that are known; the controlling case is marked."""
+    """Draw the known values in the order of the swept number, with the controlling case marked."""
     known = sorted((x, y) for x, y in zip(sweep.value, values, strict=True) if y is not None)
     axes.plot([x for x, _ in known], [y for _, y in known], marker="o", markersize=3, color="#0072b2", linewidth=1.0)
     axes.set_ylim(

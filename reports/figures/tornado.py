@@ -1,4 +1,4 @@
-"""How the answers of a mechanism move with numbers that are not well known: a bar for each, the widest at the top."""
+"""How the answers of a mechanism depend on uncertain numbers: a bar for each, the widest at the top."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ LONGEST = 40  # characters of a line beside a bar
 
 @dataclass(frozen=True)
 class Bar:
-    """One number: the two lines that stand beside it, and the answer at its low and its high value.
+    """One number: the two lines of its label, and the answer at its low and its high value.
 
-    low, high : infinite where the body overturns, None where nothing is known
+    low, high : infinite where the body overturns, None where not known
     verdicts : new verdict at the low and at the high value, in a word; empty where it does not change
     """
 
@@ -39,7 +39,7 @@ class Bar:
 class Panel:
     """One answer: its name with the unit, and the procedure; its value as assessed; its bars.
 
-    limit : where passing and failing part, and its name; None where there is none
+    limit : between pass and fail, and its name; None where there is none
     """
 
     name: tuple[str, str]
@@ -49,7 +49,7 @@ class Panel:
 
 
 def draw(panels: Sequence[Panel]) -> Figure:
-    """A panel for each answer; all have the rows of the first."""
+    """Draw a panel for each answer; all have the rows of the first."""
     rows = panels[0].bars
     with report_style():
         figure = sheet(1.1 + LINE * len(rows))
@@ -87,7 +87,7 @@ def _panel(axes: Axes, panel: Panel) -> None:
 
 
 def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, verdict: str) -> None:
-    """From the answer as assessed to the one at a low or high value; an arrow at the edge where the body overturns."""
+    """Draw half a bar, from the answer as assessed to that at one value; an arrow at the edge for overturning."""
     low, high = axes.get_xlim()
     start, end = min(base, high), min(value, high)
     axes.barh(height, end - start, HALF, left=start, color=colour, linewidth=0)
@@ -105,7 +105,7 @@ def _is_drawn(value: float | None) -> TypeGuard[float]:
 
 
 def span(values: Sequence[float]) -> tuple[float, float]:
-    """What an axis shows: all of the values with a margin, and something where they are one."""
+    """Return the ends of an axis: all of the values with a margin, and a width where they are one."""
     low, high = min(values, default=0.0), max(values, default=1.0)
     width = max(high - low, 0.02 * max(abs(low), abs(high)), 1e-6)
     return low - MARGIN * width, high + MARGIN * width

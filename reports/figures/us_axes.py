@@ -1,4 +1,4 @@
-"""Axes of figures in US customary units: what is drawn stays where it is, ticks stand at round numbers of the unit."""
+"""Axes of figures in US customary units: curves stay in place, ticks are at round numbers of the unit."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _LABELLED = re.compile(r"\[([^\[\]]+)\](?=\s*$)")
 
 
 def in_us_axes(document: Document) -> Document:
-    """The document with figures whose axes are in US units once they are drawn."""
+    """Return the document with figures whose axes are in US units once they are drawn."""
     return replace(document, sections=tuple(map(_section, document.sections)))
 
 
@@ -50,7 +50,7 @@ def convert(figure: Drawn) -> None:
     _axes(across, besides=(figure.get_supxlabel(),))
     _axes(up, besides=(figure.get_supylabel(),))
     for letters in figure.findobj(Text):
-        assert isinstance(letters, Text)  # as asked for
+        assert isinstance(letters, Text)
         letters.set_text(_LABELLED.sub(_renamed, letters.get_text()))
 
 
@@ -65,7 +65,7 @@ def _axes(axes: Sequence[Axis], *, besides: Iterable[str]) -> None:
 
 
 def _scale(axis: Axis, factor: float) -> None:
-    """Ticks of one axis; what stands for it on axes that share its scale is shared too."""
+    """Convert the ticks of one axis; axes that share its scale share them."""
     axis.set_major_locator(UsLocator(axis.get_major_locator(), factor))
     axis.set_minor_locator(UsLocator(axis.get_minor_locator(), factor))
     axis.set_major_formatter(UsFormatter(axis.get_major_formatter(), factor))
@@ -92,22 +92,22 @@ class _Scaled:
         return getattr(self._axis, name)
 
     def get_view_interval(self) -> np.ndarray[Any, np.dtype[np.float64]]:
-        """What is seen of the axis."""
+        """Return the visible range of the axis."""
         return self._factor * np.asarray(self._axis.get_view_interval(), dtype=np.float64)
 
     def get_data_interval(self) -> np.ndarray[Any, np.dtype[np.float64]]:
-        """What is drawn along the axis."""
+        """Return the range of the data along the axis."""
         return self._factor * np.asarray(self._axis.get_data_interval(), dtype=np.float64)
 
 
 class UsLocator(Locator):
-    """Ticks where another locator has them on the axis in US units, told in the axis' own."""
+    """Ticks where another locator puts them on the axis in US units, in the units of the axis."""
 
     def __init__(self, inner: Locator, factor: float) -> None:
         self.inner, self.factor = inner, factor
 
     def set_axis(self, axis: Any) -> None:
-        """Both locators look at one axis, the inner one in US units."""
+        """Give both locators one axis, the inner one in US units."""
         super().set_axis(axis)
         self.inner.set_axis(_Scaled(axis, self.factor))  # type: ignore[arg-type]  # it answers as an axis does
 
@@ -115,11 +115,11 @@ class UsLocator(Locator):
         return np.asarray(self.inner(), dtype=np.float64) / self.factor
 
     def tick_values(self, vmin: float, vmax: float) -> Any:
-        """Ticks between two values."""
+        """Return the ticks between two values."""
         return np.asarray(self.inner.tick_values(vmin * self.factor, vmax * self.factor)) / self.factor
 
     def nonsingular(self, v0: float, v1: float) -> tuple[float, float]:
-        """Limits that are not one."""
+        """Return limits that differ."""
         return self.inner.nonsingular(v0, v1)
 
 
@@ -130,7 +130,7 @@ class UsFormatter(Formatter):
         self.inner, self.factor = inner, factor
 
     def set_axis(self, axis: Any) -> None:
-        """Both formatters look at one axis, the inner one in US units."""
+        """Give both formatters one axis, the inner one in US units."""
         super().set_axis(axis)
         self.inner.set_axis(_Scaled(axis, self.factor))  # type: ignore[arg-type]  # it answers as an axis does
 
@@ -138,10 +138,10 @@ class UsFormatter(Formatter):
         return self.inner(x * self.factor, pos)
 
     def set_locs(self, locs: list[float]) -> None:
-        """The ticks that are written together."""
+        """Set the ticks that are written together."""
         super().set_locs(locs)
         self.inner.set_locs([at * self.factor for at in locs])
 
     def get_offset(self) -> str:
-        """What all numbers are to be multiplied by."""
+        """Return the power of ten that all numbers are to be multiplied by."""
         return self.inner.get_offset()

@@ -49,13 +49,13 @@ class Camera:
     scale: float
 
     def seen(self, points: FloatArray) -> FloatArray:
-        """Points [k, 3] [m] as right, up [pt] from the lower left corner of the picture, and towards the eye [m]."""
+        """Project points [k, 3] [m]: right and up from the lower left corner [pt], and towards the eye [m]."""
         placed = points @ self.frame.T
         return np.column_stack([(placed[:, :2] - self.origin) * self.scale * INCH, placed[:, 2]])
 
 
 def draw(view: View, positive: int) -> Figure:
-    """The bodies, the axes of rotation (the first `positive` of them of the positive branch), sections, direction."""
+    """Draw the bodies, their sections, the axes of rotation and the direction of motion."""
     vertices = np.array(view.vertices)
     size = float(max(view.size))
     lines = [extend_line(np.array(axis.ends), BEYOND * size) for axis in view.axes]
@@ -76,7 +76,7 @@ def draw(view: View, positive: int) -> Figure:
 
 
 def fit_camera(direction: FloatArray, sets: Sequence[FloatArray]) -> tuple[Camera, tuple[float, float]]:
-    """The camera that shows all points of the sets as large as the picture may be, and the picture's size [in]."""
+    """Return the camera that shows all points of the sets as large as possible, and the picture's size [in]."""
     along, up = direction, np.array([0.0, 0.0, 1.0])
     across = np.array([-along[1], along[0], 0.0])
     level = sin(TURNED) * along - cos(TURNED) * across
@@ -92,14 +92,14 @@ def fit_camera(direction: FloatArray, sets: Sequence[FloatArray]) -> tuple[Camer
 
 
 def extend_line(ends: FloatArray, length: float) -> FloatArray:
-    """A line by its ends [2, 3], made longer by a length [m] at both."""
+    """Extend a line, given by its ends [2, 3], by a length [m] at both."""
     way = ends[1] - ends[0]
     step = way * length / (float(np.linalg.norm(way)) or 1.0)
     return np.array([ends[0] - step, ends[1] + step])
 
 
 def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
-    """The ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
+    """Return the ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     middle = 0.5 * (low + high)
     start = middle + (float((vertices @ along).max()) - middle @ along) * along
@@ -108,7 +108,7 @@ def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> Flo
 
 
 def _bodies(axes: Axes, view: View, camera: Camera) -> None:
-    """The faces that look at the eye, farthest first, each with the edges that belong to it."""
+    """Draw the faces that look at the eye, farthest first, each with the edges that belong to it."""
     vertices, triangles = np.array(view.vertices), np.array(view.triangles)
     sharp = SHARP if len(triangles) == view.given else SHARP_IN_SCANS
     edges = visible_edges(vertices, triangles, eye=camera.frame[2], sharp=sharp)
@@ -122,7 +122,7 @@ def _bodies(axes: Axes, view: View, camera: Camera) -> None:
 
 
 def paint_faces(corners: FloatArray, drawn: BoolArray, colours: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Triangles [k, 3, 2] and their colours [k, 3]: each face, then its drawn edges as triangles without area.
+    """Return triangles [k, 3, 2] and their colours [k, 3]: each face, then its edges as triangles without area.
 
     Shapes of equal length in one array are what matplotlib makes paths of fastest.
     """
@@ -135,7 +135,7 @@ def paint_faces(corners: FloatArray, drawn: BoolArray, colours: FloatArray) -> t
 
 
 def shade_faces(faces: Faces, camera: Camera) -> FloatArray:
-    """The colour [m, 3] of each face: of its block, darker the less it looks to the light."""
+    """Return the colour [m, 3] of each face: of its block, darker the less it looks to the light."""
     light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
     bright = DARKEST + (1.0 - DARKEST) * np.clip(faces.normals @ light, 0.0, 1.0)
     stones = np.array([to_rgb(colour) for colour in (*BLOCKS, FIXED)])
@@ -144,7 +144,7 @@ def shade_faces(faces: Faces, camera: Camera) -> FloatArray:
 
 
 def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], positive: int) -> None:
-    """The axes of rotation, those of the negative branch dashed, with their names at the end nearer the eye."""
+    """Draw the axes of rotation, those of the negative branch dashed, with names at the end nearer the eye."""
     named: list[FloatArray] = []
     for place, (axis, line) in enumerate(zip(view.axes, lines, strict=True)):
         colour, dash = (POSITIVE, "-") if place < positive else (NEGATIVE, "--")
@@ -158,7 +158,7 @@ def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], p
 
 
 def avoid_names(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
-    """The place of a name [pt], lowered where one of those taken is too near to read both."""
+    """Return the place of a name [pt], lowered where one of those taken is too near to read both."""
     while any((np.abs(at - other) < NAME).all() for other in taken):
         at = at - np.array([0.0, 1.0])
     return at
@@ -170,7 +170,7 @@ def _arrow(axes: Axes, start: FloatArray, end: FloatArray, *, colour: str, width
 
 
 def _triad(axes: Axes, camera: Camera) -> None:
-    """The axes of the project in the lower left corner."""
+    """Draw the axes of the project in the lower left corner."""
     origin = np.array([26.0, 20.0])
     for place, name in enumerate("xyz"):
         way = camera.frame[:2, place]

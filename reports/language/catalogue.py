@@ -43,19 +43,19 @@ class Catalogue:
     english: tuple[str, ...]
 
     def candidates(self, text: str) -> Iterator[Template]:
-        """The templates that may fit, those with most fixed letters first."""
+        """Yield the templates that may fit, those with most fixed letters first."""
         found = [each for word in dict.fromkeys(("", *words(text))) for each in self.by_word.get(word, ())]
         yield from sorted(found, key=lambda each: -each.size)
 
 
 def languages() -> tuple[str, ...]:
-    """The codes of all languages that a report can be written in, English first."""
+    """Return the codes of all languages that a report can be written in, English first."""
     return (ENGLISH, *sorted(path.stem for path in FOLDER.glob("*.toml")))
 
 
 @cache
 def catalogue(language: str) -> Catalogue:
-    """The sentences of a language. Raises ValueError where there is no file of it."""
+    """Return the sentences of a language; raises ValueError where there is no file of it."""
     path = FOLDER / f"{language}.toml"
     if language not in languages()[1:]:
         raise ValueError(f'report.language: "{language}" has no catalogue; known are {", ".join(languages())}')
@@ -63,7 +63,7 @@ def catalogue(language: str) -> Catalogue:
 
 
 def parse_catalogue(content: Mapping[str, Any], *, language: str) -> Catalogue:
-    """The catalogue of a parsed file. Raises ValueError where a sentence stands in it twice, or its gaps differ."""
+    """Return the catalogue of a parsed file; raises ValueError for a sentence given twice, or with other gaps."""
     phrases = _merge([*content["phrases"].values()])
     sentences = _merge([content["furniture"], *content["sentences"].values()])
     pairs = _merge([sentences, phrases])

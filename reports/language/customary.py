@@ -56,5 +56,5 @@ KNOWN = tuple(sorted(_UNITS, key=len, reverse=True))
 
 
 def customary(unit: str) -> Customary | None:
-    """What stands for a unit of the report, also written as m2 or kg/m^3; None for what both systems share."""
+    """Return the US unit for a unit, also written as m2 or kg/m^3; None for one that both systems share."""
     return _UNITS.get(unit.replace("^", "").translate(_RAISED))

@@ -33,7 +33,7 @@ Say = Callable[[str], str]
 
 
 def map_texts(document: Document, say: Say) -> Document:
-    """The document with `say` applied to each of its texts, figures when they are drawn.
+    """Return the document with `say` applied to each of its texts, in figures when they are drawn.
 
     Left as they are: the author, code, names of tables and files, verdicts, and what was given without a unit.
     """
@@ -123,13 +123,13 @@ def _model(model: Model, say: Say) -> Model:
 
 
 def _drawn(draw: Callable[[], Drawn], say: Say) -> Drawn:
-    """The figure with its letters changed; lettered ticks are written by their formatter, at each drawing anew."""
+    """Return the figure with its letters changed; formatters write lettered ticks anew at each drawing."""
     figure = draw()
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
             _ticks(axis, say)
     for letters in figure.findobj(Letters):
-        assert isinstance(letters, Letters)  # as asked for
+        assert isinstance(letters, Letters)
         letters.set_text(say(letters.get_text()))
     return figure
 

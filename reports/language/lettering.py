@@ -8,7 +8,7 @@ _HIDDEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 
 def visible(text: str) -> str:
-    """`text` on one line with control, format and unassigned characters shown as their code: ⟨U+0007⟩."""
+    """Return `text` on one line, with control, format and unassigned characters shown as their code: ⟨U+0007⟩."""
     if text.isprintable():
         return text
     spaced = " ".join(text.split()) if any(mark in text for mark in "\n\r\t\v\f") else text
@@ -16,12 +16,12 @@ def visible(text: str) -> str:
 
 
 def truncate(text: str, limit: int) -> str:
-    """`text`, cut to `limit` characters with an ellipsis at the end where it is longer."""
+    """Cut `text` to `limit` characters, with an ellipsis at the end."""
     return text if len(text) <= limit else text[: limit - 1].rstrip() + "…"
 
 
 def truncate_middle(text: str, limit: int) -> str:
-    """`text`, cut in the middle to `limit` characters where it is longer: names of components differ at their ends."""
+    """Cut `text` in the middle to `limit` characters: names of components differ at their ends."""
     kept = limit - 1
     return text if len(text) <= limit else f"{text[: kept // 2].rstrip()}…{text[-(kept - kept // 2) :].lstrip()}"
 

@@ -36,29 +36,29 @@ typed without zeros at its end."""
 
 
 def measure(value: float, unit: str, *, figures: int, style: Style = "plain") -> str:
-    """A number with its unit."""
+    """Return a number with its unit."""
     return f"{number(value, unit, figures=figures, style=style)} {unit_word(unit)}"
 
 
 def measures(values: Sequence[float], unit: str, *, figures: int, between: str) -> str:
-    """Several numbers with their unit once."""
+    """Return several numbers, with their unit once."""
     return f"{between.join(number(value, unit, figures=figures) for value in values)} {unit_word(unit)}"
 
 
 def number(value: float, unit: str, *, figures: int, style: Style = "plain") -> str:
-    """A number whose unit stands elsewhere."""
+    """Return a number whose unit is given elsewhere."""
     if customary(unit) is None:
         return _IN_SI[style](float(value), figures)
     return f"{_OPEN}{struct.pack('>d', value).hex()}_{unit.encode().hex()}_{figures}{style}{_CLOSE}"
 
 
 def unit_word(unit: str) -> str:
-    """A unit alone."""
+    """Return a unit alone."""
     return unit if customary(unit) is None else f"{_OPEN}_{unit.encode().hex()}{_CLOSE}"
 
 
 def as_typed(value: object, unit: str) -> str:
-    """A number, or lists of numbers, as a project file gives them, without the unit."""
+    """Return a number, or lists of numbers, as a project file gives them, without the unit."""
     if isinstance(value, list | tuple):
         return f"[{', '.join(as_typed(each, unit) for each in value)}]"
     if isinstance(value, bool) or not isinstance(value, int | float):
@@ -68,19 +68,19 @@ def as_typed(value: object, unit: str) -> str:
 
 
 def in_units(document: Document, units: Units) -> Document:
-    """The document with the numbers of its texts in these units."""
+    """Return the document with the numbers of its texts in these units."""
     return map_texts(document, partial(render_measures, units=units))
 
 
 def render_measures(text: str, *, units: Units) -> str:
-    """A text with its numbers and units as they are read."""
+    """Return a text with its numbers and units as they are read."""
     if _OPEN not in text:
         return text
     return _CUT.sub("", _WORD.sub(partial(_render_measure, units=units), text))
 
 
 def _render_measure(found: re.Match[str], *, units: Units) -> str:
-    """One number or unit in words."""
+    """Return one number or unit in words."""
     packed, unit, figures, style = found.groups()
     name = bytes.fromhex(unit).decode()
     other = customary(name) if units == "US" else None

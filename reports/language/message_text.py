@@ -1,4 +1,4 @@
-"""What is told by messages, with their numbers whole."""
+"""The sentences of messages, with their numbers at full precision."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from reports.language.measures import measure
 
 
 def message_text(message: Message | str) -> str:
-    """The English sentence of a message with its numbers whole; a text as it is."""
+    """Return the English sentence of a message with its numbers whole; a text as it is."""
     if isinstance(message, str):
         return message
     template = TEXTS.get(message.key)
-    if template is None or template.format(**message.values) != message.text:  # told by another version
+    if template is None or template.format(**message.values) != message.text:  # made by another version
         return message.text
     return template.format(
         **{

@@ -15,7 +15,7 @@ FIGURES = 4
 
 
 def numeral(value: float, *, digits: int = FIGURES) -> str:
-    """`value` to `digits` significant figures: 0.1000, 12.34, 45670, 1.234×10⁶."""
+    """Return `value` to `digits` significant figures: 0.1000, 12.34, 45670, 1.234×10⁶."""
     if value == 0 or not isfinite(value):
         return "0" if value == 0 else {"inf": "∞", "-inf": "−∞", "nan": "not a number"}[str(float(value))]
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
@@ -26,7 +26,7 @@ def numeral(value: float, *, digits: int = FIGURES) -> str:
 
 
 def decimals(value: float, *, figures: int) -> int | None:
-    """How many decimals show a finite number to so many significant figures; None for a power of ten."""
+    """Return the decimals that show a finite number to so many significant figures; None for a power of ten."""
     exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
     if value == 0:
         return 0
@@ -34,17 +34,17 @@ def decimals(value: float, *, figures: int) -> int | None:
 
 
 def as_given(value: float) -> str:
-    """`value` with the figures it was given with, at most ten."""
+    """Return `value` with the figures it was given with, at most ten."""
     return f"{value:.10g}".replace("-", "−")
 
 
 def with_bound(value: float | None, bound: str) -> float | str | None:
-    """`value` where it is known, else that it is no more, or no less: "≤ 30", "≥ 2475"."""
+    """Return `value` where it is known, else that it is no more, or no less: "≤ 30", "≥ 2475"."""
     return value if value is None or not bound else f"{SIGNS[bound]} {as_given(value)}"
 
 
 def step_result(value: float | str | None, unit: str, beside: tuple[float, str] | None = None) -> str:
-    """What a step of a calculation came to, with its unit, 1.234 m (4.049 ft); a dash where there is no value."""
+    """Return the result of a step with its unit, 1.234 m (4.049 ft); a dash where there is no value."""
     if value is None:
         return "—"
     number = value if isinstance(value, str) else _result(value)
@@ -57,7 +57,7 @@ def _result(value: float) -> str:
 
 
 def cell_text(cell: Cell, kind: Kind) -> str:
-    """The text of a cell; a dash where there is no value."""
+    """Return the text of a cell; a dash where there is no value."""
     if cell is None or cell == "":
         return "—"
     if isinstance(cell, bool):
@@ -70,7 +70,7 @@ def cell_text(cell: Cell, kind: Kind) -> str:
 
 
 def entries(key: str, value: object) -> Iterator[tuple[str, Cell]]:
-    """A resolved value as cells with their keys: a list of tables gives one for each, without what is absent."""
+    """Yield a resolved value as cells with their keys: a list of tables as one cell for each, without absent values."""
     if isinstance(value, list | tuple) and value and all(isinstance(each, dict) for each in value):
         for place, each in enumerate(value, start=1):
             yield f"{key}[{place}]", as_cell({name: held for name, held in each.items() if held is not None})
@@ -79,7 +79,7 @@ def entries(key: str, value: object) -> Iterator[tuple[str, Cell]]:
 
 
 def as_cell(value: object) -> Cell:
-    """Any resolved value as one cell: a number stays a number, lists and tables become one line of text."""
+    """Return any resolved value as one cell: a number stays a number, lists and tables become one line of text."""
     if value is None or isinstance(value, bool | int | float | str):
         return value
     return json.dumps(value, ensure_ascii=False, default=str)

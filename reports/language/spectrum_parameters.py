@@ -68,16 +68,16 @@ CORNERS = ("t_0", "t_s", "t_b", "t_c", "t_d", "t_l")  # the parameters that are 
 
 
 def corners(parameters: Mapping[str, float | str]) -> tuple[float, ...]:
-    """The corner periods [s] among the parameters."""
+    """Return the corner periods [s] among the parameters."""
     found = (parameters.get(name) for name in CORNERS)
     return tuple(period for period in found if isinstance(period, float))
 
 
 def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[str, str, float | str], ...]:
-    """Name, unit and value of each parameter; one that is not known here keeps the name it has."""
+    """Return name, unit and value of each parameter; one that is not known here keeps its name."""
     return tuple(_parameter_row(*NAMES.get(key, (key, "-")), value) for key, value in parameters.items())
 
 
 def _parameter_row(name: str, unit: str, value: float | str) -> tuple[str, str, float | str]:
-    """A parameter in the unit that it is shown in: results hold accelerations in m/s2."""
+    """Return a parameter in the unit that it is shown in: results hold accelerations in m/s2."""
     return name, unit, value / g if unit == ACCELERATION and not isinstance(value, str) else value

@@ -26,11 +26,11 @@ class Template:
 
     @property
     def size(self) -> int:
-        """How many letters are fixed: of two templates that fit, the longer one says more."""
+        """The number of fixed letters: of two templates that fit, the longer one is more specific."""
         return sum(map(len, self.fixed))
 
     def match(self, text: str) -> dict[int, str] | None:
-        """What stands in each gap of `text`, as little as possible in each, at least one letter; None if it differs.
+        """Return the contents of each gap of `text`, as short as possible, at least one letter; None if it differs.
 
         Leftmost pieces first: a text of any length is read once.
         """
@@ -49,14 +49,14 @@ class Template:
         return found if start < end else None
 
     def matches(self, text: str) -> Iterator[dict[int, str]]:
-        """Every way in which the template fits, where it has two gaps, like "{0} and {1}"; else the one of `match`."""
+        """Yield every way in which a template of two gaps fits, like "{0} and {1}"; of others the one of `match`."""
         found = self.match(text)
         while found is not None:
             yield found
             found = self._next(text, found) if len(self.gaps) == 2 else None
 
     def _next(self, text: str, last: dict[int, str]) -> dict[int, str] | None:
-        """The next way to divide a text over two gaps."""
+        """Return the next way to divide a text over two gaps."""
         first, middle, end = self.fixed
         start, stop = len(first), len(text) - len(end)
         place = text.find(middle, start + len(last[self.gaps[0]]) + 1, stop)
@@ -64,12 +64,12 @@ class Template:
         return {self.gaps[0]: text[start:place], self.gaps[1]: text[rest:stop]} if place >= 0 and rest < stop else None
 
     def fill(self, parts: dict[int, str]) -> str:
-        """The sentence of the other language with its gaps filled."""
+        """Return the sentence of the other language with its gaps filled."""
         return _GAP.sub(lambda gap: parts[int(gap[1])], self.other)
 
 
 def template(one: str, other: str) -> Template:
-    """The pair of a sentence with gaps and its translation.
+    """Return the pair of a sentence with gaps and its translation.
 
     Raises ValueError where the two do not have the same gaps, or two gaps touch.
     """
@@ -83,10 +83,10 @@ def template(one: str, other: str) -> Template:
 
 
 def has_gaps(text: str) -> bool:
-    """Whether a sentence has gaps."""
+    """Return whether a sentence has gaps."""
     return _GAP.search(text) is not None
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The words of a text, of two letters and more."""
+    """Return the words of a text, of two letters and more."""
     return tuple(_WORD.findall(text))

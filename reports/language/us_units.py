@@ -18,11 +18,11 @@ ROWS: Mapping[str, tuple[str, ...]] = {
     UNIT: ("Value", "Positive", "Negative", "Base", "Low", "High"),
     QUANTITY: ("Demand", "Allowable"),
 }
-"""Columns that tell the unit of a row, and the columns whose numbers are in that unit."""
+"""Columns that give the unit of a row, and the columns whose numbers are in that unit."""
 
 
 def in_us_units(document: Document) -> Document:
-    """The document with every number of its tables in US units, to full precision; sheets in both systems.
+    """Return the document with every number of its tables in US units, to full precision; sheets in both systems.
 
     Captions, sentences and figures: `reports.language.measures`, `reports.figures.us_axes`. Headings of tables must be
     English.
@@ -40,7 +40,7 @@ def _block(block: Block) -> Block:
 
 
 def _noted(sections: list[Section]) -> tuple[Section, ...]:
-    """The sections with the note on sheets in front of the first of them."""
+    """Return the sections with the note on sheets in front of the first of them."""
     for place, section in enumerate(sections):
         first = next((at for at, block in enumerate(section.blocks) if isinstance(block, Sheet)), None)
         if first is not None:
@@ -50,7 +50,7 @@ def _noted(sections: list[Section]) -> tuple[Section, ...]:
 
 
 def _line(line: Line) -> Line:
-    """A step with its result in both systems."""
+    """Return a step with its result in both systems."""
     found = customary(line.unit)
     if found is None or not isinstance(line.value, float | int):
         return line
@@ -58,7 +58,7 @@ def _line(line: Line) -> Line:
 
 
 def table(one: Table) -> Table:
-    """A table in US units: of columns with a unit, and of rows that tell theirs in a cell."""
+    """Return a table in US units: of columns with a unit, and of rows that give theirs in a cell."""
     rows = tuple(_row(row, one.columns) for row in one.rows)
     return replace(one, columns=tuple(map(_column, one.columns)), rows=rows)
 
@@ -71,26 +71,26 @@ def _column(column: Column) -> Column:
 
 
 def _row(row: tuple[Cell, ...], columns: tuple[Column, ...]) -> tuple[Cell, ...]:
-    """The cells in the units of their columns, or in that which the row tells."""
-    told = {label: customary(_unit(cell)) for cell, label in _telling(row, columns)}
-    of_row = {label: found for unit, found in told.items() if found for label in ROWS[unit]}
+    """Return the cells in the units of their columns, or in the unit of the row."""
+    units = {label: customary(_unit(cell)) for cell, label in _unit_cells(row, columns)}
+    of_row = {label: found for unit, found in units.items() if found for label in ROWS[unit]}
     made: list[Cell] = []
     for cell, column in zip(row, columns, strict=True):
         own = of_row.get(column.label) if column.unit == "" else customary(column.unit)
-        unit = told.get(column.label)
+        unit = units.get(column.label)
         made.append(_renamed(cell, unit) if unit is not None else _converted(cell, own))
     return tuple(made)
 
 
-def _telling(row: tuple[Cell, ...], columns: tuple[Column, ...]) -> list[tuple[str, str]]:
-    """The cells that tell a unit, with the label of their column, where the table has columns that follow them."""
+def _unit_cells(row: tuple[Cell, ...], columns: tuple[Column, ...]) -> list[tuple[str, str]]:
+    """Return the cells that give a unit, with the label of their column, where the table has columns in that unit."""
     labels = {column.label for column in columns}
     pairs = ((cell, column.label) for cell, column in zip(row, columns, strict=True) if isinstance(cell, str))
     return [(cell, label) for cell, label in pairs if not labels.isdisjoint(ROWS.get(label, ()))]
 
 
 def _unit(cell: str) -> str:
-    """The unit that a cell tells: "m" of "m" and of "displacement, m"."""
+    """Return the unit in a cell: "m" of "m" and of "displacement, m"."""
     return cell.rpartition(", ")[2]
 
 

@@ -12,12 +12,12 @@ from assess.results import Results
 FREE = ("title", "engineer", "checker", "reference", "client", "date", "notes", "masonry_quality", "label", "name")
 NAMED = ("mechanisms", "bodies", "materials")  # tables of the project file whose keys are names
 SOURCES = "report.sources."
-_FIRST_MARK = 0xF0000  # marks that stand for texts: private use, plane 15
+_FIRST_MARK = 0xF0000  # marks that replace texts: private use, plane 15
 _KEPT = 8  # characters by which a shortened text is known
 
 
 def verbatim(results: Results) -> frozenset[str]:
-    """Every text that the user, a file or a record gave: names, labels, titles, notes, paths, sources."""
+    """Return every text that the user, a file or a record gave: names, labels, titles, notes, paths, sources."""
     program = f"{results.program.name} {results.program.version}"
     found = {program, results.stamp, *_of_project(results), *_of_records(results), *_of_mechanisms(results)}
     return frozenset(text.strip() for text in found if text and text.strip())
@@ -55,7 +55,7 @@ class Masks:
     pattern: re.Pattern[str] | None
 
     def around(self, change: Callable[[str], str], text: str) -> str:
-        """`change` applied to `text` with a mark for each text of the user; `text` where it holds such marks itself."""
+        """Apply `change` to `text` with a mark for each text of the user; not where `text` has such marks itself."""
         if any(map(is_mark, text)):
             return text
         kept: list[str] = []
@@ -69,12 +69,12 @@ class Masks:
 
 
 def is_mark(letter: str) -> bool:
-    """Whether a letter stands for a text of the user."""
+    """Return whether a letter represents a text of the user."""
     return ord(letter) >= _FIRST_MARK
 
 
 def masks(texts: Iterable[str], *, spared: str) -> Masks:
-    """Masks of the texts, the longest first.
+    """Return masks of the texts, the longest first.
 
     spared : sentences of the catalogue; a text that is part of one, like "wall", is not masked inside of sentences
     """
@@ -89,7 +89,7 @@ def _pattern(text: str) -> str:
 
 
 def _spaced(text: str) -> str:
-    """A text that may be broken into lines at its spaces and hyphens."""
+    """Return a text that may be broken into lines at its spaces and hyphens."""
     return r"\s+".join(re.escape(word).replace(r"\-", r"\-\s*") for word in text.split())
 
 

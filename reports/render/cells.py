@@ -42,7 +42,7 @@ Piece = tuple[str, Look]
 
 @dataclass(frozen=True)
 class Word:
-    """Pieces that stand together, and their width [pt]; a line of text too."""
+    """Adjacent pieces and their width [pt]; also a line of text."""
 
     pieces: tuple[Piece, ...]
     width: float
@@ -60,35 +60,35 @@ class Cell:
 
     @property
     def height(self) -> float:
-        """Height of all lines."""
+        """Height of all lines [pt]."""
         return self.leading * len(self.lines)
 
     def place_lines(self, x: float, top: float) -> Iterator[tuple[Word, float, float]]:
-        """Each line, and where it begins if the cell's upper left corner stands at (x, top)."""
+        """Yield each line and where it begins, for a cell whose upper left corner is at (x, top)."""
         for place, line in enumerate(self.lines):
             indent = self.width - line.width if self.right else 0.0
             yield line, x + indent, top - self.size - place * self.leading
 
 
 def plain_cell(text: str, style: str, *, width: float) -> Cell:
-    """A cell of plain text in one of STYLES."""
+    """Return a cell of plain text in one of STYLES."""
     return cell([text_pieces(text, style)], style, width=width)
 
 
 def cell(paragraphs: Iterable[Sequence[Piece]], style: str, *, width: float) -> Cell:
-    """A cell of paragraphs; its lines stand and begin as in one of STYLES."""
+    """Return a cell of paragraphs, set as in one of STYLES."""
     of = STYLES[style]
     lines = tuple(line for pieces in paragraphs for line in _lines(pieces, width=width))
     return Cell(lines, width, of.fontSize, of.leading, of.alignment == TA_RIGHT)
 
 
 def text_pieces(text: str, style: str) -> list[Piece]:
-    """Plain text in one of STYLES."""
+    """Return plain text in one of STYLES."""
     return [(_spaced(text), _look(style))]
 
 
 def formula_pieces(text: str) -> list[Piece]:
-    """Plain text of which indices are lowered and powers raised."""
+    """Return plain text of which indices are lowered and powers raised."""
     base = _look("cell")
     index, power = (Look(base.font, _SIZE_OF_INDEX, base.colour, rise) for rise in (_LOWERED, _RAISED))
     looks = {"": base, "index": index, "power": power}
@@ -131,12 +131,12 @@ def _look(style: str) -> Look:
 
 
 def _spaced(text: str) -> str:
-    """`text` in letters of the font, with one plain space between words; a space that forbids a break is a letter."""
+    """Return `text` in letters of the font, with one plain space between words; a no-break space is a letter."""
     return " ".join(_SPACES.split(printable(text))).strip(" ")
 
 
 def _lines(pieces: Sequence[Piece], *, width: float) -> list[Word]:
-    """One paragraph, as wide as `width` at most; most paragraphs of tables have one line."""
+    """Return one paragraph, as wide as `width` at most; most paragraphs of tables have one line."""
     whole = _word(pieces)
     if whole.width <= width:
         return [whole]
@@ -160,7 +160,7 @@ def _lines(pieces: Sequence[Piece], *, width: float) -> list[Word]:
 
 
 def _words(pieces: Iterable[Piece]) -> list[Word]:
-    """The words of a paragraph."""
+    """Return the words of a paragraph."""
     words: list[list[Piece]] = [[]]
     for text, look in pieces:
         first, *others = text.split(" ")
@@ -170,7 +170,7 @@ def _words(pieces: Iterable[Piece]) -> list[Word]:
 
 
 def _cut(word: Word, first: float, width: float) -> list[Word]:
-    """A word too long for a line, cut between letters: what has room in `first`, then in `width` each."""
+    """Return a word too long for a line, cut between letters: what has room in `first`, then in `width` each."""
     cuts, used, room = [list[Piece]()], 0.0, first
     for letter in ((sign, look) for text, look in word.pieces for sign in text):
         wide = _width(letter)
@@ -183,7 +183,7 @@ def _cut(word: Word, first: float, width: float) -> list[Word]:
 
 
 def _joined(words: Sequence[Word], space: Piece) -> Word:
-    """The words as one line."""
+    """Return the words as one line."""
     first, others = words[:1], words[1:]
     pieces = [piece for word in first for piece in word.pieces]
     pieces += [piece for word in others for piece in (space, *word.pieces)]
@@ -191,7 +191,7 @@ def _joined(words: Sequence[Word], space: Piece) -> Word:
 
 
 def _merged(pieces: Iterable[Piece]) -> list[Piece]:
-    """Neighbours of one look as one piece."""
+    """Return neighbours of one look as one piece."""
     return [("".join(text for text, _ in same), look) for look, same in groupby(pieces, key=lambda piece: piece[1])]
 
 

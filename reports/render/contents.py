@@ -40,7 +40,7 @@ class Entry(Flowable):
         canvas.later(f"page-of-{self.heading.key}", self._number)
 
     def _number(self, canvas: Canvas) -> None:
-        """Dots and number, at the right end of the last line."""
+        """Draw dots and number at the right end of the last line."""
         number = str(self.numbers[self.heading.key])
         free = self.width - self.indent - self.cell.lines[-1].width - width_of(number, self.style)
         of = STYLES[self.style]
@@ -51,6 +51,6 @@ class Entry(Flowable):
 
 
 def contents(headings: Sequence[Heading], numbers: Mapping[str, int]) -> list[Flowable]:
-    """The lines of all headings, or of the chapters alone."""
+    """Return the lines of all headings, or of the chapters alone."""
     every = len(headings) <= LONGEST
     return [Entry(each, numbers) for each in headings if every or each.level == 0]

@@ -26,7 +26,7 @@ def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
 
 
 def field(cell: Cell) -> str:
-    """A cell as CSV text: numbers to full precision, text that looks like a formula behind an apostrophe."""
+    """Return a cell as CSV text: numbers to full precision, text that looks like a formula behind an apostrophe."""
     if cell is None:
         return ""
     if isinstance(cell, bool):
@@ -37,7 +37,7 @@ def field(cell: Cell) -> str:
 
 
 def csv_lines(rows: Iterable[Iterable[Cell]]) -> str:
-    """Rows, the header first, as the text of a CSV file; every cell goes through `field`."""
+    """Return rows, the header first, as the text of a CSV file; every cell goes through `field`."""
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows([field(cell) for cell in row] for row in rows)
     return stream.getvalue()

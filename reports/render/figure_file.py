@@ -31,7 +31,19 @@ WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pd
 
 
 def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
-    """Write `figure` to `path`, whole or not at all, in the form its ending names (a key of WRITERS); the path."""
+    """Write a figure to a file, whole or not at all.
+
+    Parameters
+    ----------
+    figure : drawn in the report's style
+    path : its ending names the form: a key of WRITERS
+    creator : name and version of the program, for the properties of the file
+
+    Returns
+    -------
+    Path
+        the path written
+    """
     with write_file(path, command="a command that draws a figure") as made:
         WRITERS[path.suffix.lower()](figure, made, creator)
     return path

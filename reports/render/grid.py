@@ -13,14 +13,14 @@ from reports.render.cells import Piece, cell, formula_pieces, plain_cell, text_p
 from reports.render.ruled_table import PADDING, Row, RuledTable, ruled_table
 from reports.render.typeset import SMALL, paragraph, width_of
 
-LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
+LONGEST = 400  # characters in a cell; the whole text is in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
 _NARROW, _WIDE = 112.0, 240.0
 _SHARES = (0.13, 0.35, 0.35, 0.17)
 
 
 def table_grid(table: Table, *, title: str, width: float, translate: Callable[[str], str] = str) -> RuledTable:
-    """A table under its caption, `width` [pt] wide or as narrow as its text; caption and head repeat on each page.
+    """Return a table under its caption, `width` [pt] wide or as narrow as its text; both repeat on each page.
 
     translate : gives verdicts, yes and no in the language of the document
     """
@@ -44,7 +44,7 @@ def table_grid(table: Table, *, title: str, width: float, translate: Callable[[s
 
 
 def sheet_grid(sheet: Sheet, *, title: str, width: float, translate: Callable[[str], str] = str) -> RuledTable:
-    """A calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
+    """Return a calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
     widths = [share * width for share in _SHARES]
     rooms = [wide - PADDING for wide in widths]
     head = [plain_cell(translate(text), "head", width=room) for text, room in zip(SHEET_HEADS, rooms, strict=True)]
@@ -52,7 +52,7 @@ def sheet_grid(sheet: Sheet, *, title: str, width: float, translate: Callable[[s
 
 
 def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: float, *, size: str = "") -> list[float]:
-    """Widths [pt] that keep words whole where there is room, and add up to no more than `width`."""
+    """Return widths [pt] that keep words whole where there is room, and add up to no more than `width`."""
     least, natural = least_widths(columns, texts, size=size), []
     for place, column in enumerate(columns):
         lines = [1.02 * width_of(line, f"cell{size}") for line in {line[place] for line in texts}]
@@ -62,7 +62,7 @@ def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: fl
 
 
 def least_widths(columns: tuple[Column, ...], texts: list[list[str]], *, size: str = "") -> list[float]:
-    """Widths [pt] below which words break; size: "" or `SMALL`, the ending of the styles."""
+    """Return widths [pt] below which words break; size: "" or `SMALL`, the ending of the styles."""
     least = []
     for place, column in enumerate(columns):
         words = [width_of(word, f"head{size}") for word in column.heading.split()]
@@ -83,7 +83,7 @@ def _shared(least: list[float], natural: list[float], width: float) -> list[floa
 
 
 def _cap(widths: list[float], total: float) -> float:
-    """What the widest may have so that all together have `total`."""
+    """Return what the widest may have so that all together have `total`."""
     rest = total
     for place, narrow in enumerate(sorted(widths)):
         share = rest / (len(widths) - place)
@@ -102,7 +102,7 @@ def _text(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
 
 
 def _style(raw: Cell, column: Column, *, muted: bool) -> str:
-    """Which of STYLES a cell has."""
+    """Return which of STYLES a cell has."""
     right = column.kind == "number"
     if muted:
         return "muted-number" if right else "muted"
@@ -110,7 +110,7 @@ def _style(raw: Cell, column: Column, *, muted: bool) -> str:
 
 
 def _step(line: Line, rooms: list[float]) -> list[Set]:
-    """The cells of one step, as wide as `rooms`."""
+    """Return the cells of one step, as wide as `rooms`."""
     what, how = [_formula(line.description)], [_formula(line.formula)]
     what += [_written(line.clause, "muted")] if line.clause else []
     how += [_formula(f"= {line.substituted}")] if line.substituted else []

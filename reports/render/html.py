@@ -1,6 +1,6 @@
 """The document as one page of HTML that needs nothing else: figures to enlarge, bodies to turn, tables to sort.
 
-The page's frame, look and behaviour stand in reports/web.
+The page's frame, look and behaviour are in the folder web.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from reports.render.elements import Elements, markup
 from reports.render.svg import Picture
 
 SCRIPTS = ("gestures.js", "picture.js", "model.js", "viewer.js", "tables.js")  # in the order they need each other
-FRAME = {  # what the frame of the page says
+FRAME = {  # words of the frame of the page
     "to_report": "To the report",
     "contents_word": "Contents",
     "enlarge": "Enlarge",
@@ -59,14 +59,14 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, Picture
 
 
 def policy(*, style: str, script: str) -> str:
-    """The content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
+    """Return the content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
     allowed = f"style-src '{_digest(style)}'; script-src '{_digest(script)}'; img-src data:"
     return f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"
 
 
 @cache
 def resource(name: str) -> str:
-    """A file of reports/web."""
+    """Return the text of a file of reports/render/web."""
     return files("reports.render").joinpath("web", name).read_text(encoding="utf-8")
 
 
@@ -75,7 +75,7 @@ def _digest(text: str) -> str:
 
 
 def _definitions(pictures: Mapping[str, Picture]) -> dict[str, str]:
-    """Letters and windows of all pictures, each once."""
+    """Return letters and windows of all pictures, each once."""
     return {name: element for picture in pictures.values() for name, element in picture.definitions.items()}
 
 
@@ -85,7 +85,7 @@ def _facts(document: Document) -> str:
 
 
 def _contents(sections: tuple[Section, ...]) -> str:
-    """The headings as links, those of parts below their chapter's."""
+    """Return the headings as links, those of parts below their chapter's."""
     made, depth = [], -1
     for place, section in enumerate(sections):
         made += ["<ul>"] * (section.level - depth) if section.level > depth else []

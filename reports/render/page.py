@@ -55,7 +55,7 @@ class Heading(Flowable):
 
     @property
     def short(self) -> str:
-        """The text as contents and bookmarks have it."""
+        """The text for contents and bookmarks."""
         return truncate(printable(self.text), _LONGEST_ENTRY)
 
     def getSpaceBefore(self) -> float:  # noqa: N802 - reportlab's name
@@ -73,7 +73,7 @@ class Heading(Flowable):
 
 
 class Pages(BaseDocTemplate):
-    """The document template. numbers: of the pages on which headings stand, by their keys, as they become known."""
+    """The document template. numbers: of the pages of the headings, by their keys, as they become known."""
 
     def __init__(self, path: Path, document: Document) -> None:
         self.document = document
@@ -120,7 +120,7 @@ class Pages(BaseDocTemplate):
         canvas.restoreState()
 
     def _number(self, canvas: Canvas, page: int) -> None:
-        """The number of a page, when the last page has its number."""
+        """Draw the number of a page, when the last page has its number."""
         _small(canvas)
         number = self.document.translate(PAGE).format(page=page, total=self.page)
         canvas.drawRightString(_SIDE + self.width, 12 * mm, number)

@@ -45,7 +45,7 @@ _CAPTION = 26 * mm  # left for a caption of five lines below a figure as high as
 
 
 class Drawing(Flowable):
-    """A traced figure on the page, asked for only when its place is sought: it may still be being drawn."""
+    """A traced figure on the page, fetched only when it is placed: until then it may be in the making."""
 
     def __init__(self, drawings: Mapping[str, FigureMarks], name: str, room: tuple[float, float]) -> None:
         super().__init__()
@@ -54,12 +54,12 @@ class Drawing(Flowable):
 
     @property
     def figure(self) -> FigureMarks:
-        """Return the figure; it may still be being drawn."""
+        """The figure, waited for if it is still being drawn."""
         return self.drawings[self.name]
 
     @property
     def factor(self) -> float:
-        """What it is made smaller by to fit."""
+        """The factor by which it is reduced to fit."""
         return min(1.0, self.room[0] / self.figure.width, self.room[1] / self.figure.height)
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
@@ -79,7 +79,7 @@ class Story:
         self.titles, self.numbers = document.titles, pages.numbers
 
     def flowables(self) -> list[Flowable]:
-        """Title block and opening section, contents, then everything else."""
+        """Return title block and opening section, contents, then everything else."""
         made = [self._section(section, f"section-{place}") for place, section in enumerate(self.document.sections)]
         headings = [flowable for each in made for flowable in each if isinstance(flowable, Heading)]
         opening = [*self._title(), *chain.from_iterable(made[:1]), PageBreak()]
@@ -87,7 +87,7 @@ class Story:
         return [*opening, *listed, PageBreak(), *self._rest(made)]
 
     def _rest(self, made: Sequence[list[Flowable]]) -> Iterator[Flowable]:
-        """All sections but the opening one, each on a page of its own where it asks for one."""
+        """Yield all sections but the opening one, each on a page of its own where it asks for one."""
         for place, (section, flowables) in enumerate(zip(self.document.sections, made, strict=True)):
             if section.starts_page and place > 1:
                 yield PageBreak()
@@ -179,7 +179,7 @@ class Story:
 
 
 def _fitting(text: str, width: float) -> float:
-    """The size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
+    """Return the size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
     widest = max(width_of(word, "verdict") for word in text.split())
     return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
 

@@ -1,4 +1,4 @@
-"""Several processes for one document: where the system can copy a process, figures are drawn beside the pages."""
+"""Several processes for one document: where a process can be forked, figures are drawn while pages are set."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from assess.workers import become_worker, end_on_error, hold_signals
 
 
 class _Here(Executor):
-    """Does what is asked at once, in this process."""
+    """An executor that works at once, in this process."""
 
     def __init__(self, subject: object) -> None:
         self._subject = subject
@@ -29,7 +29,7 @@ class _Copies(ProcessPoolExecutor):
     """Copies of this process, which need not import anything again, nor be sent the subject.
 
     Copies have no threads but their own. None of this program's holds a lock at that moment: those of the dynamics have
-    ended, that of the progress bar locks its console only, of which no copy says anything. Python warns all the same.
+    ended, that of the progress bar locks its console only, to which no copy writes. Python warns all the same.
     """
 
     def __init__(self, jobs: int, subject: object) -> None:
@@ -56,7 +56,7 @@ def _of_kept(fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
 
 @contextmanager
 def processes(jobs: int, subject: object) -> Iterator[Pool]:
-    """What does work on `jobs` processes besides this one; at 1, and where a process cannot be copied, in this one.
+    """Provide a pool of `jobs` processes besides this one; at 1, and where a process cannot be copied, this one.
 
     A function that is submitted gets the `subject` before its arguments: that need not be sent, however large it is.
     An error ends the rest at once.

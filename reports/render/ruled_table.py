@@ -19,7 +19,7 @@ _ABOVE, _BELOW, _BELOW_CAPTION = 1.6, 2.2, 4.0
 _LEAST_CAPTION = 12.0
 _FILLING = "#edf0f3"
 _FEWEST_FIRST, _FEWEST_LAST = 2, 3  # rows before and after a break of the page
-_TALL = 100.0  # a row: where there is such a one any may stand alone, for a few fill a page
+_TALL = 100.0  # a row: in a table with such a row any may be alone on a page, which a few fill
 _ROUND = 1
 
 Row = Sequence[Cell]
@@ -40,7 +40,7 @@ class _Body:
 
     @property
     def heights(self) -> list[float]:
-        """Of the head and each row [pt]."""
+        """The heights of the head and each row [pt]."""
         return [max(cell.height for cell in row) + _ABOVE + _BELOW for row in (self.head, *self.rows)]
 
 
@@ -59,7 +59,7 @@ class RuledTable(Flowable):
         return self.width, self.height
 
     def split(self, aW: float, aH: float) -> list[Flowable]:
-        """The table in two, with as many rows in the first as it has room for; nothing where it has none."""
+        """Split the table in two, with as many rows in the first as fit; empty where none do."""
         rows = self.body.rows
         room = sum(end <= aH for end in accumulate(self.heights)) - 2
         if room >= len(rows):
@@ -84,7 +84,7 @@ class RuledTable(Flowable):
         canvas.restoreState()
 
     def _placed(self, tops: Sequence[float]) -> Iterator[tuple[Cell, float, float]]:
-        """Each cell by its upper left corner."""
+        """Yield each cell by its upper left corner."""
         for row, top in zip((self.body.head, *self.body.rows), tops, strict=False):
             for cell, left in zip(row, self.body.lefts, strict=True):
                 yield cell, left + PADDING / 2, top - _ABOVE
@@ -105,6 +105,6 @@ class RuledTable(Flowable):
 
 
 def ruled_table(caption: Lines, head: Row, rows: Sequence[Row], *, widths: Sequence[float]) -> RuledTable:
-    """A table whose columns are `widths` [pt] wide."""
+    """Return a table whose columns are `widths` [pt] wide."""
     *lefts, width = accumulate(widths, initial=0.0)
     return RuledTable(caption, _Body(head, tuple(rows), tuple(lefts)), width=width)

@@ -10,7 +10,7 @@ _COLUMNS = ("Symbol", "Description", "Clause", "Formula", "Substituted", "Value"
 
 
 def as_table(sheet: Sheet, *, translate: Callable[[str], str] = str) -> Table:
-    """A calculation sheet as a plain table, for the spreadsheet and the CSV files.
+    """Return a calculation sheet as a plain table, for the spreadsheet and the CSV files.
 
     translate : gives the headings of columns in the language of the document
     """

@@ -29,7 +29,7 @@ _EM = 100.0  # size at which the outline of a letter is taken [pt]
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure in the elements of SVG; what they refer to by an id is the same wherever that id stands.
+    """A figure in the elements of SVG; an id refers to the same element in all figures.
 
     Attributes
     ----------
@@ -45,17 +45,17 @@ class Picture:
 
     @property
     def box(self) -> str:
-        """The attribute that says what part of the plane is seen."""
+        """The attribute for the visible part of the plane."""
         return f'viewBox="0 0 {self.width:g} {self.height:g}"'
 
     @property
     def upright(self) -> str:
-        """The marks as SVG has them, y downwards."""
+        """The marks as SVG, y downwards."""
         return f'<g transform="matrix(1 0 0 -1 0 {self.height:g})">\n{self.marks}\n</g>'
 
 
 def picture(traced: FigureMarks) -> Picture:
-    """The marks of a figure as elements."""
+    """Return the marks of a figure as elements."""
     letters = dict.fromkeys((m.bold, sign) for m in traced.marks if isinstance(m, Letters) for sign in m.text)
     windows = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)
     definitions = {_name(*letter): f'<path id="{_name(*letter)}" d="{_glyph(*letter)[0]}"/>' for letter in letters}
@@ -82,13 +82,13 @@ def write_svg(picture: Picture, path: File, *, creator: str) -> File:
 
 
 def outline(codes: bytes, numbers: tuple[float, ...]) -> str:
-    """Path data of SVG, to five figures."""
+    """Return path data of SVG, to five figures."""
     return _shape(codes) % numbers
 
 
 @cache
 def _shape(codes: bytes) -> str:
-    """The commands with room for the numbers."""
+    """Return the commands with room for the numbers."""
     return "".join([_COMMANDS[code] for code in codes])
 
 
@@ -129,7 +129,7 @@ def _paint(what: str, colour: Rgba | None) -> str:
 
 
 def _line_of(mark: Letters) -> str:
-    """A line of text: its letters side by side, and the text itself for who cannot see them."""
+    """Return a line of text: its letters as outlines, and the text itself for screen readers."""
     pen, used = 0.0, []
     for sign in mark.text:
         used.append(f'<use xlink:href="#{_name(mark.bold, sign)}" x="{_number(pen)}"/>')
@@ -142,7 +142,7 @@ def _line_of(mark: Letters) -> str:
 
 @cache
 def _glyph(bold: bool, sign: str) -> tuple[str, float]:
-    """Outline of a letter as path data, and how far the next one is from it, at a size of 100 pt."""
+    """Return outline of a letter as path data, and how far the next one is from it, at a size of 100 pt."""
     font = _font(bold)
     glyph = font.load_char(ord(sign), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()

@@ -70,16 +70,16 @@ def register_fonts() -> None:
 
 
 def markup(text: str) -> str:
-    """Plain text as reportlab markup that shows it letter for letter."""
+    """Return plain text as reportlab markup that shows it letter for letter."""
     return escape(printable(text))
 
 
 def paragraph(text: str, style: str) -> Lines:
-    """Plain text as a paragraph in one of STYLES."""
+    """Return plain text as a paragraph in one of STYLES."""
     return Lines(markup(text), STYLES[style])
 
 
 @lru_cache(maxsize=8192)
 def width_of(text: str, style: str) -> float:
-    """Width of one line of text [pt]."""
+    """Return the width of one line of text [pt]."""
     return pdfmetrics.stringWidth(printable(text), STYLES[style].fontName, STYLES[style].fontSize)

@@ -76,7 +76,7 @@ class FigureMarks:
 
 
 class _Recorder(Ruler):
-    """A matplotlib renderer that writes down what it is asked to draw; origin at the lower left, unit 1 pt."""
+    """A matplotlib renderer that records what it draws; origin at the lower left, unit 1 pt."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()
@@ -121,7 +121,7 @@ class _Recorder(Ruler):
         *rest: Any,
         **more: Any,
     ) -> None:
-        """Many paths where they are; those that are shifted or turned each by itself as matplotlib draws them."""
+        """Draw many paths where they are; those that are shifted or turned each by itself as matplotlib does."""
         looks = facecolors, edgecolors, linewidths, linestyles
         if len(all_transforms) or np.any(offset_trans.transform(offsets)):
             placed = paths, all_transforms, offsets, offset_trans
@@ -177,17 +177,17 @@ class Drawings(Mapping[str, FigureMarks]):
 
 
 def trace_figures(document: Document, *, pool: Pool) -> Drawings:
-    """Every figure of the document by its name, drawn once, by a `pool` that works on the document."""
+    """Trace every figure of the document once, by a `pool` that works on the document; by name."""
     return Drawings({figure.name: pool.submit(trace_at, place) for place, figure in enumerate(document.figures)})
 
 
 def trace_at(document: Document, place: int) -> FigureMarks:
-    """The figure at this place among those of the document as marks."""
+    """Return the figure at this place among those of the document as marks."""
     return trace_figure(document.figures[place].draw())
 
 
 def trace_figure(figure: Figure) -> FigureMarks:
-    """The figure as marks, in points."""
+    """Return the figure as marks, in points."""
     with report_style():
         figure.set_dpi(72)
         width, height = (float(72 * side) for side in figure.get_size_inches())
@@ -197,7 +197,7 @@ def trace_figure(figure: Figure) -> FigureMarks:
 
 
 def _repeated(looks: Any) -> Iterator[Any]:
-    """One look after the other, from the first again after the last; without any, None."""
+    """Yield one look after the other, from the first again after the last; without any, None."""
     return cycle(looks.tolist() if isinstance(looks, np.ndarray) else looks) if len(looks) else repeat(None)
 
 
@@ -211,7 +211,7 @@ def _window(gc: GraphicsContextBase) -> Rectangle | None:
 
 
 def _outlines(paths: Sequence[Path], transform: Transform) -> Iterator[Outline]:
-    """The outlines of many paths; where all are straight, which most are, together."""
+    """Yield the outlines of many paths; where all are straight, which most are, together."""
     codes = [_codes(path) for path in paths]
     if any(each.strip(_STRAIGHT) for each in codes):
         yield from (_outline(path, transform, simplify=False) for path in paths)
@@ -229,7 +229,7 @@ def _codes(path: Path) -> bytes:
 
 
 def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
-    """The path cleaned as matplotlib does it: without what is not a number, curves as lines."""
+    """Return the path cleaned as matplotlib does it: without what is not a number, curves as lines."""
     clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
     codes = np.asarray(clean.codes, dtype=np.uint8)
     drawn = codes[: codes.tobytes().index(Path.STOP)]
@@ -237,7 +237,7 @@ def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
 
 
 def _numbers(points: NDArray[np.float64], codes: NDArray[np.uint8]) -> tuple[float, ...]:
-    """Coordinates [2 n] of the n points [., 2] that do not close."""
+    """Return coordinates [2 n] of the n points [., 2] that do not close."""
     return tuple(points[codes != _CLOSE].ravel().tolist())
 
 

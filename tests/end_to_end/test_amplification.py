@@ -13,49 +13,24 @@ from assess import cli
 from assess.results import json as results_io
 from records.reading import read_records
 from records.response import response_spectrum
+from tests.support.projects import block, project_toml, published, wall
 
-PROJECT = """
-title = "Way up"
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = "6 s"
-[building]
-height = "9 m"
-storeys = 3
-[materials.m]
-density = "2000 kg/m^3"
-young_modulus = "3 GPa"
-[bodies.w]
-material = "m"
-box = { thickness = "0.6 m", length = "4 m", height = "8 m" }
-[mechanisms.ground]
-kind = "single-block"
-blocks = ["w"]
-[mechanisms.srss]
-kind = "single-block"
-blocks = ["w"]
-cut = "4.77 m"
-amplification = { method = "srss", natural_frequency = "2.5 Hz", effective_height = "6.01 m" }
-[mechanisms.filter]
-label = "<b>filter</b> & co"
-kind = "single-block"
-blocks = ["w"]
-cut = "4.77 m"
-amplification = { method = "modal-filter" }
-[mechanisms.code]
-kind = "equivalent-block"
-p = "2.26 1/s"
-uplift = 0.21
-radius = "1.46 m"
-elevation = "4.77 m"
-amplification = { method = "nzs1170.5" }
-[records]
-files = ["motion.csv"]
-[analysis]
-levels = ["0.2 g"]
-"""
+HIGH = {"kind": "single-block", "blocks": ["w"], "cut": "4.77 m"}
+SRSS = {"method": "srss", "natural_frequency": "2.5 Hz", "effective_height": "6.01 m"}
+PROJECT = project_toml(
+    title="Way up",
+    building={"height": "9 m", "storeys": 3},
+    materials={"m": {"density": "2000 kg/m^3", "young_modulus": "3 GPa"}},
+    bodies={"w": wall("0.6 m", "4 m", "8 m", material="m")},
+    mechanisms={
+        "ground": block("w"),
+        "srss": HIGH | {"amplification": SRSS},
+        "filter": {"label": "<b>filter</b> & co"} | HIGH | {"amplification": {"method": "modal-filter"}},
+        "code": published(2.26, 0.21, 1.46, elevation="4.77 m", amplification={"method": "nzs1170.5"}),
+    },
+    records={"files": ["motion.csv"]},
+    analysis={"levels": ["0.2 g"]},
+)
 
 
 def assess(*words) -> int:

@@ -52,7 +52,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/model/joints.py": ("contact_offset_warnings", "eccentricity_warnings", "joint_at"),
     "assess/loads/loaded_blocks.py": ("_left_out", "as_given"),
     "assess/model/loading.py": ("misplaced_load_warnings", "moving_anchor_warnings"),
-    "assess/project/record_set.py": ("_first", "cell_text"),
+    "assess/study/record_set.py": ("_first", "cell_text"),
     "assess/study/coarse_records.py": ("longest_step",),
     "assess/model/walls.py": ("by_formula", "by_search"),
     "records/flatfile_match.py": ("_reason",),

@@ -8,46 +8,13 @@ from pathlib import Path
 import pytest
 
 from assess.codes.verdict import Decision
-from assess.project.build import build
-from assess.project.schema import load
 from assess.study.run import run
+from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
-PROJECT = """
-[site]
-limit_state = "SLV"
-pga = "{pga} g"
-[site.spectrum]
-code = "ntc2018"
-a_g = "0.15 g"
-f_0 = 2.4
-t_c_star = "0.3 s"
-soil = "A"
-[verdict]
-survey_tolerance = 0.0
-[building]
-height = "9 m"
-storeys = 3
-ground_elevation = 0.0
-use_class = "II"
-[analysis]
-procedures = ["ntc2018-nonlinear"]
-[materials.m]
-density = 1800
-disintegration = "excluded"
-[report.sources]
-"materials.m.disintegration" = "measured: survey"
-"mechanisms.wall.loads" = "measured: pull-out tests"
-[bodies.wall]
-material = "m"
-box = {{ thickness = {thickness}, length = 3.0, height = 3.0, base = [0.0, 0.0, {base}] }}
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-direction = [1, 0, 0]
-loads = [{loads}]
-[records]
-synthetic = {{ count = 1, seed = 1, duration = "25 s" }}
-"""
+SOURCES = {
+    "materials.m.disintegration": "measured: survey",
+    "mechanisms.wall.loads": "measured: pull-out tests",
+}
 RANK = {Decision.FAIL: 0, Decision.INCOMPLETE: 1, Decision.PASS: 2}
 HEIGHTS = pytest.mark.parametrize("base", [0.0, 6.0])
 
@@ -62,9 +29,18 @@ THRUST = '{{ kind = "force", force = ["3 kN", "0 N"], at = [0.0, {}] }}'
 
 
 def judged(tmp_path: Path, *, pga=0.25, thickness=0.5, base=0.0, loads=()):
-    file = tmp_path / "project.toml"
-    file.write_text(PROJECT.format(pga=pga, thickness=thickness, base=base, loads=", ".join(loads)), encoding="utf-8")
-    found = run(build(load(file)), jobs=1).verdict
+    text = project_toml(
+        site={"limit_state": "SLV", "pga": f"{pga} g", "spectrum": NTC},
+        verdict={"survey_tolerance": 0.0},
+        building={"height": "9 m", "storeys": 3, "ground_elevation": 0.0, "use_class": "II"},
+        analysis={"procedures": ["ntc2018-nonlinear"]},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={"sources": SOURCES},
+        bodies={"wall": wall(thickness, 3.0, 3.0, material="m", base=[0.0, 0.0, base])},
+        mechanisms={"wall": lines(block(direction=[1, 0, 0]), f"loads = [{', '.join(loads)}]")},
+        records={"synthetic": {"count": 1, "seed": 1, "duration": "25 s"}},
+    )
+    found = run(study_of(tmp_path, text), jobs=1).verdict
     return RANK[found.outcome], found.index.value
 
 

@@ -14,18 +14,18 @@ from assess.cli import main
 from assess.cli.app import app
 from records.record import make_record
 from records.writing import at2_text
+from tests.support.projects import published, tables_toml
 
 VALUES = ("nan", "inf", "-1", "0", "1e300")
-PROJECT = """
-[mechanisms.parapet]
-kind = "equivalent-block"
-p = 2.4
-uplift = 0.2
-radius = 1.2
-[analysis.pulses]
-frequency = { from = "1 Hz", to = "2 Hz", count = 2 }
-amplitude = { from = "0 g", to = "4 g", count = 2 }
-"""
+PROJECT = tables_toml(
+    mechanisms={"parapet": published(2.4, 0.2, 1.2)},
+    analysis={
+        "pulses": {
+            "frequency": {"from": "1 Hz", "to": "2 Hz", "count": 2},
+            "amplitude": {"from": "0 g", "to": "4 g", "count": 2},
+        }
+    },
+)
 RECORDS = ("{at2}",), ("{bare}", "--unit", "g", "--step", "0.01")
 """A file that says all, and one that says nothing: what is wrong is refused with both."""
 USES: dict[str, Sequence[tuple[str, ...]]] = {

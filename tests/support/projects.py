@@ -15,6 +15,7 @@ from assess.study.study import Study
 Table = dict[str, Any]
 
 ASCE7: Table = {"code": "asce7-16", "s_ds": "0.5 g", "s_d1": "0.2 g", "t_l": "6 s"}
+EC8: Table = {"code": "ec8", "a_g": "0.25 g", "ground_type": "B"}
 NTC: Table = {"code": "ntc2018", "a_g": "0.15 g", "f_0": 2.4, "t_c_star": "0.3 s", "soil": "A"}
 OF_VALUES = ("site", "building", "verdict", "records", "analysis", "report")
 OF_TABLES = ("materials", "bodies", "mechanisms", "procedures")
@@ -41,8 +42,8 @@ def project_toml(*more: str, **tables: Any) -> str:
     Parameters
     ----------
     more : TOML that follows the tables as it is
-    tables : by their names at the top of the file; None leaves one out. A text stands for what is written in a table:
-        `mechanisms={"wall": 'kind = "single-block"'}`
+    tables : by their names at the top of the file; None leaves one of the wall's out. A text stands for what is
+        written in a table: `mechanisms={"wall": 'kind = "single-block"'}`
     """
     plain = {
         "site": {"spectrum": ASCE7},
@@ -50,9 +51,13 @@ def project_toml(*more: str, **tables: Any) -> str:
         "bodies": {"wall": wall()},
         "mechanisms": {"wall": block()},
     }
-    asked = {name: table for name, table in (plain | tables).items() if table is not None}
-    heads = [f"{name} = {toml(value)}" for name, value in asked.items() if not _is_table(name, value)]
-    bodies = [line for name, value in asked.items() if _is_table(name, value) for line in _section(name, value)]
+    return tables_toml(*more, **{name: table for name, table in (plain | tables).items() if table is not None})
+
+
+def tables_toml(*more: str, **tables: Any) -> str:
+    """Return a project file, or a part of one, of these `tables` alone; arguments are those of `project_toml`."""
+    heads = [f"{name} = {toml(value)}" for name, value in tables.items() if not _is_table(name, value)]
+    bodies = [line for name, value in tables.items() if _is_table(name, value) for line in _section(name, value)]
     return "\n".join([*heads, *bodies, *more, ""])
 
 

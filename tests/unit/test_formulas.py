@@ -22,6 +22,7 @@ from reports.document import Column, Document, Section, Table
 from reports.render.csv import csv_lines
 from reports.render.spreadsheet import write_xlsx
 from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
+from tests.support.projects import ASCE7, published, tables_toml
 
 ROOT = Path(__file__).parents[2]
 WRITERS = {  # what may write tables; `csv_lines` escapes every cell, `write_xlsx` writes text as text, quoted
@@ -29,27 +30,6 @@ WRITERS = {  # what may write tables; `csv_lines` escapes every cell, `write_xls
     r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = 0.5
-s_d1 = 0.2
-t_l = 6
-[analysis]
-levels = ["0.1 g"]
-procedures = ["asce43-05-spectrum"]
-[records]
-synthetic = {{ count = 1, duration = 8 }}
-[mechanisms."{name}"]
-label = "{name}"
-kind = "equivalent-block"
-p = {p}
-uplift = 0.14
-radius = 2.84
-[analysis.pulses]
-frequency = {{ from = "1 Hz", to = "2 Hz", count = 2 }}
-amplitude = {{ from = "0 g", to = "4 g", count = 2 }}
-"""
 LETTERS = st.text(alphabet="ab=+-@,;\"' \t:#1", max_size=30)
 
 
@@ -77,7 +57,20 @@ def test_names_of_mechanisms_in_every_table_of_a_project(tmp_path: Path, capsys:
     runs = []
     for p in (1.6, 1.7):
         project = tmp_path / f"{p}.toml"
-        project.write_text(PROJECT.format(name=HOSTILE, p=p))
+        text = tables_toml(
+            site={"spectrum": ASCE7 | {"s_ds": 0.5, "s_d1": 0.2, "t_l": 6}},
+            mechanisms={HOSTILE: {"label": HOSTILE} | published(p)},
+            records={"synthetic": {"count": 1, "duration": 8}},
+            analysis={
+                "levels": ["0.1 g"],
+                "procedures": ["asce43-05-spectrum"],
+                "pulses": {
+                    "frequency": {"from": "1 Hz", "to": "2 Hz", "count": 2},
+                    "amplitude": {"from": "0 g", "to": "4 g", "count": 2},
+                },
+            },
+        )
+        project.write_text(text)
         for command in ("parameters", "envelope"):
             out = printed(capsys, command, project, "--csv")
             assert f"'{HOSTILE}" in out

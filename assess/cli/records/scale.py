@@ -43,7 +43,7 @@ def scale(
     from assess.cli.tables.suite import csv_text, json_text, table_text
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RECORDS
-    from assess.project.choosing import write_scaled_files
+    from assess.project.suites import write_scaled_files
     from assess.results.stamp import stamp_of_files
     from records.formats.header_overrides import HeaderOverrides
     from records.record import scale

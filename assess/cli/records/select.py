@@ -77,7 +77,7 @@ def select(
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
     from assess.cli.tables.messages import messages_text
     from assess.cli.tables.suite import csv_text, draw, json_text, table_text
-    from assess.project.choosing import Wanted, of_project, of_target
+    from assess.project.suites import Wanted, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
@@ -96,7 +96,7 @@ def select(
     if output is not None:
         draw(found, output)
     if as_json or as_csv:  # the table ends with them
-        print(messages_text(found.notices), end="", file=sys.stderr)
+        print(messages_text(found.messages), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

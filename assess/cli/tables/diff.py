@@ -9,7 +9,7 @@ from typing import Any
 
 from assess.cli.tables.text_table import on_one_line, text_table
 from assess.messages.plural import count_noun
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.results.diff import Change, Kind, is_number
 from reports.render.csv import csv_lines
 
@@ -74,8 +74,8 @@ def _table(kind: Kind, changes: Sequence[Change]) -> str:
 def _lines(kind: Kind, changes: Sequence[Change]) -> str:
     """Write texts that are too long for a table, each after the sign of its run."""
     lines = (
-        f"{'+' if change.before is None else '-'} {printable(change.where)}: "
-        f"{printable(change.after or change.before)}\n"
+        f"{'+' if change.before is None else '-'} {escape_text(change.where)}: "
+        f"{escape_text(change.after or change.before)}\n"
         for change in changes
     )
     return f"{HEADINGS[kind]}\n{''.join(lines)}"
@@ -83,7 +83,7 @@ def _lines(kind: Kind, changes: Sequence[Change]) -> str:
 
 def _names(kind: Kind, changes: Sequence[Change]) -> str:
     """Write names alone, for changes that have no two sides."""
-    return f"{HEADINGS[kind]}: {', '.join(printable(change.after) for change in changes)}\n"
+    return f"{HEADINGS[kind]}: {', '.join(escape_text(change.after) for change in changes)}\n"
 
 
 TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Change]], str]] = {"warning": _lines, "other": _names}

@@ -12,7 +12,7 @@ from assess.cli.tables.text_table import text_table
 from assess.geometry.formats.element_selection import list_names, one_line
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.inventory import Entry
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from reports.render.csv import csv_lines
 
 Listed = Sequence[tuple[Path, Sequence[Entry] | Exception]]
@@ -37,11 +37,11 @@ def json_text(listed: Listed) -> str:
 
 def _of_file(file: Path, found: Sequence[Entry] | Exception) -> str:
     if isinstance(found, Exception):
-        return f"{printable(str(found))}\n"
+        return f"{escape_text(str(found))}\n"
     rows = [_short(each) for each in found]
     kept = [i for i, head in enumerate(_SHORT) if any(row[i] for row in rows) or head == "part"]
     table = text_table([_SHORT[i] for i in kept], [[row[i] for i in kept] for row in rows])
-    return f"{printable(str(file))}\n{table}{_warnings_text(found)}"
+    return f"{escape_text(str(file))}\n{table}{_warnings_text(found)}"
 
 
 def _warnings_text(found: Sequence[Entry]) -> str:
@@ -50,7 +50,7 @@ def _warnings_text(found: Sequence[Entry]) -> str:
     for each in found:
         for text in (each.why_not,) if each.why_not else each.warnings:
             parts.setdefault(text, []).append(each.element.shown)
-    return "".join(f"{_parts_named(names)}: {printable(text)}\n" for text, names in parts.items())
+    return "".join(f"{_parts_named(names)}: {escape_text(text)}\n" for text, names in parts.items())
 
 
 def _parts_named(names: Sequence[str]) -> str:

@@ -6,8 +6,8 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
-from assess.project.messages import printable
-from assess.project.record_set import cell_text
+from assess.project.key_text import escape_text
+from assess.study.record_set import cell_text
 from records.flatfile_match import FlatfileMatch
 from records.indexing import IndexSummary
 
@@ -25,7 +25,7 @@ def table_text(found: IndexSummary, place: Path, *, described: int, merged: Flat
         *(f"{path}: {why}" for path, why in found.problems),
         str(place),
     ]
-    return "".join(f"{printable(line)}\n" for line in lines)
+    return "".join(f"{escape_text(line)}\n" for line in lines)
 
 
 def json_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:

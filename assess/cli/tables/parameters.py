@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from assess.cli.tables.text_table import text_table
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.results import DirectionSweep, HingeForceResult, LinearisedResult, MechanismResult, OscillatorResult
 from reports.render.csv import csv_lines
 
@@ -84,7 +84,7 @@ def _hinge(f: HingeForceResult) -> list[str]:
 def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write a line for each mechanism whose direction was searched for."""
     sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
-    return "".join(f"{printable(name)}: {weakest_text(found)}\n" for name, found in sought)
+    return "".join(f"{escape_text(name)}: {weakest_text(found)}\n" for name, found in sought)
 
 
 def weakest_text(found: DirectionSweep) -> str:

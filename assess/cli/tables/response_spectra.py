@@ -13,8 +13,8 @@ from scipy.constants import g
 
 from assess.cli.tables.text_table import text_table
 from assess.errors import AssessError
-from assess.project.record_set import candidate_records
 from assess.results.stamp import origin
+from assess.study.record_set import candidate_records
 from records.candidates import DAMPING, PERIODS
 from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
-from assess.project.choosing import Suite
+from assess.project.suites import Suite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
@@ -33,7 +33,7 @@ def table_text(suite: Suite) -> str:
                 text_table(_COLUMNS, [_row(record) for record in suite.records]),
                 f"{told}\n",
                 text_table(columns, asked),
-                messages_text(suite.notices),
+                messages_text(suite.messages),
             )
         ).rstrip("\n")
         + "\n"

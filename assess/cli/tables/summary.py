@@ -17,7 +17,7 @@ from assess.codes.verdict_text import (
     target_text,
     toml_lines,
 )
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.results import Results
 
 CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
@@ -57,7 +57,7 @@ def _table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
     rows = [_cells(one, answer, found) for one, answer in pairs]
     taken = sum(max(len(row[place]) for row in (HEADER, *rows)) + 2 for place in range(len(HEADER)))
     room = max(LEAST, WIDE - taken)
-    names = [on_one_line(printable(one.mechanism), room) for one, _ in pairs]
+    names = [on_one_line(escape_text(one.mechanism), room) for one, _ in pairs]
     return text_table(["mechanism", *HEADER], [[name, *row] for name, row in zip(names, rows, strict=True)])
 
 
@@ -106,7 +106,7 @@ def _toml(found: Verdict, results: Results) -> list[str]:
     given = [key for key, each in results.project.items() if each.given]
     lines = toml_lines(found.missing, given) if found.outcome == Decision.INCOMPLETE else ()
     return (
-        ["to complete it, add the following to the project file with your own values:", *map(printable, lines)]
+        ["to complete it, add the following to the project file with your own values:", *map(escape_text, lines)]
         if lines
         else []
     )
@@ -114,4 +114,4 @@ def _toml(found: Verdict, results: Results) -> list[str]:
 
 def _wrap(line: str) -> str:
     """Wrap a line to the width of the terminal."""
-    return "\n".join(wrap(printable(line), WIDE, subsequent_indent="  ") or [""]) + "\n"
+    return "\n".join(wrap(escape_text(line), WIDE, subsequent_indent="  ") or [""]) + "\n"

@@ -17,7 +17,7 @@ from assess.codes.context import PLINTH, Building, Context, Wall
 EDITION = "ASCE/SEI 41-13"
 CAVEAT = (
     "Table 11-5 is from memory, not checked against the printed standard; it presumes a wall anchored at its base and "
-    "top; S_X1 is that of the site's spectrum at the level, whatever hazard that stands for"
+    "top; S_X1 is that of the site's spectrum at the level, whatever hazard it represents"
 )
 CAVEAT_PARAPET = "the limits for parapets are from memory, not checked against the printed standard"
 

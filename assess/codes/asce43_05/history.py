@@ -132,7 +132,7 @@ def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, b
     overturns = {"φ_u": (branch.unstable, "rad")}
     lines = [
         step("n", at_least, CLAUSE, "count", float(n)),
-        step("n_ov", "records that overturn the body; none may", CLAUSE, "count", float(suite.overturned)),
+        step("n_ov", "records that overturn the body; none is allowed", CLAUSE, "count", float(suite.overturned)),
         step("φ_u", f"rotation that overturns it, {suite.branch} branch", CLAUSE, "restoring moment = 0",
              branch.unstable, "rad", remark="curve, joints included"),
         _largest_step(found),
@@ -151,9 +151,9 @@ def _standing(found: tuple[float | None, ...]) -> dict[str, float]:
 
 
 def _largest_step(found: tuple[float | None, ...]) -> Step:
-    symbol, words, each = "max φ/φ_u", "largest of those that stand, each by its branch", _standing(found)
+    symbol, words, each = "max φ/φ_u", "largest without overturning, each by its branch", _standing(found)
     if not each:
-        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="none stands")
+        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="all overturn")
     return step(symbol, words, CLAUSE, f"max({', '.join(each)})", max(each.values()), given=each)
 
 

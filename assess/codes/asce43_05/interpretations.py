@@ -134,11 +134,11 @@ def _third(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
     """Write the allowable rotation and, beside it, half of what overturns, with the PGA that takes the body there."""
     overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
     third = "allowed: one third of the rotation that overturns"
-    beside = "one half beside it, the limit of response histories"
+    beside = "one half, the limit of response histories, for comparison"
     at_half = pga_capacity(curve, half)
     return (
         step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
         step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),
-        step("PGA(θ_1/2)", "PGA at capacity were one half allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
+        step("PGA(θ_1/2)", "PGA at capacity if one half were allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
              None if at_half is None else at_half / g, "g", remark="curve"),
     )  # fmt: skip

@@ -137,7 +137,7 @@ def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v
     """Write what the clause asks of the body."""
     mass, I0, B0, a = oscillator.mass, float(branch.inertia[0]), float(branch.excitation[0]), resisted(branch)
     h = B0 / mass
-    meant = "tan α, multiplier at rest; true uplift at a g" if a == multiplier(branch)[0] else "largest multiplier"
+    meant = "tan α, multiplier at rest; uplift at a g" if a == multiplier(branch)[0] else "largest multiplier"
     moved = {"B0": (B0, "kg m"), "M": (mass, "kg")}
     turned = {"I_O": (I0, "kg m2"), "M": (mass, "kg"), "h": (h, "m")}
     vertical = {"a": a, "S_aV/S_aH": context.vertical_ratio}
@@ -152,7 +152,7 @@ def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v
 
 def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
     """Write why the demand is no rotation: the PGA is less than takes the body to any."""
-    words = "at the demand: none, the PGA is no more than the least that takes it to a lasting θ"
+    words = "no rotation: the PGA does not exceed the least that gives a lasting θ"
     remark = f"{level / g:.4g} g ≤ {float(curve.least[0]) / g:.4g} g"
     return (step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", 0.0, "rad", remark=remark),)
 
@@ -174,7 +174,10 @@ def _rotation_steps(
     work = {"E": (stored, "J"), "B0": (B0, "kg m")}
     capable = {"f1": (f1, "-"), "F_V": (f_v, "-"), "F_H": (1.0, "-"), "θ": (at, "rad")}
     demanded = {"SA_H,CAP": (cap, "m/s2"), "S_a/PGA": (ordinate, "-")}
-    rocking, words = "work stored over M g h; rigid block: cos θ + a sin θ − 1", f"takes the body to θ, {where}"
+    rocking, words = (
+        "work stored over M g h; rigid block: cos θ + a sin θ − 1",
+        f"PGA that takes the body to θ, {where}",
+    )
     return (
         step("θ", where, A2, formula, at, "rad", remark=remark),
         step("f1", rocking, "Eq. A-5(a)", "E / (g B0)", f1, given=work),

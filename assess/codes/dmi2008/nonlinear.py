@@ -87,7 +87,7 @@ def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     return (
         *threshold_steps(case.curves, cap.threshold, RULE, "d_u*", "ultimate displacement"),
         step("d_s*", "secant displacement, k = 0.4", CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
-        curve_step(case, CLAUSE, "a_s*", "acceleration at d_s*, actions that have not ended", moved=cap.ds),
+        curve_step(case, CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended", moved=cap.ds),
         step("T_s", "secant period", CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
     )
 

@@ -19,14 +19,14 @@ from spectra.floor import ec8_floor_factor
 
 EDITION = "EN 1998-1:2004"
 CAVEAT = (
-    "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause is of "
-    "non-structural elements, and its force check knows no reserve beyond uplift but q_a"
+    "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause covers "
+    "non-structural elements, and its force check has no reserve beyond uplift but q_a"
 )
 BEHAVIOUR: dict[Support, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
 ELEMENTS: dict[Support, str] = {
     "free": "stands free, as cantilever parapets",
     "spanning": "held at base and top, as walls and facades",
-    "hinged": "chain of hinges, which Table 4.4 does not name: the smallest",
+    "hinged": "chain of hinges, not in Table 4.4: the smallest value",
 }
 RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
 

@@ -126,7 +126,7 @@ def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
         step("q_a", kind, TABLE, "given", found.q_a),
         step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", found.gamma_a),
         step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", found.force, given=forced),
-        multiplier_step("λ", "multiplier that the weight resists", "statics", branch),
+        multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),
         step("D/C", "ratio", FORCE, "F_a/W_a / λ", found.force / resistance, given=held),
     )  # fmt: skip
 
@@ -134,7 +134,11 @@ def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
 def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
     words, T_a = "period of the element over the building's", element_period(branch)
     if context.building is None:
-        remark = "the worst, the building is not known" if ratio else "what does not move before uplift has no period"
+        remark = (
+            "the worst case, as the building is not known"
+            if ratio
+            else "an element that does not move before uplift has no period"
+        )
         return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
     given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
     return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)

@@ -104,7 +104,7 @@ def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate
 def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
     """Write the last line of the sheet."""
     held = ", no less than as it begins to rock" if demanded == answer.before else ""
-    note = f"ratio{held}" if demanded else "ratio; below uplift nothing moves"
+    note = f"ratio{held}" if demanded else "ratio; no motion below uplift"
     symbol, given = f"demand / {answer.symbol}", {"demand": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
     return step(symbol, note, clause, symbol, demanded / answer.ultimate, given=given)
 

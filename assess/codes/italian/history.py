@@ -262,9 +262,9 @@ def _beyond_collapse(found: Found) -> int:
 
 def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
     n, fallen, run = float(len(found.displacements)), float(found.suite.overturned), found.suite.pga
-    words = "PGA at which the records are run, as fitted to the site's spectrum; FC goes with the motion"
+    words = "PGA at which the records are run, scaled to the site's spectrum; FC multiplies the motion"
     counted = f"records, both polarities; at least {LEAST_RECORDS}, {FOR_THE_MEAN} for the mean"
-    collapse, over = "largest of those that stand; at most 1", "records that overturn; none may"
+    collapse, over = "largest without overturning; at most 1", "records that overturn; none is allowed"
     given: Given = {"PGA": (found.pga, "m/s2"), "FC": FC}
     stand = f"{len(found.limit_ratios)} records"
     return (

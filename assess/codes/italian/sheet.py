@@ -44,7 +44,9 @@ def _multiplier_step(branch: Branch, clause: str) -> Step:
 def collapse_step(branch: Branch, clause: str, *, mass: float) -> Step:
     """Write d0*."""
     e, collapse = participation_ratio(branch, mass=mass), displacement_at_collapse(branch, mass=mass)
-    words = f"displacement where a* = 0, actions shown to last alone; B integrated to φ_ov = {branch.unstable:.5g} rad"
+    words = (
+        f"displacement where a* = 0, with only actions shown to last; B integrated to φ_ov = {branch.unstable:.5g} rad"
+    )
     given: Given = {"∫ B dφ": (collapse * e * mass, "kg m"), "M": (mass, "kg"), "e*": e}
     return step("d0*", words, clause, "∫ B dφ / (M · e*)", collapse, "m", given=given)
 

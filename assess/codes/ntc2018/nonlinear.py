@@ -116,7 +116,7 @@ def _answer(case: Case, worked: Worked) -> Answer:
 def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     state, ultimate = case.state, ULTIMATE[case.state]
     d, a = f"d_{state}", f"a(d_{state})"
-    curve = curve_step(case, "C8.7.1.3", a, "acceleration of actions that have not ended", moved=cap.d)
+    curve = curve_step(case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d)
     if cap.T0 > 0.0 and cap.a < curve.value:  # type: ignore[operator]
         given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
         curve = step(

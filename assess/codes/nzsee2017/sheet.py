@@ -148,13 +148,13 @@ def _end_steps(found: Response, level: float) -> tuple[Step, ...]:
         step("PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", found.capacity / g, "g", given=capable),
         step("D/C", "ratio", CLAUSE, "φ_D / φ_m", ratio, given=held)
         if rocks
-        else step("D/C", "ratio; below uplift nothing moves", CLAUSE, "0", 0.0),
+        else step("D/C", "ratio; no motion below uplift", CLAUSE, "0", 0.0),
     )
 
 
 def _uplift_step(found: Response) -> Step:
     if found.uplift is None or found.multiplier is None:
-        return step("PGA_u", "PGA at uplift: none on joints that answer at once", PARTS, "C_p(0) R_p = λ", None, "g")
+        return step("PGA_u", "PGA at uplift: none on joints without a threshold", PARTS, "C_p(0) R_p = λ", None, "g")
     stiff = part_coefficient(0.0, floor=1.0)
     given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor, "s": found.surface}
     words = "PGA at uplift, λ = b / (g B) the multiplier at rest, s = C(0)/PGA"

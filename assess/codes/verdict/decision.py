@@ -212,7 +212,9 @@ def _unique(messages: Iterable[Message]) -> tuple[Message, ...]:
 
 def _without_basis(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
     """Return a verdict that is incomplete: no basis is named, and the site's spectrum has no default."""
-    missing = Missing("verdict.basis", "which code decides; the site's spectrum does not tell", 'basis = "asce43-05"')
+    missing = Missing(
+        "verdict.basis", "which code decides; the site's spectrum does not determine it", 'basis = "asce43-05"'
+    )
     reason = message("missing-key", {"key": missing.key, "text": missing.text}, where=missing.key)
     answer = Answer("", Decision.INCOMPLETE, "", None, None, reason)
     silent = (MechanismVerdict(each.name, Decision.INCOMPLETE, None, False, (answer,)) for each in mechanisms)

@@ -95,7 +95,9 @@ def missing_action(state: LimitState, action: Action) -> Missing | None:
         )
         return Missing("site.spectrum", text)
     if action.limit_state is None:
-        text = f"what the site's single spectrum stands for; {state.name} is decided by the action of {names}"
+        text = (
+            f"which limit state the site's single spectrum represents; {state.name} is decided by the action of {names}"
+        )
     else:
         text = f"the site's spectrum is that of {action.limit_state}; {state.name} asks for the action of {names}"
         if state.role == Role.BESIDES:  # two limit states decide: one spectrum cannot be that of both

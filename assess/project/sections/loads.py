@@ -217,10 +217,10 @@ class BodyLoad(Section):
     @model_validator(mode="after")
     def _keys_belong_together(self) -> BodyLoad:
         for key in ("thrust", "span", "rise", "tied"):
-            if self.role == "floor" and self.given(key):
+            if self.role == "floor" and self.has_key(key):
                 raise wrong(key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it')
         for key in ("vault", "construction", "fill"):
-            if self.role != "vault" and self.given(key):
+            if self.role != "vault" and self.has_key(key):
                 raise wrong(key, 'only of a vault; write role = "vault", or remove it')
         instead = {"thrust": ("tied", "span", "rise"), "mass": ("construction", "fill")}
         for number, keys in instead.items():

@@ -8,8 +8,8 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from assess.project.quantities import Ratio
+from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.section import Section
-from assess.project.typed_quantity import QuantityError, number_and_unit
 from assess.project.units import KINDS, key_value
 
 SHARES: Mapping[str, float] = {

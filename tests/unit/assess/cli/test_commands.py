@@ -293,7 +293,7 @@ def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> N
     assert "missing: materials.brick.disintegration: nobody\\nsays" in lines[start:]
     assert "safe values where they exist, the verdict would be: pass" in " ".join(lines[start:])
     assert lines[-7:] == [
-        "to complete it, add to the project file, with your own values:",
+        "to complete it, add the following to the project file with your own values:",
         "[materials.brick]  # in your file already: add below it",
         'disintegration = "excluded"',
         '[materials."old stone"]',

@@ -19,7 +19,7 @@ from assess.results.diff import Change
 from assess.results.json import dumps
 from assess.study.parameters import parameters
 from tests.support.command import ended
-from tests.support.projects import project_toml, published
+from tests.support.projects import published, tables_toml
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def runs(tmp_path: Path) -> tuple[Path, Path]:
         folder = tmp_path / name
         folder.mkdir()
         parapet = {"parapet": published(p, 0.2, 1.2)}
-        (folder / "project.toml").write_text(project_toml(site=None, materials=None, bodies=None, mechanisms=parapet))
+        (folder / "project.toml").write_text(tables_toml(mechanisms=parapet))
         results = Results(
             SCHEMA_VERSION, Program("assess", "0"), (Input("project.toml", name * 8),),
             (Message("w", Severity.WARNING, "here", f"said\n {name}"),),

@@ -9,13 +9,11 @@ import pytest
 from scipy.constants import g
 
 from tests.support.command import ended
-from tests.support.projects import ASCE7, project_toml, published
+from tests.support.projects import ASCE7, published, tables_toml
 
-PROJECT = project_toml(
+PROJECT = tables_toml(
     title="<b>&",
     site={"spectrum": ASCE7 | {"s_ds": 0.5, "s_d1": 0.2, "t_l": 6}},
-    materials=None,
-    bodies=None,
     mechanisms={"=slow": published(restitution=0.9), "quick": published(3.36, 0.34, 0.62, restitution=0.8)},
     records={"synthetic": {"count": 2, "duration": 8}},
     analysis={

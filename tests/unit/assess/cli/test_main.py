@@ -15,10 +15,10 @@ from assess.examples import EXAMPLES, source
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 from tests.support.command import ended
-from tests.support.projects import project_toml, wall
+from tests.support.projects import ASCE7, project_toml, tables_toml, wall
 
 COMMANDS = ("new", "check", "run", "parameters", "spectrum", "geometry", "report", "diff", "schema")
-SITE = project_toml(materials=None, bodies=None, mechanisms=None)
+SITE = tables_toml(site={"spectrum": ASCE7})
 WALL = project_toml(site=None, bodies={"wall": wall(height="4 m")})
 
 

@@ -14,7 +14,7 @@ from assess.cli import main
 from records.reading import read_records
 from records.record import Earthquake, Record, Site, make_record
 from records.writing import at2_text, csv_text
-from tests.support.projects import ASCE7, project_toml, published
+from tests.support.projects import ASCE7, published, tables_toml
 
 DT = 0.01
 TIME = DT * np.arange(2000)
@@ -170,10 +170,8 @@ def test_without_a_command_the_help_is_printed(capsys: pytest.CaptureFixture[str
     assert "convert" in capsys.readouterr().out
 
 
-PROJECT = project_toml(
+PROJECT = tables_toml(
     site={"spectrum": ASCE7 | {"s_ds": 0.5, "s_d1": 0.2, "t_l": 6}},
-    materials=None,
-    bodies=None,
     mechanisms={"a": published(restitution=0.9)},
     analysis={"levels": ["0.1 g"]},
     records={"files": ["bare.txt"]},

@@ -14,12 +14,10 @@ from assess.results.json import dumps
 from assess.study.run import run
 from spectra.table import read_table
 from tests.support.command import ended
-from tests.support.projects import project_toml, published
+from tests.support.projects import EC8, project_toml, published, tables_toml
 
-PROJECT = project_toml(
-    site={"pga": "0.15 g", "spectrum": {"code": "ec8", "a_g": "0.25 g", "ground_type": "B", "damping": 0.08}},
-    materials=None,
-    bodies=None,
+PROJECT = tables_toml(
+    site={"pga": "0.15 g", "spectrum": EC8 | {"damping": 0.08}},
     mechanisms={"quick": published(3.36, 0.34, 0.62, restitution=0.8)},
     records={"synthetic": {"count": 1, "duration": 8}},
     analysis={"procedures": ["asce43-05-spectrum"]},
@@ -182,7 +180,7 @@ def test_s_1_above_s_s_is_told(tmp_path: Path) -> None:
     path = tmp_path / "site.toml"
     site = {"code": "asce7-16", "s_s": "0.2 g", "s_1": "0.4 g", "site_class": "B", "t_l": "6 s"}
     path.write_text(project_toml(site={"spectrum": site}))
-    assert any("exchanged" in notice.text for notice in build(load(path)).notices)
+    assert any("exchanged" in notice.text for notice in build(load(path)).messages)
 
 
 def test_what_no_site_has_is_told_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,15 +11,12 @@ from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.study.parameters import parameters
 from assess.study.run import run
 from tests.support import projects
-from tests.support.projects import block, project_toml, wall
+from tests.support.projects import block, project_toml, tables_toml, wall
 
-SITE = project_toml(
+SITE = tables_toml(
     site={"limit_state": "SLV", "spectrum": {"code": "asce7-16", "s_ds": "0.9 g", "s_d1": "0.4 g", "t_l": 6}},
     building={"height": 4},
     analysis={"procedures": ["asce43-05-spectrum", "dmi2008-nonlinear", "ntc2018-linear"]},
-    materials=None,
-    bodies=None,
-    mechanisms=None,
 )
 MASS = 2000 * 5 * 3 * 0.3 * (4.95 - 2.65) / (4.95 - 0.2)  # a beam from 0.2 m, the middle of its contact, to 4.95 m
 WEIGHT = 2000 * 0.5 * 3 * 4

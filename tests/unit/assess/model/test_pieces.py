@@ -16,26 +16,15 @@ from assess.project.schema import load, resolve
 from assess.study.parameters import parameters
 from assess.study.run import run
 from assess.study.study import Study
+from tests.support.projects import ASCE7, tables_toml
 
-HEAD = """
-[materials.stone]
-density = 2400
-[materials.rubble]
-density = 1800
-"""
 MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\ndirection = {direction}\nblocks = [{blocks}]\n'
-SITE = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[records.synthetic]
-count = 1
-duration = "8 s"
-[analysis]
-procedures = ["asce43-05-spectrum"]
-"""
+HEAD = tables_toml(materials={"stone": {"density": 2400}, "rubble": {"density": 1800}})
+SITE = tables_toml(
+    site={"spectrum": ASCE7},
+    records={"synthetic": {"count": 1, "duration": "8 s"}},
+    analysis={"procedures": ["asce43-05-spectrum"]},
+)
 
 
 def obj(solid: Solid, *, faces: slice = slice(None)) -> str:
@@ -57,7 +46,7 @@ def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", d
 
 def of_bodies(made: Study) -> list[Message]:
     """The notices on bodies."""
-    return [notice for notice in made.notices if notice.key in ("mesh", "size", "overlap")]
+    return [notice for notice in made.messages if notice.key in ("mesh", "size", "overlap")]
 
 
 def body(name: str, form: str, *, material: str = "stone") -> str:

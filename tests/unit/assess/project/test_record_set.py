@@ -20,7 +20,7 @@ from records.record import make_record
 from records.response import response_spectrum
 from records.writing import at2_text
 from reports.assessment import assessment
-from tests.support.projects import project_toml, published, study_of
+from tests.support.projects import ASCE7, published, study_of, tables_toml
 
 SELECT = 'files = ["motions"]\nselect = { count = 3, scale_limits = [0.01, 100.0] }'
 
@@ -49,9 +49,8 @@ def write(place: Path, number: int, component: str, acceleration: np.ndarray) ->
 
 
 def project(records: str = SELECT) -> str:
-    return project_toml(
-        materials=None,
-        bodies=None,
+    return tables_toml(
+        site={"spectrum": ASCE7},
         mechanisms={"slow": published(), "quick": published(3.36, 0.34, 0.62)},
         records=records,
         analysis={"levels": ["0.1 g"], "procedures": ["asce43-05-spectrum"]},
@@ -122,7 +121,7 @@ def test_a_folder_has_a_catalogue_afterwards_and_a_pattern_has_none(folder: Path
 
 
 def test_what_cannot_be_read_in_a_folder_is_told_and_in_a_list_refused(folder: Path) -> None:
-    (notice,) = (one for one in study(folder).notices if one.where == "records.files")
+    (notice,) = (one for one in study(folder).messages if one.where == "records.files")
     assert "1 file not read" in notice.text
     assert "README" in notice.text
     with pytest.raises(RecordError, match="README"):

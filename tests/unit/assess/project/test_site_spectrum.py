@@ -12,7 +12,7 @@ from assess.project.schema import load, resolve
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
 from assess.study.site_results import spectrum_result
 from spectra.errors import SpectrumError
-from tests.support.projects import project_toml, published
+from tests.support.projects import published, tables_toml
 
 ROWS = """hazard = [
   { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
@@ -31,7 +31,7 @@ PGA = {"asce7-16": 0.4, "ec8": 0.30, "nzs1170.5": 0.532, "ntc2018": 0.3010, "haz
 
 def loaded(folder: Path, table: str, *, site: str = "", rest: str = ""):
     path = folder / "project.toml"
-    wall = project_toml(site=None, materials=None, bodies=None, mechanisms={"wall": published()})
+    wall = tables_toml(mechanisms={"wall": published()})
     path.write_text(f"[site]\n{site}\n[site.spectrum]\n{table}\n{wall}{rest}", encoding="utf-8")
     return load(path)
 
@@ -155,7 +155,7 @@ def test_codes_without_a_vertical_spectrum_say_so(tmp_path: Path) -> None:
 
 
 def test_a_site_that_needs_a_study_is_warned_of(tmp_path: Path) -> None:
-    notices = [notice for notice in build(loaded(tmp_path, CODES["asce7-16"])).notices if notice.key == "site-study"]
+    notices = [notice for notice in build(loaded(tmp_path, CODES["asce7-16"])).messages if notice.key == "site-study"]
     assert [notice.where for notice in notices] == ["site.spectrum"]
     assert "§11.4.8" in notices[0].text
 
@@ -190,8 +190,8 @@ def test_a_hazard_factor_in_per_cent_is_refused(tmp_path: Path) -> None:
 
 def test_bare_accelerations_of_every_code_are_told(tmp_path: Path) -> None:
     table = CODES["hazard"].replace('"0.05 g"', "0.05").replace('"0.16 g"', "0.16")
-    doubts = loaded(tmp_path, table).doubts
-    assert [doubt.where for doubt in doubts] == ["site.spectrum.hazard[1].a_g", "site.spectrum.hazard[2].a_g"]
+    messages = loaded(tmp_path, table).messages
+    assert [message.where for message in messages] == ["site.spectrum.hazard[1].a_g", "site.spectrum.hazard[2].a_g"]
 
 
 def test_a_parameter_can_be_swept(tmp_path: Path) -> None:

@@ -16,48 +16,27 @@ from assess.results import Resolved, Results, SensitivityResult, SweepResult
 from assess.results.diff import KINDS, Change, changes, same
 from assess.study.envelope_run import envelope
 from assess.study.run import run
+from tests.support.projects import ASCE7, block, project_toml, published, wall
 
-PROJECT = """
-[verdict]
-basis = "dmi2008"
-procedures = ["dmi2008-linear"]
-[site]
-limit_state = "SLV"
-[building]
-use_class = "II"
-height = 9
-storeys = 2
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.75 g"
-s_d1 = "0.3 g"
-t_l = 6
-[materials.stone]
-density = 2000
-disintegration = "excluded"
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = 4.5 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-sides = "one"
-direction = [1, 0, 0]
-[mechanisms.parapet]
-kind = "equivalent-block"
-p = 2.4
-uplift = 0.26
-radius = 1.2
-disintegration = "excluded"
-[report.sources]
-"materials.stone" = "measured: blocks bonded through the wall"
-"mechanisms.parapet" = "measured: blocks bonded through the wall"
-[records]
-synthetic = { count = 1, duration = 8 }
-[analysis]
-levels = ["0.1 g", "0.3 g"]
-procedures = ["asce43-05-spectrum", "dmi2008-linear"]
-"""
+PROJECT = project_toml(
+    verdict={"basis": "dmi2008", "procedures": ["dmi2008-linear"]},
+    building={"use_class": "II", "height": 9, "storeys": 2},
+    site={"limit_state": "SLV", "spectrum": ASCE7 | {"s_ds": "0.75 g", "s_d1": "0.3 g"}},
+    materials={"stone": {"density": 2000, "disintegration": "excluded"}},
+    bodies={"wall": wall(length=4.0, height=4.5, material="stone")},
+    mechanisms={
+        "wall": block(sides="one", direction=[1, 0, 0]),
+        "parapet": published(2.4, 0.26, 1.2, disintegration="excluded"),
+    },
+    report={
+        "sources": {
+            "materials.stone": "measured: blocks bonded through the wall",
+            "mechanisms.parapet": "measured: blocks bonded through the wall",
+        }
+    },
+    records={"synthetic": {"count": 1, "duration": 8}},
+    analysis={"levels": ["0.1 g", "0.3 g"], "procedures": ["asce43-05-spectrum", "dmi2008-linear"]},
+)
 TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "20 kN", at = [0, 4], direction = [-1, 0] }]'
 
 

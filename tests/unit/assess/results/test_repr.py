@@ -15,32 +15,24 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.short_repr import ShortRepr
 from assess.study.run import run
+from tests.support.projects import EC8, block, project_toml, wall
 
-PROJECT = """
-[site.spectrum]
-code = "ec8"
-a_g = "0.25 g"
-ground_type = "B"
-[materials.stone]
-density = 2000
-disintegration = "excluded"
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = 4.5 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-direction = [1, 0, 0]
-[records]
-synthetic = { count = 1, duration = 25 }
-[analysis]
-levels = ["0.1 g", "0.3 g"]
-procedures = ["asce43-05-history", "asce43-05-spectrum", "dmi2008-linear"]
-[analysis.pulses]
-shape = "sine"
-frequency = { from = "1 Hz", to = "4 Hz", count = 3 }
-amplitude = { from = "0 g", to = "2 g", count = 4 }
-"""
+PROJECT = project_toml(
+    site={"spectrum": EC8},
+    materials={"stone": {"density": 2000, "disintegration": "excluded"}},
+    bodies={"wall": wall(length=4.0, height=4.5, material="stone")},
+    mechanisms={"wall": block(direction=[1, 0, 0])},
+    records={"synthetic": {"count": 1, "duration": 25}},
+    analysis={
+        "levels": ["0.1 g", "0.3 g"],
+        "procedures": ["asce43-05-history", "asce43-05-spectrum", "dmi2008-linear"],
+        "pulses": {
+            "shape": "sine",
+            "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3},
+            "amplitude": {"from": "0 g", "to": "2 g", "count": 4},
+        },
+    },
+)
 
 
 def pieces(value: Any) -> Iterator[Any]:

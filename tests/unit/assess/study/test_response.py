@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.mechanisms.lasting import variants
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.project.build import build
 from assess.project.schema import load
@@ -20,33 +19,24 @@ from assess.study.response import respond
 from assess.study.run import run
 from records.errors import RecordError
 from records.record import make_record
+from tests.support.projects import EC8, block, project_toml, wall
 
-PROJECT = """
-[site.spectrum]
-code = "ec8"
-a_g = "0.25 g"
-ground_type = "B"
-[materials.stone]
-density = 2000
-disintegration = "excluded"
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = 4.5 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-sides = "one"
-direction = [1, 0, 0]
-[records]
-synthetic = { count = 2, duration = 12 }
-[analysis]
-levels = ["0.2 g", "0.4 g", "1.2 g"]
-procedures = ["asce43-05-history"]
-[analysis.pulses]
-shape = "sine"
-frequency = { from = "1 Hz", to = "4 Hz", count = 3 }
-amplitude = { from = "0 g", to = "2 g", count = 4 }
-"""
+PROJECT = project_toml(
+    site={"spectrum": EC8},
+    materials={"stone": {"density": 2000, "disintegration": "excluded"}},
+    bodies={"wall": wall(length=4.0, height=4.5, material="stone")},
+    mechanisms={"wall": block(sides="one", direction=[1, 0, 0])},
+    records={"synthetic": {"count": 2, "duration": 12}},
+    analysis={
+        "levels": ["0.2 g", "0.4 g", "1.2 g"],
+        "procedures": ["asce43-05-history"],
+        "pulses": {
+            "shape": "sine",
+            "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3},
+            "amplitude": {"from": "0 g", "to": "2 g", "count": 4},
+        },
+    },
+)
 BRANCH = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
 BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
 
@@ -58,7 +48,7 @@ def test_the_same_numbers_as_from_a_run(tmp_path: Path) -> None:
     (found,) = run(study, jobs=1).mechanisms
     assert study.spectrum is not None
     records = {each.record.id: each.record for each in motions_of(study, study.spectrum)}
-    oscillator = variants(study.mechanisms[0]).deciding
+    oscillator = study.mechanisms[0].variants.deciding
     assert {one.overturned for one in found.histories} == {True, False}
     for one in found.histories:
         body, scale = with_restitution_factor(oscillator, one.rebound), one.polarity * one.scale_factor

@@ -15,46 +15,26 @@ from assess.results import HistoryResult, MechanismResult, Resolved, Results, Tr
 from assess.study.parameters import parameters
 from reports import joints
 from reports.assessment import assessment
-from reports.chapters import interface_variants, interfaces, sentences
+from reports.chapters import descriptions, interface_variants, interfaces
 from reports.chapters.parameters import parameters as table_of_parameters
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
 from reports.language.measures import render_measures
+from tests.support.projects import block, project_toml, wall
 
-PROJECT = """
-[materials.stone]
-density = 1800
-compressive_strength = "1.5 MPa"
-[bodies.wall]
-material = "stone"
-box = { thickness = 1, length = 2, height = 6 }
-[bodies.slim]
-material = "stone"
-box = { thickness = 0.5, length = 1, height = 4 }
-[mechanisms.rigid]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-[mechanisms.flexible]
-label = "<b>on joints</b>"
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-interface = { model = "flexible", stiffness = "0.2 GPa/m" }
-[mechanisms.other]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-sides = "one"
-interface = { model = "flexible", stiffness = "0.2 GPa/m" }
-[mechanisms.two]
-kind = "two-block"
-direction = [1, 0, 0]
-blocks = ["slim"]
-crack = "2.4 m"
-loads = [{ kind = "overburden", force = "20 kN", eccentricity = 0.25 }]
-interface = { model = "flexible", stiffness = "0.2 GPa/m" }
-"""
+SOFT = {"interface": {"model": "flexible", "stiffness": "0.2 GPa/m"}}
+PROJECT = project_toml(
+    site=None,
+    materials={"stone": {"density": 1800, "compressive_strength": "1.5 MPa"}},
+    bodies={"wall": wall(1, 2, 6, material="stone"), "slim": wall(0.5, 1, 4, material="stone")},
+    mechanisms={
+        "rigid": block(direction=[1, 0, 0]),
+        "flexible": {"label": "<b>on joints</b>"} | block(direction=[1, 0, 0], **SOFT),
+        "other": block(direction=[1, 0, 0], sides="one", **SOFT),
+        "two": block("slim", kind="two-block", direction=[1, 0, 0], crack="2.4 m", **SOFT)
+        | {"loads": [{"kind": "overburden", "force": "20 kN", "eccentricity": 0.25}]},
+    },
+)
 W, B, L, K, F = 1800 * 12 * g, 1.0, 2.0, 0.2e9, 1.5e6  # N, m, m, Pa/m, Pa: of the wall
 
 
@@ -161,7 +141,7 @@ def test_the_capacity_curve_has_a_mark_for_each_overturning_and_its_caption_tell
         axes = capacity.draw(found).axes[0]
         drawn = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "s")]
         assert drawn == marks
-        assert ("square on its joints" in sentences.capacity_caption(found)) == (len(marks) == 2)
+        assert ("square on its joints" in descriptions.capacity_caption(found)) == (len(marks) == 2)
 
 
 def test_the_name_of_overturning_on_joints_leaves_the_curve_free(mechanisms):
@@ -198,9 +178,9 @@ def project_of(mechanisms: dict[str, MechanismResult]) -> dict[str, Resolved]:
     """What results.json says of them, in short."""
     said = {"rigid": ("wall", "two"), "flexible": ("wall", "two"), "other": ("wall", "one"), "two": ("slim", "two")}
     found = {}
-    for name, (block, sides) in said.items():
+    for name, (body, sides) in said.items():
         model = joints.model_name(mechanisms[name])
-        for key, value in (("blocks", [block]), ("sides", sides), ("label", name), ("interface.model", model)):
+        for key, value in (("blocks", [body]), ("sides", sides), ("label", name), ("interface.model", model)):
             found[f"mechanisms.{name}.{key}"] = Resolved(value, True)
     return found
 

@@ -70,9 +70,9 @@ def test_effective_damping(restitution: float, damping: float) -> None:
     assert clauses.effective_damping(restitution) == pytest.approx(damping, rel=HAND)
 
 
-@pytest.mark.parametrize(("inertia", "k"), [(2666.6667, 4.0 / 3.0), (4000.0, 2.0)])  # M R^2 = 2000
+@pytest.mark.parametrize(("inertia", "k"), [(6000.0, 4.0 / 3.0), (9000.0, 2.0)])  # M R^2 = 4500
 def test_inertia_ratio(inertia: float, k: float) -> None:
-    assert clauses.inertia_ratio(SingleBlock(500.0, 2.0, 0.2, inertia)) == pytest.approx(k, rel=HAND)
+    assert clauses.inertia_ratio(SingleBlock(500.0, 3.0, 0.2, inertia)) == pytest.approx(k, rel=HAND)
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_inertia_ratio(inertia: float, k: float) -> None:
     [(pi / 4, 1.047198), (pi / 6, 0.806133), (0.2, 0.684783)],
 )
 def test_thesis_limit_ratio(slenderness: float, ratio: float) -> None:
-    block = SingleBlock(500.0, 2.0, slenderness, 4.0 / 3.0 * 2000.0)
+    block = SingleBlock(500.0, 3.0, slenderness, 4.0 / 3.0 * 4500.0)
     assert clauses.thesis_limit_ratio(block) == pytest.approx(ratio, rel=HAND)
 
 
@@ -90,8 +90,13 @@ def test_thesis_limit_ratio(slenderness: float, ratio: float) -> None:
     [(0.2, 0.136957), (0.3, 0.212523), (0.9, 0.9)],  # 0.9 x 1.2322 lies beyond overturning
 )
 def test_thesis_limit(slenderness: float, limit: float) -> None:
-    branch = plain_branch(SingleBlock(500.0, 2.0, slenderness, 4.0 / 3.0 * 2000.0), restitution=0.9)
+    branch = plain_branch(SingleBlock(500.0, 3.0, slenderness, 4.0 / 3.0 * 4500.0), restitution=0.9)
     assert clauses.thesis_limit(branch, mass=500.0) == pytest.approx(limit, rel=HAND)
+
+
+@pytest.mark.parametrize(("share", "value"), [(clauses.HALF, 0.5), (clauses.THIRD, 0.333333)])
+def test_shares_of_the_overturning_rotation(share: float, value: float) -> None:
+    assert share == pytest.approx(value, rel=HAND)
 
 
 @pytest.mark.parametrize(

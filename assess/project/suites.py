@@ -13,12 +13,12 @@ from scipy.constants import g
 
 from assess.errors import AssessError
 from assess.messages.message import Message
-from assess.project import record_set
 from assess.project.build import build
-from assess.project.components import horizontal
+from assess.project.horizontal_records import horizontal_records
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.results import GroundMotionResult, RecordResult
+from assess.study import record_set
 from assess.study.ground_motion import ground_motion, ground_motion_result
 from assess.study.motions import ScaledRecord, motions_of, scale_together
 from assess.study.run import require_spectrum
@@ -44,7 +44,7 @@ class Suite:
 
     records: tuple[RecordResult, ...]
     motion: GroundMotionResult
-    notices: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,8 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     motions = motions_of(replace(study, artificial=None), spectrum)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
-    notices = tuple(notice for notice in study.notices if notice.where.startswith("records"))
-    return Suite(results_of(motions, spectrum, study.fitting), found, notices)
+    messages = tuple(each for each in study.messages if each.where.startswith("records"))
+    return Suite(results_of(motions, spectrum, study.fitting), found, messages)
 
 
 def of_target(
@@ -97,7 +97,7 @@ def of_target(
     return Suite(
         results_of(motions, spectrum, chosen.fitting),
         motion,
-        (*record_set.notices_of(offer), *record_set.record_messages(chosen.records)),
+        (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records)),
     )
 
 
@@ -132,7 +132,7 @@ def write_scaled_files(
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
     found = record_set.with_unique_names([record for file in files for record in read_with(file, overrides)])
-    records = horizontal(found)
+    records = horizontal_records(found)
     if at is None:
         motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:

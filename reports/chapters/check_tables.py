@@ -1,4 +1,4 @@
-"""The tables of the checks: every number is taken from the results as it stands there."""
+"""The tables of the checks, with the numbers of the results."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OUTCOME_COLUMNS = (
 
 
 def verdicts(results: Results) -> Table:
-    """Every check of every mechanism: demand, allowable, ratio, outcome, role, and why."""
+    """Tabulate every check of every mechanism: demand, allowable, ratio, outcome, role and reason."""
     pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
     columns = (MECHANISM, LEVEL, PROCEDURE, *DEMAND_COLUMNS, *OUTCOME_COLUMNS)
     rows = tuple(
@@ -49,7 +49,7 @@ def verdicts(results: Results) -> Table:
 
 
 def procedures(results: Results) -> Table:
-    """Each procedure with its edition, reading, where its input acts, damping, and what could not be compared, once."""
+    """Tabulate each procedure once: edition, reading, place of the input, damping, and open comparisons."""
     checks = (check for mechanism in results.mechanisms for check in mechanism.checks)
     rows = dict.fromkeys(
         (check.procedure, check.edition, check.limit_state, check.reading, check.input_at, _remark(check))
@@ -67,7 +67,7 @@ def procedures(results: Results) -> Table:
 
 
 def demands(mechanism: MechanismResult, *, name: str) -> Table:
-    """Every check of one mechanism: demand, allowable, ratio and outcome, and the accelerations it stands up to."""
+    """Tabulate every check of one mechanism: demand, allowable, ratio, outcome, PGA at uplift and at capacity."""
     ratings = [_rating(check) for check in mechanism.checks]
     rated = [column for column in (_INDEX, _YEARS) if any(rating[column] is not None for rating in ratings)]
     columns = (
@@ -99,12 +99,12 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def _rating(check: Check) -> dict[Column, Cell]:
-    """What a check has where the code and the site know it."""
+    """Return safety index and return period of a check, where code and site have them."""
     return {_INDEX: check.safety_index, _YEARS: with_bound(check.return_period_years, check.return_period_bound)}
 
 
 def answers(mechanism: MechanismResult, site_pga: float | None, *, name: str) -> Table:
-    """What the checks say besides their numbers: all at the site's own action, at other levels those that do not pass.
+    """Tabulate outcomes and reasons: all at the site's own action, at other levels those that do not pass.
 
     site_pga : of the site's own action [g], None for all levels alike
     """
@@ -123,19 +123,19 @@ def answers(mechanism: MechanismResult, site_pga: float | None, *, name: str) ->
 
 
 def rotation_cell(check: Check) -> Cell:
-    """Its rotation; a body that lifts off without a lasting rotation is not at rest."""
+    """Return the rotation of a check; a body that lifts off without a lasting rotation is not at rest."""
     if check.unbounded:
         return check.unbounded
     return NO_LASTING if check.reason.key in NO_LASTING_ROTATION else rocking_cell(check.rotation_ratio)
 
 
 def breakable_name(name: str) -> str:
-    """A procedure's name that breaks between words in a narrow column."""
+    """Return a procedure's name that breaks between words in a narrow column."""
     return re.sub(r"-(?=[a-z])", " ", name)
 
 
 def pga_curves(results: Results) -> Table:
-    """The PGA-rotation curves of every mechanism and procedure, point by point."""
+    """Tabulate the PGA-rotation curves of every mechanism and procedure, point by point."""
     columns = (MECHANISM, PROCEDURE, Column("Limit state"), Column("Rotation φ/φₒᵥ", "-", "number"), LEVEL)
     rows = tuple(
         (mechanism.name, check.procedure, check.limit_state, ratio, pga)
@@ -154,7 +154,7 @@ def _checks_with_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def outcome_cells(check: Check) -> tuple[Cell, ...]:
-    """What a check says besides its numbers: outcome, role, reading, where its input acts, why, what bears on it."""
+    """Return outcome, role, reading, place of the input, reason, and conditions and remarks of a check."""
     beside = "; ".join(dict.fromkeys(message_text.message_text(each) for each in (*check.conditions, *check.remarks)))
     return (
         check.verdict.value,
@@ -167,7 +167,7 @@ def outcome_cells(check: Check) -> tuple[Cell, ...]:
 
 
 def demand_cells(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:
-    """Procedure, quantity with unit, demand, allowable, ratio."""
+    """Return procedure, quantity with unit, demand, allowable and ratio."""
     quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
     demand = check.unbounded or check.demand
     return (governing.procedure_label(check, among), quantity, demand, check.capacity, check.ratio)
@@ -188,5 +188,5 @@ def rocking_cell(rotation: float | None) -> Cell:
 
 
 def uplift_cell(at: float | None) -> Cell:
-    """Multiplier [-] or PGA [g] at uplift; "none" where a joint answers to any motion: no threshold."""
+    """Return the multiplier [-] or PGA [g] at uplift; "none" where joints have no threshold of uplift."""
     return NONE if at is None else at

@@ -17,7 +17,7 @@ from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
-from assess.project.sources import shown_by
+from assess.project.sources import source_of
 from spectra import ntc
 from spectra.spectrum import Spectrum
 
@@ -72,7 +72,7 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
     """What the site's own spectrum stands for: of a hazard over return periods the limit state that is chosen."""
     if content.site is None:
         return Action(pga_g, None)
-    declared, spectrum = content.site.declared, content.site.spectrum
+    own, spectrum = content.site.own_limit_state, content.site.spectrum
     if isinstance(spectrum, sections.NtcHazardSpectrum):
         state, use_class = limit_state_of(content), use_class_of(content)
         if use_class is None:
@@ -80,7 +80,7 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
         life = ntc.reference_life(spectrum.nominal_life, use_class=use_class)
         return Action(pga_g, state, ntc.return_period(state, reference_life=life), over_periods=True)
     years = spectrum.return_period if isinstance(spectrum, sections.Nzs1170Spectrum) else None
-    return Action(pga_g, declared, years)
+    return Action(pga_g, own, years)
 
 
 def limit_state_of(content: sections.Content) -> str:
@@ -88,8 +88,8 @@ def limit_state_of(content: sections.Content) -> str:
 
     That of the site, else the one that decides, else the default of the basis: "SLV".
     """
-    declared, basis = None if content.site is None else content.site.declared, basis_of(content)
-    asked = (declared, content.verdict.limit_state, None if basis is None else basis.default)
+    own, basis = None if content.site is None else content.site.own_limit_state, basis_of(content)
+    asked = (own, content.verdict.limit_state, None if basis is None else basis.default)
     return next((state for state in asked if state is not None and state in ntc.EXCEEDANCE), "SLV")
 
 
@@ -136,7 +136,7 @@ def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) 
         if said != "excluded":
             text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
             yield Missing(key, text, 'disintegration = "excluded"')
-        if said != "possible" and not shown_by(content, key):
+        if said != "possible" and not source_of(content, key):
             text = f'the source (survey, quality index, test) of {key} = "excluded"'
             yield Missing(SOURCES, text, f'"{key}" = "measured: …"')
 

@@ -23,8 +23,8 @@ from assess.codes.registry import LIMIT_STATES, CodeOptions
 from assess.codes.verdict import methods_of
 from assess.errors import ProjectError
 from assess.project import sections
-from assess.project.deciding import question_of
-from assess.project.messages import shown
+from assess.project.key_text import value_text
+from assess.project.question import question_of
 from assess.project.section import Section
 from assess.results import Resolved
 from assess.study.verdict import states_of
@@ -48,7 +48,7 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
     if named is None:
         code = "" if content.site is None else content.site.spectrum.code
         rubs = any(material.friction is not None for material in content.materials.values())
-        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.offered, *(SLIDING if rubs else ()))
+        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.site_procedures, *(SLIDING if rubs else ()))
         return with_methods((name for name in unasked if not _silent(name, content)), content)
     for name in named:
         if states := _silent(name, content):
@@ -135,4 +135,4 @@ def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str
     for name in names:
         if name not in content.mechanisms:
             known = ", ".join(content.mechanisms)
-            raise ProjectError(f"{key}: {shown(name)}: no such mechanism; known: {known}")
+            raise ProjectError(f"{key}: {value_text(name)}: no such mechanism; known: {known}")

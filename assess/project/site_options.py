@@ -12,14 +12,14 @@ from pydantic import ValidationError
 
 from assess.errors import ProjectError
 from assess.messages.message import Message
-from assess.project.bare_numbers import bare_numbers
-from assess.project.messages import one_line
+from assess.project.bare_numbers import bare_number_messages
+from assess.project.key_text import error_line
 from assess.project.sections.site import Site
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 
 
-def check_typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
+def read_site_options(options: Mapping[str, str], *, folder: Path) -> Site:
     """The site with [site.spectrum] of these `options`, key -> text, and `pga`; paths are relative to `folder`.
 
     Raises ProjectError, one line that names the option, for what a project file would be refused for.
@@ -28,12 +28,12 @@ def check_typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
     try:
         return Site.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
-        raise ProjectError(_as_option(one_line(error, raw=raw))) from None
+        raise ProjectError(_as_option(error_line(error, raw=raw))) from None
 
 
-def typed_site_messages(options: Mapping[str, str]) -> tuple[Message, ...]:
+def site_option_messages(options: Mapping[str, str]) -> tuple[Message, ...]:
     """Accelerations typed without a unit that look as if g had been meant."""
-    found = bare_numbers({"site": _table(options)})
+    found = bare_number_messages({"site": _table(options)})
     return tuple(replace(each, where=_as_option(each.where.removeprefix("site."))) for each in found)
 
 

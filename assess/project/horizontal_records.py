@@ -10,7 +10,7 @@ from records.orientation import is_vertical
 from records.record import Record
 
 
-def horizontal(records: Sequence[Record]) -> tuple[Record, ...]:
+def horizontal_records(records: Sequence[Record]) -> tuple[Record, ...]:
     """The records but vertical components; ProjectError where files hold these alone."""
     kept = tuple(record for record in records if not is_vertical(record.component))
     if records and not kept:
@@ -18,7 +18,7 @@ def horizontal(records: Sequence[Record]) -> tuple[Record, ...]:
     return kept
 
 
-def left_out(records: Sequence[Record]) -> Iterator[Message]:
+def vertical_record_messages(records: Sequence[Record]) -> Iterator[Message]:
     """Says which vertical components were found and are not used."""
     vertical = [record.id for record in records if is_vertical(record.component)]
     if vertical:

@@ -14,9 +14,9 @@ from assess.messages.message import Message, Quantity, note, warning
 from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
 from assess.project import sections
-from assess.project.asking import procedures_of
 from assess.project.bodies import bodies_of
 from assess.project.definitions import definitions_of
+from assess.project.procedures import procedures_of
 from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
 from assess.study.verdict import by_motion
@@ -25,7 +25,7 @@ CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
 
 
-def notices_of(
+def project_messages(
     content: sections.Content,
     solids: Mapping[str, Solid | None],
     study: Study,
@@ -61,7 +61,7 @@ def _of_amplification(
         bears = warning if by_motion(question) else note
         yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
     for name, one in amplified.items():
-        for text in one.assumed:
+        for text in one.assumptions:
             yield warning("amplification", f"mechanisms.{name}", text=text)
 
 
@@ -109,9 +109,9 @@ def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
     if isinstance(body, sections.MeshBody) and solid.history:
         yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.history))
-    doubt = size_warning(solid, unit=mesh_unit_of(body))
-    if doubt:
-        yield warning("size", f"bodies.{name}", text=doubt)
+    text = size_warning(solid, unit=mesh_unit_of(body))
+    if text:
+        yield warning("size", f"bodies.{name}", text=text)
 
 
 def mesh_unit_of(body: sections.Body) -> float | None:

@@ -1,0 +1,158 @@
+"""Sets of records: what files and catalogues offer, the suite that is chosen, and what to know of both."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from assess.messages.message import Message, warning
+from assess.messages.plural import count_noun
+from assess.study.study import Fitting
+from records import catalogue
+from records.band import Band
+from records.candidates import Candidate
+from records.description import read_candidates
+from records.flatfile import BadCell, read_flatfile
+from records.flatfile_match import FlatfileMatch, describe_candidates, match_flatfile
+from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
+from records.indexing import index
+from records.paths import relative_path
+from records.plausibility import record_warning, warnings_among
+from records.reading import read_with
+from records.record import Record
+from records.scaling import SCALING_PERIODS
+from records.selection import Selection
+
+EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
+TOLD = 3  # files, cells or records that a warning names
+LONGEST = 30  # characters of a cell that are shown
+
+
+@dataclass(frozen=True)
+class RecordSet:
+    """Records as read, and how they are scaled."""
+
+    records: tuple[Record, ...]
+    fitting: Fitting
+
+
+@dataclass(frozen=True)
+class Offer:
+    """Records to choose from, with absolute paths, what was not read, and what became of a flatfile."""
+
+    candidates: tuple[Candidate, ...]
+    problems: tuple[tuple[str, str], ...]
+    merged: FlatfileMatch | None = None
+
+
+def candidate_records(
+    files: Sequence[Path],
+    *,
+    overrides: HeaderOverrides = NO_OVERRIDES,
+    flatfile: Path | None = None,
+    kept: Path | None = None,
+    executor: Executor | None = None,
+) -> Offer:
+    """Every record of `files` and of the catalogues of the folders among them, brought up to date.
+
+    kept : where the catalogue of the one folder is, if not in it; executor : of processes, that read where files are
+    many. Raises RecordError for a file that is named and
+    cannot be read; those in folders become problems.
+    """
+    found: list[Candidate] = []
+    problems: list[tuple[str, str]] = []
+    table = None if flatfile is None else read_flatfile(flatfile)
+    for place in (path for path in files if path.is_dir()):
+        with catalogue.open_catalogue(kept or catalogue_of(place)) as connection:
+            indexed = index(place, connection, overrides=overrides, executor=executor)
+            problems += [(str(place / path), why) for path, why in indexed.problems]
+            listed = catalogue.candidates(connection)
+        found += [replace(one, path=str(catalogue.path_inside(place, one.path))) for one in listed]
+    alone = [path for path in files if not path.is_dir()]
+    made = read_candidates(alone, overrides=overrides, executor=executor)
+    offer = (*found, *made)
+    if table is None:
+        return Offer(offer, tuple(problems))
+    return Offer(describe_candidates(offer, table.recordings), tuple(problems), match_flatfile(offer, table))
+
+
+def catalogue_of(folder: Path) -> Path | None:
+    """Where the catalogue of a folder is; None, in memory alone, where the folder cannot be written."""
+    file = folder / catalogue.NAME
+    return file if os.access(folder, os.W_OK) else None
+
+
+def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
+    """The records of a selection, read from their files; ids that stand twice numbered."""
+    parts = [(choice, one) for choice in found.choices for one in choice.components]
+    records = with_unique_names([_record(one, folder=folder) for _, one in parts])
+    by_choice: dict[int, list[str]] = {}
+    for (choice, _), record in zip(parts, records, strict=True):
+        by_choice.setdefault(id(choice), []).append(record.id)
+    fitting = Fitting(
+        band=over,
+        together=tuple(tuple(ids) for ids in by_choice.values() if len(ids) > 1),
+        selection=found,
+        nga=tuple((r.id, one.nga) for r, (_, one) in zip(records, parts, strict=True) if one.nga is not None),
+    )
+    return RecordSet(records, fitting)
+
+
+def _record(one: Candidate, *, folder: Path) -> Record:
+    """The record of a candidate, with what a flatfile knows of it and its path as the project file writes it."""
+    record = read_with(Path(one.path), one.overrides)[one.position]
+    return replace(
+        record,
+        path=relative_path(Path(one.path), folder),
+        event=one.event,
+        station=one.station,
+        distance=one.distance,
+        earthquake=replace(record.earthquake, time=one.date, magnitude=one.magnitude),
+        site=replace(record.site, vs30=one.vs30),
+    )
+
+
+def offer_messages(offer: Offer) -> Iterator[Message]:
+    """What to know of the files that were not read, and of a flatfile that does not fit."""
+    if offer.problems:
+        told = _first([f"{path}: {why}" for path, why in offer.problems])
+        yield warning("files-not-read", "records.files", files=count_noun(len(offer.problems), "file"), told=told)
+    if offer.merged is not None and offer.merged.warning:
+        yield warning("flatfile", "records.flatfile", text=offer.merged.warning)
+    if offer.merged is not None and offer.merged.bad:
+        told = _first([cell_text(cell) for cell in offer.merged.bad])
+        cells = count_noun(len(offer.merged.bad), "cell")
+        yield warning("cells-passed-over", "records.flatfile", cells=cells, told=told)
+
+
+def cell_text(cell: BadCell) -> str:
+    """A cell of a flatfile that was passed over, in words."""
+    return f'row {cell.row}, {cell.column}: "{cell.value[:LONGEST]}"'
+
+
+def record_messages(records: Sequence[Record]) -> Iterator[Message]:
+    """Which records have peaks or steps that ground hardly has, or files that contradict themselves."""
+    doubts = [*(doubt for record in records if (doubt := record_warning(record))), *warnings_among(records)]
+    if doubts:
+        yield warning("implausible-record", "records.unit", text=_first(doubts))
+
+
+def _first(told: Sequence[str]) -> str:
+    more = f"; and {len(told) - TOLD} more" if len(told) > TOLD else ""
+    return "; ".join(told[:TOLD]) + more
+
+
+def with_unique_names(records: Sequence[Record]) -> tuple[Record, ...]:
+    """The records, a second one of the same id numbered "id (2)", and so on."""
+    seen: dict[str, int] = {}
+    named = []
+    for record in records:
+        seen[record.id] = seen.get(record.id, 0) + 1
+        again = seen[record.id]
+        named.append(record if again == 1 else replace(record, id=f"{record.id} ({again})"))
+    return tuple(named)

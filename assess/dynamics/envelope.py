@@ -119,11 +119,11 @@ def _scan(oscillator: Oscillator, factor: FloatArray, *, equation: Equation, hig
 
 
 def safe_amplitude(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation) -> FloatArray:
-    """Peak acceleration at the base that is too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
+    """Return the peak acceleration at the base too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
 
     By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
-    that sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), besides what impacts take. Who overturns
-    passes the work up to overturning. Where an impact that turns the body about a nearer hinge adds energy, the one
+    sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), less what impacts dissipate. To overturn, the
+    body must absorb at least the work up to phi_ov. Where an impact that turns the body about a nearer hinge adds energy, the one
     that follows takes more.
     """
     tables = [_impulsive(branch, equation) for branch in oscillator.branches]

@@ -89,7 +89,7 @@ def outcomes(
 def make_solver(
     oscillators: Sequence[Oscillator], shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int = 0
 ) -> Callable[[PulseJobs], Outcomes]:
-    """What answers any number of jobs for these oscillators, this shape and these frequencies [n] [Hz].
+    """Return a solver for these oscillators, this shape and these frequencies [n] [Hz]; call it with PulseJobs.
 
     Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
     cannot rock, ValueError for a frequency that is not positive.

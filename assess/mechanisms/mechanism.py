@@ -93,7 +93,7 @@ class Mechanism:
 
     @property
     def rise(self) -> float:
-        """Of the support at the far end over the base hinge [m]; 0 where the far end is free."""
+        """Height of the far support above the base hinge [m]; 0 where the far end is free."""
         hinges = self.positive.hinges
         return hinges[-1][1] - hinges[0][1]
 

@@ -123,8 +123,8 @@ def safe_amplitude(oscillator: Oscillator, shape: Shape, frequency: FloatArray, 
 
     By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
     sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), less what impacts dissipate. To overturn, the
-    body must absorb at least the work up to phi_ov. Where an impact that turns the body about a nearer hinge adds energy, the one
-    that follows takes more.
+    body must absorb at least the work up to phi_ov. Where an impact that turns the body about a nearer hinge adds
+    energy, the next one dissipates more.
     """
     tables = [_impulsive(branch, equation) for branch in oscillator.branches]
     needed, gained, at_rest = (np.array(column) for column in zip(*tables, strict=True))

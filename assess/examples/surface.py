@@ -35,7 +35,7 @@ def slab(front: ArrayLike, back: ArrayLike) -> Surface:
 
 
 def revolve(profile: ArrayLike, *, faces: int) -> Surface:
-    """The body that a polygon of (radius, elevation) sweeps about the vertical axis, as a prism of so many `faces`.
+    """Revolve a polygon of (radius, elevation) about the vertical axis, as a prism of so many `faces`.
 
     Faces touch the circles, an even number of them: the middles of two are at x = -r and x = r, and a section has the
     area n tan(pi / n) r^2.

@@ -9,7 +9,7 @@ import numpy as np
 from assess.errors import GeometryError
 from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
-from assess.geometry.overlap import overlaps
+from assess.geometry.overlap import overlap_warnings
 from assess.geometry.piece import Piece
 from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact, name_load
 from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
@@ -65,7 +65,7 @@ def loads_of(
         warnings += moving_anchor_warnings(load_set.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
-    warnings += (each.text for each in overlaps(known))
+    warnings += (each.text for each in overlap_warnings(known))
     return LoadSet(tuple(loads), tuple(dict.fromkeys(warnings)), tuple(follows))
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from scipy.constants import g
 
-    from assess.codes.context import Building
+    from assess.codes.context import building
     from assess.interfaces.definition import Interface, Shape
     from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
     from assess.model.body import Body, Material
@@ -28,7 +28,6 @@ __all__ = [
     "Block",
     "Body",
     "BodyLoad",
-    "Building",
     "CutAngle",
     "CutPlane",
     "ForceLoad",
@@ -43,6 +42,7 @@ __all__ = [
     "TieLoad",
     "answers",
     "box",
+    "building",
     "envelope",
     "equivalent_block",
     "four_hinge",
@@ -60,7 +60,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "assess.codes.context": ("Building",),
+    "assess.codes.context": ("building",),
     "assess.interfaces.definition": ("Interface", "Shape"),
     "assess.loads.definitions": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.model.body": ("Body", "Material"),

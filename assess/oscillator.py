@@ -10,7 +10,7 @@ above knows nothing of codes, what stands below nothing of blocks or meshes.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -20,7 +20,7 @@ from scipy.interpolate import CubicSpline, PPoly
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Branch:
     """One direction of rocking, tabulated over rotation; between nodes the table is a cubic spline.
 
@@ -51,13 +51,62 @@ class Branch:
     critical: float
     overturning_flexible: float | None = None
 
+    def __repr__(self) -> str:
+        return (
+            f"Branch({self.rotation.size} rotations to {self.rotation[-1]:.4g} rad, "
+            f"overturning={self.unstable:.4g} rad, restitution={self.restitution:.4g})"
+        )
+
     @property
     def unstable(self) -> float:
         """Where the restoring moment of the table falls to zero [rad]."""
         return self.overturning if self.overturning_flexible is None else self.overturning_flexible
 
+    @cached_property
+    def restoring_spline(self) -> PPoly:
+        """Restoring moment [N m] over rotation [rad]."""
+        return interpolant(self.rotation, self.restoring)
 
-@dataclass(frozen=True)
+    @cached_property
+    def excitation_spline(self) -> PPoly:
+        """Excitation B [kg m] over rotation [rad]."""
+        return interpolant(self.rotation, self.excitation)
+
+    @cached_property
+    def inertia_spline(self) -> PPoly:
+        """Inertia I [kg m2] over rotation [rad]."""
+        return interpolant(self.rotation, self.inertia)
+
+    @cached_property
+    def energy_spline(self) -> PPoly:
+        """Work stored from rest [J] over rotation [rad]: the integral of the restoring moment."""
+        return self.restoring_spline.antiderivative()
+
+    @cached_property
+    def excitation_integral(self) -> PPoly:
+        """Integral of B dphi from rest [kg m] over rotation [rad]."""
+        return self.excitation_spline.antiderivative()
+
+    @cached_property
+    def linearised(self) -> Linearised:
+        """The branch linearised about phi_cr, the unstable equilibrium of the weights (thesis 3.3-3.7).
+
+        At phi_cr dV/dphi = 0, so there restoring = -M, and K = M' - V'' = -restoring'.
+        """
+        at = self.critical
+        columns = interpolant(self.rotation, np.stack([self.inertia, self.excitation, self.restoring], axis=1))
+        inertia, excitation, restoring = columns(at)
+        return Linearised(
+            inertia=float(inertia),
+            stiffness=-float(columns(at, 1)[2]),
+            excitation=float(excitation),
+            moment=-float(restoring),
+            critical=at,
+            restitution=self.restitution,
+        )
+
+
+@dataclass(frozen=True, repr=False)
 class Oscillator:
     """A mechanism as the dynamics and the codes see it.
 
@@ -74,10 +123,41 @@ class Oscillator:
     equilibrium: float = 0.0
     equilibrium_negative: float = 0.0
 
+    def __repr__(self) -> str:
+        sides = "one-sided" if self.negative is None else "two-sided"
+        with np.errstate(all="ignore"):
+            return (
+                f"Oscillator(p={self.p:.4g} 1/s, slenderness={self.slenderness:.4g} rad, {sides}, {self.mass:.4g} kg)"
+            )
+
+    @property
+    def p(self) -> float:
+        """Frequency parameter p_eq of the positive branch, linearised [1/s]."""
+        return self.positive.linearised.p
+
+    @property
+    def slenderness(self) -> float:
+        """Slenderness of the equivalent single block of the positive branch [rad].
+
+        At rest, or at phi_cr on flexible joints, which carry no moment at rest.
+        """
+        rotation = 0.0 if threshold(self.positive) is not None else self.positive.critical
+        return block_at(self.positive, rotation, mass=self.mass).slenderness
+
+    @property
+    def multiplier(self) -> float | None:
+        """Acceleration in g that starts the positive branch, lambda at rest [-]; None without a threshold of uplift."""
+        return threshold(self.positive)
+
     @property
     def branches(self) -> tuple[Branch, ...]:
         """The branches there are, positive first."""
         return (self.positive,) if self.negative is None else (self.positive, self.negative)
+
+    @property
+    def equilibria(self) -> tuple[float, float]:
+        """The rotations at rest from which the positive and the negative branch count [rad]."""
+        return self.equilibrium, self.equilibrium_negative
 
     @property
     def symmetric(self) -> bool:
@@ -143,47 +223,19 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     return PPoly.construct_fast(coefficients, rotation)
 
 
-@lru_cache(maxsize=64)
-def restoring_spline(branch: Branch) -> PPoly:
-    """Restoring moment [N m] over rotation [rad]."""
-    return interpolant(branch.rotation, branch.restoring)
-
-
-@lru_cache(maxsize=64)
-def excitation_spline(branch: Branch) -> PPoly:
-    """Excitation B [kg m] over rotation [rad]."""
-    return interpolant(branch.rotation, branch.excitation)
-
-
-@lru_cache(maxsize=64)
-def _inertia_spline(branch: Branch) -> PPoly:
-    return interpolant(branch.rotation, branch.inertia)
-
-
-@lru_cache(maxsize=64)
-def _work(branch: Branch) -> PPoly:
-    return restoring_spline(branch).antiderivative()
-
-
-@lru_cache(maxsize=64)
-def excitation_integral(branch: Branch) -> PPoly:
-    """Integral of B dphi from rest [kg m] over rotation [rad]."""
-    return excitation_spline(branch).antiderivative()
-
-
 def restoring(branch: Branch, rotation: FloatArray) -> FloatArray:
     """Restoring moment [N m] at `rotation` [rad] (same shape)."""
-    return np.asarray(restoring_spline(branch)(rotation), dtype=np.float64)
+    return np.asarray(branch.restoring_spline(rotation), dtype=np.float64)
 
 
 def energy(branch: Branch, rotation: FloatArray) -> FloatArray:
     """Work stored from rest to `rotation` [rad] (same shape): the integral of the restoring moment [J]."""
-    return np.asarray(_work(branch)(rotation), dtype=np.float64)
+    return np.asarray(branch.energy_spline(rotation), dtype=np.float64)
 
 
 def displacement(branch: Branch, rotation: FloatArray, *, mass: float) -> FloatArray:
     """Displacement of the control point, the centre of all participating masses: (integral of B dphi) / mass [m]."""
-    return np.asarray(excitation_integral(branch)(rotation), dtype=np.float64) / mass
+    return np.asarray(branch.excitation_integral(rotation), dtype=np.float64) / mass
 
 
 def multiplier(branch: Branch) -> FloatArray:
@@ -208,7 +260,7 @@ def elastic_frequency(branch: Branch) -> float | None:
     """Frequency of small motions about rest [Hz]; None where rest has a threshold."""
     if threshold(branch) is not None:
         return None
-    stiffness = float(restoring_spline(branch)(0.0, 1))
+    stiffness = float(branch.restoring_spline(0.0, 1))
     return float(np.sqrt(max(stiffness, 0.0) / branch.inertia[0]) / (2 * np.pi))
 
 
@@ -234,8 +286,8 @@ def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
 
     For a plain block it is the same at every rotation; on a flexible joint it is thesis 6.50-6.52.
     """
-    R, B = float(restoring_spline(branch)(rotation)), float(excitation_spline(branch)(rotation))
-    inertia = float(_inertia_spline(branch)(rotation))
+    R, B = float(branch.restoring_spline(rotation)), float(branch.excitation_spline(rotation))
+    inertia = float(branch.inertia_spline(rotation))
     return SingleBlock(mass, float(np.hypot(R / g, B)) / mass, rotation + float(np.arctan2(R / g, B)), inertia)
 
 
@@ -254,23 +306,4 @@ def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) ->
         restitution=restitution,
         overturning=alpha,
         critical=alpha,
-    )
-
-
-@lru_cache(maxsize=64)
-def linearise(branch: Branch) -> Linearised:
-    """The branch linearised about phi_cr, the unstable equilibrium of the weights (thesis 3.3-3.7).
-
-    At phi_cr dV/dphi = 0, so there restoring = -M, and K = M' - V'' = -restoring'.
-    """
-    at = branch.critical
-    columns = interpolant(branch.rotation, np.stack([branch.inertia, branch.excitation, branch.restoring], axis=1))
-    inertia, excitation, restoring = columns(at)
-    return Linearised(
-        inertia=float(inertia),
-        stiffness=-float(columns(at, 1)[2]),
-        excitation=float(excitation),
-        moment=-float(restoring),
-        critical=at,
-        restitution=branch.restitution,
     )

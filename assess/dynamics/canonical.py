@@ -16,6 +16,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline, PPoly
 
 from assess.oscillator import Branch, interpolant
+from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
@@ -25,8 +26,8 @@ SAME = 1e-10
 """Of the largest value of a table: less than this between two nodes at one rotation is rounding, and no jump."""
 
 
-@dataclass(frozen=True)
-class Canonical:
+@dataclass(frozen=True, repr=False)
+class Canonical(ShortRepr):
     """A branch over y, on the n segments that have a width.
 
     turn : dphi / dy at rest, L [rad]

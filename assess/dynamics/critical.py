@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 TIE = 0.05
@@ -22,8 +23,8 @@ class Band:
     end: float
 
 
-@dataclass(frozen=True)
-class Critical:
+@dataclass(frozen=True, repr=False)
+class Critical(ShortRepr):
     """Of m mechanisms at n frequencies.
 
     mechanism : the one with the least bound, -1 where none has one [n]

@@ -136,7 +136,7 @@ def make_solver(
     threads: int = 0,
     tolerance: float = TOLERANCE,
 ) -> Callable[[Jobs], Peaks]:
-    """What answers any number of jobs of these oscillators and motions, as `peaks` does.
+    """Return a solver for these oscillators and motions; call it with Jobs to get Peaks.
 
     Raises MechanismError for a branch that cannot rock.
     """

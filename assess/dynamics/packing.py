@@ -13,7 +13,8 @@ from scipy.constants import g
 from assess.dynamics.canonical import Canonical, canonical_form, linear_form
 from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, linearise
+from assess.oscillator import Branch, Oscillator, elastic_frequency, energy
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 Equation = Literal["exact", "linearised"]
@@ -21,8 +22,8 @@ T = TypeVar("T")
 FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; masonry's are below 1000 Hz
 
 
-@dataclass(frozen=True)
-class Packed:
+@dataclass(frozen=True, repr=False)
+class Packed(ShortRepr):
     """An oscillator for one equation.
 
     branches : the columns of `branch` in `kernel.columns` [2, 6]
@@ -56,8 +57,8 @@ def _exact(oscillator: Oscillator) -> Packed:
 
 
 def _linearised(oscillator: Oscillator) -> Packed:
-    """By the linearised equation; LIMIT depends on the job."""
-    forms = _of_each(oscillator, linearise)
+    """By thed equation; LIMIT depends on the job."""
+    forms = _of_each(oscillator, lambda branch: branch.linearised)
     for form in forms:
         _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
         _positive(form.overturning, "linearised overturning rotation", "rad")

@@ -17,11 +17,12 @@ from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
 from assess.interfaces.law import JointLaw
 from assess.interfaces.section import Section, mirror
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True)
-class Contact:
+@dataclass(frozen=True, repr=False)
+class Contact(ShortRepr):
     """The contact at n rotations, read-only arrays [n].
 
     Attributes

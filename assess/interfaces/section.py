@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.interfaces.kernel import moments
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True)
-class Section:
+@dataclass(frozen=True, repr=False)
+class Section(ShortRepr):
     """A plane region seen in one direction of rocking: pieces of linear width, and discs.
 
     The depth x runs from the compressed extreme fibre, 0, to the far one; the offset y along the axis of rotation

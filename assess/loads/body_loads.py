@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.contact import find_contact
-from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_with
+from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_volume
 from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
@@ -221,7 +221,7 @@ def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
     kept, warnings = dict(found.others), list[str]()
     for other in (solid for solid in around.others if solid.name in found.others):
-        part, volume = shared_with(around.block, other)
+        part, volume = shared_volume(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
             warnings.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')

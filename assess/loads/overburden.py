@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from assess.errors import GeometryError
-from assess.geometry.overlap import SAME_PLACE, shared_with
+from assess.geometry.overlap import SAME_PLACE, shared_volume
 from assess.geometry.piece import Piece
 from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
@@ -69,7 +69,7 @@ def weight_of(
     """Return the weight that bodies put on the wall, and the bodies left out because they are drawn in its place."""
     carried = [require_solid(body, solids, where=where) for body in load.bodies]
     beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
-    states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
+    states = [solid.name for solid in beside if shared_volume(piece.solids, solid)[0] > SAME_PLACE]
     others = [solid for solid in beside if solid.name not in states]
     return overburden(carried, block=piece.solids, others=others), states
 

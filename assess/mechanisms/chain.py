@@ -28,7 +28,7 @@ class Block:
     inertia: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Chain:
     """Blocks from the base on, the hinges they turn about, and loads.
 
@@ -46,11 +46,38 @@ class Chain:
     parts: tuple[tuple[Block, int | None], ...] = ()
     joints: tuple[Joint | None, ...] = ()
 
+    def __repr__(self) -> str:
+        hinges = ", ".join(
+            f"{letter} ({x:.4g}, {z:.4g})" for letter, (x, z) in zip(hinge_names(self), self.hinges, strict=True)
+        )
+        blocks, loads = len(self.blocks), len(self.loads)
+        return f"Chain({blocks} block{'s'[: blocks != 1]}, hinges {hinges} m, {loads} load{'s'[: loads != 1]})"
+
     @property
     def mass(self) -> float:
         """Total moved mass, bearing or not [kg]."""
         carried = sum(load.mass for load in self.loads if isinstance(load, PointMass))
         return sum(block.mass for block in self.blocks) + carried
+
+
+@dataclass(frozen=True, eq=False)
+class ChainPair:
+    """The chains of both directions of a mechanism with the restitution of their impacts: all that its motion needs.
+
+    name : of the mechanism, for errors
+    positive, negative : the chain of each branch, in that branch's own sign; negative None for one-sided rocking
+    restitution : of the impacts that end the positive and the negative branch [-]
+    """
+
+    name: str
+    positive: Chain
+    negative: Chain | None
+    restitution: tuple[float, float]
+
+    @property
+    def has_joints(self) -> bool:
+        """Whether a hinge presses on a joint that deforms or crushes."""
+        return any(joint is not None for joint in self.positive.joints)
 
 
 def hinge_names(chain: Chain) -> str:

@@ -7,14 +7,16 @@ from math import atan2, cos, degrees, radians, sin
 
 import numpy as np
 
+from assess.short_repr import ShortRepr
+
 FLAT = 1.01  # multipliers up to this many times the least are nearly as weak
 STEPS = 3600  # of the circle on which they are counted
 
 Vector = tuple[float, float, float]
 
 
-@dataclass(frozen=True)
-class Directions:
+@dataclass(frozen=True, repr=False)
+class Directions(ShortRepr):
     """What resists rotation towards each direction of a circle.
 
     Attributes

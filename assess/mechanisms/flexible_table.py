@@ -15,31 +15,30 @@ from dataclasses import replace
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Chain, mirror_point
+from assess.mechanisms.chain import Chain, ChainPair, mirror_point
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.side import FINE, ZERO, Side, columns_of, make_side
 from assess.mechanisms.stages import Moments, Stages, signature, single_stage, zero_moments
 from assess.oscillator import Branch, Oscillator
 
 
-def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
-    """The mechanism on its joints as the dynamics and the codes see it, with the stages of its two chains.
+def flexible_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
+    """Return the oscillator of chains on their joints, with the stages of each.
 
-    Raises MechanismError where it finds no stable rest, or never overturns.
+    Raises MechanismError if the mechanism finds no stable rest, or never overturns.
     """
-    name, (first, second) = mechanism.name, mechanism.restitution
+    name, (first, second) = pair.name, pair.restitution
     positive = make_side(front, name=name, restitution=first)
-    if mechanism.negative is None:
-        return Oscillator(branch_from_rest(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
+    if pair.negative is None:
+        return Oscillator(branch_from_rest(positive, None), None, pair.positive.mass, equilibrium=positive.lean)
     alike = same_stages(front, back) and first == second
     negative = positive if alike else make_side(back, name=name, restitution=second)
-    if not share_rest(mechanism.positive, mechanism.negative) or front[0].absent != back[0].absent:
+    if not share_rest(pair.positive, pair.negative) or front[0].absent != back[0].absent:
         return Oscillator(
             positive=branch_from_rest(positive, None),
             negative=branch_from_rest(negative, None),
-            mass=mechanism.positive.mass,
+            mass=pair.positive.mass,
             equilibrium=positive.lean,
             equilibrium_negative=negative.lean,
         )
@@ -52,7 +51,7 @@ def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Os
     return Oscillator(
         positive=branch_from_rest(positive, negative),
         negative=branch_from_rest(negative, positive),
-        mass=mechanism.positive.mass,
+        mass=pair.positive.mass,
         equilibrium=positive.lean - negative.lean,
         equilibrium_negative=negative.lean - positive.lean,
     )

@@ -19,6 +19,7 @@ from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.restitution import Restitution, housner, sorrentino
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
@@ -35,8 +36,8 @@ REBOUNDS = (1.0, 0.5, 1.5)  # times the rebound of 3.45: what histories are run 
 SAME = 5e-4  # coefficients this near are one as they are printed
 
 
-@dataclass(frozen=True)
-class VelocityField:
+@dataclass(frozen=True, repr=False)
+class VelocityField(ShortRepr):
     """Velocities at rest for a unit rate of phi, as the branch sees them; one row for each block, then each mass.
 
     mass, along, up : what moves horizontally and vertically, x' and z' [rows] [kg, kg, m, m]; turning : theta' [rows];

@@ -36,14 +36,15 @@ from itertools import pairwise
 import numpy as np
 
 from assess.mechanisms.chain import Chain, Point
+from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
 
 FLAT = 1e-6  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
 TOUCH = 1e-12  # of a cosine: a portal of two equal columns just touches its flat place, which rounding may hide
 
 
-@dataclass(frozen=True)
-class Motion:
+@dataclass(frozen=True, repr=False)
+class Motion(ShortRepr):
     """A chain at rotations of its leading block.
 
     rotation : phi [n] [rad]
@@ -58,8 +59,8 @@ class Motion:
     hinges: ComplexArray
 
 
-@dataclass(frozen=True)
-class Path:
+@dataclass(frozen=True, repr=False)
+class Path(ShortRepr):
     """A point over rotation [n]: place x, z [m], and its first and second derivatives with respect to phi [m]."""
 
     x: FloatArray

@@ -18,6 +18,7 @@ from assess.mechanisms.stages import Stages
 from assess.mechanisms.table import NODES, REACH, staged_branch
 from assess.mechanisms.virtual_work import Work
 from assess.oscillator import Branch
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
@@ -32,8 +33,8 @@ CORRECTIONS = 4  # of the places where joints open and crush, or moments are zer
 FOUND = 1e-7  # of a root: after a step as short, what is left goes with its square
 
 
-@dataclass(frozen=True)
-class Side:
+@dataclass(frozen=True, repr=False)
+class Side(ShortRepr):
     """A chain on its joints, and the same with rigid ones.
 
     starts : rotations [rad] from which each of the chains holds, the first from rest; where actions end there are more

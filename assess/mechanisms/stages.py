@@ -20,6 +20,7 @@ from assess.mechanisms.ends import STATIONS
 from assess.mechanisms.flexible import top_loads
 from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.virtual_work import generalised_moment
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 NONE = 1e-12  # of the size of an action times that of its chain: less is no moment
@@ -39,8 +40,8 @@ Stages = tuple[Stage, ...]
 Signature = tuple[tuple[float, tuple[int, ...]], ...]
 
 
-@dataclass(frozen=True)
-class Moments:
+@dataclass(frozen=True, repr=False)
+class Moments(ShortRepr):
     """The generalised moment of every action of a chain; positive drives.
 
     scan : rotations from rest on at which it is looked at [n] [rad]

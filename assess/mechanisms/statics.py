@@ -11,11 +11,12 @@ from scipy.constants import g
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.motion import move, trace_point
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True)
-class IncipientMotion:
+@dataclass(frozen=True, repr=False)
+class IncipientMotion(ShortRepr):
     """A chain on the verge of moving, under horizontal forces of `multiplier` times all weights along the direction.
 
     forces : (x, z) of each hinge on the block above it [hinges, 2] [N]; of D on the ground

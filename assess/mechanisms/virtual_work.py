@@ -14,6 +14,7 @@ from assess.errors import FallingError, MechanismError
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, trace_point
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 FACES = {
@@ -24,8 +25,8 @@ FACES = {
 """By the number of blocks, where hinges lie for the blocks to rise as they turn; ahead is where the branch goes."""
 
 
-@dataclass(frozen=True)
-class Work:
+@dataclass(frozen=True, repr=False)
+class Work(ShortRepr):
     """The sums of virtual work at rotations [n]: I, dV/dphi, M of the given forces, B, sum m x'^2, C."""
 
     inertia: FloatArray

@@ -20,8 +20,8 @@ from assess.geometry.planar import lowest_corners
 from assess.loads.plane import point_in_plane
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Vector
-from assess.mechanisms.lasting import collapse_branch
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.variants import collapse_branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.model.assembly import on_rigid_hinges
 from assess.model.body import Bodies

@@ -24,7 +24,7 @@ from assess.model.body import Bodies
 from assess.model.definitions import BlockMechanism, Chained, CutAngle, SingleBlock
 from assess.model.loading import loads_of
 from assess.model.pieces import ASKEW, LEVEL, as_one, cut_of
-from assess.oscillator import linearise, multiplier
+from assess.oscillator import multiplier
 from spectra.arrays import FloatArray
 
 S = TypeVar("S", bound=Chained)
@@ -162,7 +162,7 @@ def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequenc
             leading = branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
         except AssessError as error:
             raise type(error)(f'{error} (direction = "sweep", here {angle:.6g} deg from +x)') from None
-        rows.append((float(multiplier(leading)[0]), linearise(leading).p, leading.overturning))
+        rows.append((float(multiplier(leading)[0]), leading.linearised.p, leading.overturning))
     multipliers, p, overturning = zip(*rows, strict=True)
     weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
     return Directions(tuple(around), multipliers, p, overturning, weakest)

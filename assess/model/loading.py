@@ -9,7 +9,7 @@ import numpy as np
 from assess.errors import GeometryError
 from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
-from assess.geometry.overlap import overlaps
+from assess.geometry.overlap import overlap_warnings
 from assess.geometry.piece import Piece
 from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact, name_load
 from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
@@ -43,7 +43,7 @@ def loads_of(
     ]
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
-    warnings = [text for part in parts for text in part.warnings] + [each.text for each in overlaps(known)]
+    warnings = [text for part in parts for text in part.warnings] + [each.text for each in overlap_warnings(known)]
     return LoadSet(
         loads=tuple(load for part in parts for load in part.loads),
         warnings=tuple(dict.fromkeys(warnings)),

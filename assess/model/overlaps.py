@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from assess.geometry.overlap import overlaps
+from assess.geometry.overlap import overlap_warnings
 from assess.messages.message import Message
 from assess.model.body import Bodies
 from assess.model.definitions import Chained, Definition
@@ -21,4 +21,4 @@ def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterat
     for name, definition in definitions.items():
         names = dict.fromkeys(definition.bodies if isinstance(definition, Chained) else ())
         known = [solid for body in names if (solid := bodies[body].solid) is not None]
-        yield from overlaps(known, where=f"mechanisms.{name}")
+        yield from overlap_warnings(known, where=f"mechanisms.{name}")

@@ -25,7 +25,6 @@ from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
@@ -110,7 +109,7 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
             building=replace(HOUSE, limit_states=stated),
             hazard=hazard,
             limits=(LocalLimit("break", "tie 1", "positive", 0.03), LocalLimit("seat", "floor", "negative", 0.02)),
-            breaking=ending(oscillator(high)),
+            breaking=ending(high.oscillator),
             free_period=given,
         ),
     )
@@ -168,6 +167,6 @@ def context_of(mechanism: Mechanism, floor: Spectrum | None) -> Context:
 def subjects(name: str) -> Iterator[Subject]:
     """The answers of a procedure; the thesis' readings put a plain block in the place of what is on joints."""
     for mechanism, context in (*contexts(), *(special() if not name.endswith("-thesis") else ())):
-        rocker = oscillator(mechanism)
+        rocker = mechanism.oscillator
         for check in procedure(name, OPTIONS)(rocker, context):
             yield Subject(mechanism, context, rocker, check)

@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import Field, StrictBool, StrictStr, model_validator
 
+from assess.codes.context import default_period
 from assess.project.quantities import (
     Count,
     Damping,
@@ -75,7 +76,7 @@ class Building(Section):
     school: StrictBool | None = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
     period: PositiveTime | None = Field(
-        default_factory=lambda values: None if values.get("height") is None else 0.05 * values["height"] ** 0.75
+        default_factory=lambda values: None if values.get("height") is None else default_period(values["height"])
     )
     """period of the first mode; 0.05 H^0.75 if absent"""
     damping: Damping = 0.05

@@ -13,7 +13,6 @@ import pytest
 from assess.errors import ProjectError
 from assess.mechanisms.arch import weakest_hinges
 from assess.mechanisms.chain import Block, mirror_point
-from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.schema import load
@@ -106,7 +105,7 @@ def profile_of():
 @pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 1e-4)])
 def test_profile_of_a_project_file(tmp_path, count, published, digits):
     mechanism = project(tmp_path, count, body=profile_of())
-    rocker = oscillator(mechanism)
+    rocker = mechanism.oscillator
     analytic = weakest_hinges(*arch(count), name="arch")
     for side in rocker.branches:
         assert multiplier(side)[0] == pytest.approx(published, abs=digits)
@@ -134,7 +133,7 @@ def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
     (tmp_path / "arch.obj").write_text("\n".join(lines) + "\n")
     body = 'mesh = "arch.obj"\nmesh_unit = "mm"'
     mechanism = project(tmp_path, 7, body=body, direction="[0, 2, 0]", centre="[3.0, 1.5]")
-    assert multiplier(oscillator(mechanism).positive)[0] == pytest.approx(0.370, abs=1e-3)
+    assert multiplier(mechanism.oscillator.positive)[0] == pytest.approx(0.370, abs=1e-3)
     expected = [(x + 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]
     np.testing.assert_allclose(mechanism.positive.hinges, expected, rtol=0.0, atol=1e-5)
     back = [(x - 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]

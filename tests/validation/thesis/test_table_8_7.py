@@ -11,7 +11,6 @@ import pytest
 from assess.codes.context import Context
 from assess.codes.registry import procedure
 from assess.examples import copy_example
-from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -43,7 +42,7 @@ def capacities(tmp_path_factory) -> dict[tuple[str, str], float]:
     )  # fmt: skip
     found = {}
     for mechanism in study.mechanisms:
-        rocker = oscillator(mechanism)
+        rocker = mechanism.oscillator
         for name in (ASCE, ITALIAN):
             capacity = procedure(name, study.options)(rocker, context)[0].capacity_pga_g
             assert capacity is not None

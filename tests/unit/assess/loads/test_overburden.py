@@ -8,7 +8,6 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
 from tests.support.projects import block, project_toml, study_of, wall
@@ -123,7 +122,7 @@ STIFF = 'interface = {{ model = "flexible", stiffness = "{} Pa/m", strength = "i
 
 def overturning(tmp_path, more, joint=""):
     """phi_ov of both directions, of the joints in use where there are any [rad]."""
-    found = oscillator(mechanism(tmp_path, CRACKED + PRESSING.format(more) + joint))
+    found = mechanism(tmp_path, CRACKED + PRESSING.format(more) + joint).oscillator
     return [branch.unstable for branch in found.branches]
 
 

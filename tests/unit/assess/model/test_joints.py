@@ -11,7 +11,6 @@ import trimesh
 from scipy.constants import g
 
 from assess.errors import AssessError
-from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import elastic_frequency
 from assess.project.build import build
 from assess.project.schema import load
@@ -160,7 +159,7 @@ def test_outline_of_a_hollow_tower(tmp_path):
     assert joint.section.area == pytest.approx(4 - 1.44, rel=1e-6)  # STL holds seven digits
     assert joint.section.centroid == pytest.approx(1.0, rel=1e-6)
     W, I = (4 - 1.44) * 8 * 1800 * g, (2**4 - 1.2**4) / 12  # noqa: E741
-    side = oscillator(of_mesh(tmp_path, trimesh.creation.extrude_polygon(square, 8.0))).positive
+    side = of_mesh(tmp_path, trimesh.creation.extrude_polygon(square, 8.0)).oscillator.positive
     assert elastic_frequency(side) == pytest.approx(sqrt((2e8 * I - 4 * W) / side.inertia[0]) / 2 / pi, rel=1e-5)
 
 
@@ -397,8 +396,8 @@ def test_joints_of_an_arch_lie_in_the_planes_of_its_voussoirs(tmp_path):
 
 def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
     stiff = 'interface = { model = "flexible", stiffness = "1e12 Pa/m", strength = "inf" }\n'
-    rigid = oscillator(mechanism(tmp_path, text=ARCH)).positive
-    found = oscillator(mechanism(tmp_path, stiff, text=ARCH)).positive
+    rigid = mechanism(tmp_path, text=ARCH).oscillator.positive
+    found = mechanism(tmp_path, stiff, text=ARCH).oscillator.positive
     assert found.overturning == pytest.approx(rigid.overturning, rel=1e-9)
     assert found.overturning_flexible == pytest.approx(rigid.overturning, rel=1e-2)
     assert found.overturning_flexible < rigid.overturning
@@ -406,8 +405,8 @@ def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
 
 def test_each_direction_of_an_arch_rests_on_joints_of_its_own(tmp_path):
     """It opens other joints each way, and a symmetric one alike."""
-    both = oscillator(mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', "")))
-    alone = oscillator(mechanism(tmp_path, SOFT, text=ARCH))
+    both = mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', "")).oscillator
+    alone = mechanism(tmp_path, SOFT, text=ARCH).oscillator
     assert both.negative is not None
     assert both.equilibrium == pytest.approx(alone.equilibrium, rel=1e-9)
     assert both.equilibrium_negative == pytest.approx(alone.equilibrium, rel=1e-6)

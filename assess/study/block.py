@@ -14,7 +14,7 @@ from assess.loads.definitions import LoadDefinition, Place
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.messages.message import Message, warning
-from assess.model.body import Bodies, Body
+from assess.model.body import Bodies, Body, solids_of
 from assess.model.check import check_definition
 from assess.model.definitions import (
     CutAngle,
@@ -33,6 +33,7 @@ from assess.model.overlaps import overlaps_of
 from assess.model.weakest import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
+from assess.study.grounding import lowest_of
 from assess.study.oscillator_results import oscillator_result, rigid_branches
 from assess.study.study import Equation
 
@@ -125,6 +126,11 @@ class Block:
     def equation(self) -> Equation:
         """The equation of motion of its histories: linearised for published parameters, else exact."""
         return "linearised" if isinstance(self.definition, EquivalentBlock) else "exact"
+
+    @cached_property
+    def lowest(self) -> float | None:
+        """The elevation of the lowest body that is more than a load [m]; None without bodies."""
+        return lowest_of({self.name: self.definition}, solids_of(self.bodies))
 
     @cached_property
     def messages(self) -> tuple[Message, ...]:
@@ -255,6 +261,7 @@ def four_hinge(
     ----------
     body : the bodies A-B, B-C and C-D, or one arch
     hinges, hinges_negative : A, B, C and D of each rotation, or "minimum" for an arch with `joints`
+    sides : "one" where something stops negative rotation, which then has no hinges
     joints : where an arch may open, in order
     others : as for `single_block`
 
@@ -263,17 +270,12 @@ def four_hinge(
     MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
     """
     moving = _several(body)
-    if hinges == "minimum" and (joints is None or len(moving) != 1):
-        raise MechanismError(f'mechanism "{name}": hinges = "minimum" needs one arch, and joints where it may open')
-    if hinges != "minimum" and len(moving) != 3:
-        raise MechanismError(f'mechanism "{name}": {len(moving)} bodies with four hinges; give three, base first')
-    both: Sides = "two" if hinges_negative or hinges == "minimum" else "one"
     definition = FourHinge(
         blocks=tuple((each.name,) for each in moving),
         hinges=hinges,
         hinges_negative=hinges_negative,
         joints=joints,
-        **_common(direction, sides or both, loads, interface, restitution),
+        **_common(direction, sides, loads, interface, restitution),
     )
     return make_block(name, definition, (*moving, *around))
 
@@ -299,7 +301,7 @@ def equivalent_block(
     mass : [kg]
     name : of the mechanism
     sides : "one" where something behind stops negative rotation
-    elevation : of its base [m]
+    elevation : of its base above the ground [m]
     restitution : as for `single_block`
     """
     definition = EquivalentBlock(
@@ -331,7 +333,11 @@ def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Blo
 
 
 def _several(body: BodyOrBodies) -> tuple[Body, ...]:
-    return (body,) if isinstance(body, Body) else tuple(body)
+    """One body or several, at least one; raise MechanismError for anything else."""
+    several = (body,) if isinstance(body, Body) else tuple(body)
+    if not several or not all(isinstance(each, Body) for each in several):
+        raise MechanismError(f"body = {body!r}: give one body or more, as box, profile and mesh return them")
+    return several
 
 
 def _common(
@@ -343,7 +349,7 @@ def _common(
 ) -> dict[str, Any]:
     """What all mechanisms of blocks share."""
     return {
-        "direction": None if direction == "weakest" else direction,
+        "direction": _direction(direction),
         "sides": sides,
         "loads": tuple(loads),
         "interface": interface or Interface(),
@@ -351,6 +357,15 @@ def _common(
     }
 
 
+def _direction(given: Any) -> Any:
+    """The direction as definitions have it: a tuple of floats, a word, or None for the weakest."""
+    if given is None or isinstance(given, str):
+        return None if given == "weakest" else given
+    return tuple(map(float, given))
+
+
 def _restitution(given: Any) -> Restitution:
     """One choice for both impacts, or one for each."""
+    if isinstance(given, tuple) and len(given) != 2:
+        raise MechanismError(f"restitution = {given}: give one value, or one for each of two impacts")
     return Restitution(*given) if isinstance(given, tuple) else Restitution(given, given)

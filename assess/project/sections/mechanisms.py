@@ -20,6 +20,7 @@ from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
 from assess.model.definitions import keys_along_direction
+from assess.model.ranges import CRACKS, INERTIA_RATIOS, MOST_VOUSSOIRS, RESTITUTIONS
 from assess.project.quantities import (
     Angle,
     Inclination,
@@ -43,10 +44,6 @@ from assess.project.sections.loads import LoadSection, OverburdenLoad
 from assess.project.units import KINDS, key_value
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
-CRACKS = ("sorrentino", "minimum")
-MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
-INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
-RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
 
 def _restitution(value: Any) -> float | str:

@@ -99,9 +99,21 @@ class Part:
 
 
 def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
-    """Find where a body meets the block and what else carries it, whichever way the motion goes; with warnings.
+    """Find where a body meets the block and what else carries it, whichever way the motion goes.
 
-    Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
+    Parameters
+    ----------
+    load : the body as a load
+    body : its solid; None without geometry
+    around : the block, and what stands around it
+
+    Returns
+    -------
+    The contacts, None if the user states all that follows from them, and warnings
+
+    Raises
+    ------
+    GeometryError : the body touches nothing of the block, or has no geometry where it needs one
     """
     given = load.at is not None and load.bearing is not None
     found = find_support(load, body, given=given, around=around)
@@ -125,7 +137,13 @@ def body_loads(
 ) -> LoadSet:
     """Return the point mass of a body, and the force of its thrust if it has one.
 
-    block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
+    Parameters
+    ----------
+    load : the body as a load
+    block : number of the block that it loads
+    body : its solid; None without geometry
+    mass : of the whole body as given or by its volume [kg]
+    around : the block, and what stands around it
     find : finds where it meets the block
 
     Raises
@@ -155,7 +173,13 @@ def body_loads(
 
 
 def name_load(load: BodyLoad, warnings: Iterable[str]) -> tuple[str, ...]:
-    """Put the name of the load in front of each warning."""
+    """Put the name of the load in front of each warning.
+
+    Parameters
+    ----------
+    load : the load that they are about
+    warnings : sentences
+    """
     return tuple(f'load "{load.body}": {text}' for text in warnings)
 
 

@@ -11,7 +11,13 @@ from assess.model.definitions import Chained, Definition
 
 
 def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
-    """Return a warning for each two bodies of a mechanism's blocks that overlap."""
+    """Warn of each two bodies of a mechanism's blocks that overlap.
+
+    Parameters
+    ----------
+    definitions : mechanisms by name
+    bodies : of the building, by name
+    """
     for name, definition in definitions.items():
         names = dict.fromkeys(definition.bodies if isinstance(definition, Chained) else ())
         known = [solid for body in names if (solid := bodies[body].solid) is not None]

@@ -57,7 +57,7 @@ def _exact(oscillator: Oscillator) -> Packed:
 
 
 def _linearised(oscillator: Oscillator) -> Packed:
-    """By thed equation; LIMIT depends on the job."""
+    """Pack an oscillator by its linearised form; LIMIT depends on the job."""
     forms = _of_each(oscillator, lambda branch: branch.linearised)
     for form in forms:
         _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")

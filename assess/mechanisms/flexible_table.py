@@ -42,7 +42,7 @@ def flexible_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscilla
             equilibrium=positive.lean,
             equilibrium_negative=negative.lean,
         )
-    if positive.pushed and negative.pushed:
+    if positive.leans and negative.leans:
         raise MechanismError(
             f'mechanism "{name}": it is pushed off its rest both ways, by {-positive.work.restoring[0]:.4g} and '
             f"{-negative.work.restoring[0]:.4g} N m: a hinge inside the edge of its contact does that, as pressure is "

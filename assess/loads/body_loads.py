@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.contact import find_contact
-from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_with
+from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_volume
 from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
@@ -99,9 +99,21 @@ class Part:
 
 
 def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
-    """Find where a body meets the block and what else carries it, whichever way the motion goes; with warnings.
+    """Find where a body meets the block and what else carries it, whichever way the motion goes.
 
-    Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
+    Parameters
+    ----------
+    load : the body as a load
+    body : its solid; None without geometry
+    around : the block, and what stands around it
+
+    Returns
+    -------
+    The contacts, None if the user states all that follows from them, and warnings
+
+    Raises
+    ------
+    GeometryError : the body touches nothing of the block, or has no geometry where it needs one
     """
     given = load.at is not None and load.bearing is not None
     found = find_support(load, body, given=given, around=around)
@@ -125,7 +137,13 @@ def body_loads(
 ) -> LoadSet:
     """Return the point mass of a body, and the force of its thrust if it has one.
 
-    block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
+    Parameters
+    ----------
+    load : the body as a load
+    block : number of the block that it loads
+    body : its solid; None without geometry
+    mass : of the whole body as given or by its volume [kg]
+    around : the block, and what stands around it
     find : finds where it meets the block
 
     Raises
@@ -155,7 +173,13 @@ def body_loads(
 
 
 def name_load(load: BodyLoad, warnings: Iterable[str]) -> tuple[str, ...]:
-    """Put the name of the load in front of each warning."""
+    """Put the name of the load in front of each warning.
+
+    Parameters
+    ----------
+    load : the load that they are about
+    warnings : sentences
+    """
     return tuple(f'load "{load.body}": {text}' for text in warnings)
 
 
@@ -197,7 +221,7 @@ def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
     kept, warnings = dict(found.others), list[str]()
     for other in (solid for solid in around.others if solid.name in found.others):
-        part, volume = shared_with(around.block, other)
+        part, volume = shared_volume(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
             warnings.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')

@@ -47,11 +47,22 @@ Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and warnings
 
 
 def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()) -> Found:
-    """Find the blocks that a body loads: the given one, else all that it bears on, or the one that it pushes against.
+    """Find the blocks that a body loads: the one given, else all that it bears on, or the one that it pushes against.
 
-    taken : the blocks that `loads` puts it on
+    Parameters
+    ----------
+    load : the body as a load
+    body : its solid; None without geometry
+    among : the blocks of the mechanism
+    taken : blocks that other loads of the same body are given on
 
-    Raises GeometryError where neither the contact nor the entry tells, or they contradict each other.
+    Returns
+    -------
+    The blocks, and warnings
+
+    Raises
+    ------
+    GeometryError : neither the contact nor the entry shows it, or they contradict each other
     """
     if len(among.pieces) == 1:
         return (Loaded(load.block or 0, 0),), ()

@@ -1,4 +1,4 @@
-"""A chain of one block at rest, as the plain block of published formulas."""
+"""A chain of one block at rest, as the plain block that formulas of the field are written for."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from assess.oscillator import SingleBlock
 
 
 def plain_block(chain: Chain) -> SingleBlock:
-    """Return mass, radius, slenderness and inertia about the hinge of a chain of one block with its bearing masses.
+    """Return mass, radius, slenderness and hinge inertia of a chain of one block with its bearing masses.
 
     These enter 3.44 and 3.45; non-bearing masses and applied forces are ignored.
     """

@@ -22,7 +22,12 @@ Gap = dict[str, Value]
 def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
     """Warn of each gap in a block of several bodies, and between blocks that a hinge joins.
 
-    Bodies are looked at whole, also where a cut leaves their foot behind.
+    Bodies are compared whole, even if a cut leaves their base behind.
+
+    Parameters
+    ----------
+    definitions : mechanisms by name
+    bodies : of the building, by name
     """
     for name, definition in definitions.items():
         chained = definition.blocks if isinstance(definition, Chained) else ()

@@ -41,7 +41,23 @@ LISTED = 4
 
 
 def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """Build the mechanism of a definition, in its weakest direction if none is given."""
+    """Build the mechanism of a definition, in its weakest direction if none is given.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated
+    bodies : of the building, by name
+
+    Returns
+    -------
+    The mechanism with its candidate directions and messages, and its bodies in space
+
+    Raises
+    ------
+    ProjectError : the direction must be given; the text lists the candidates
+    MechanismError or GeometryError : it cannot rock as described
+    """
     if not isinstance(definition, Turnable) or definition.direction == "sweep" or not has_geometry(definition, bodies):
         return mechanism_as_given(name, definition, bodies)
     look = look_around(name, definition, bodies)

@@ -57,16 +57,23 @@ class Files:
 
 
 def build(project: Project, *, executor: Executor | None = None) -> Study:
-    """The study that `project` describes, with every file it names read; by `executor` where records are many.
+    """Build the study that a project describes, and read every file it names.
 
-    Raises AssessError, SpectrumError or RecordError, each one line with the file, for what cannot be assessed.
+    Parameters
+    ----------
+    project : the project file as read
+    executor : processes that share the reading of many records; None for this process alone
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : it cannot be assessed; one line that names the file
     """
     with locate_errors(str(project.path)):
         return study_of(project, executor=executor)
 
 
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
-    """The same, with errors that do not name the project file."""
+    """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     site = site_in(content)
     spectrum = None if site is None else spectrum_of(site)
@@ -106,7 +113,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
 
 
 def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
-    """The study of the mechanisms `names` of a project, without what is said about its file."""
+    """Build the study of some mechanisms of a project, without messages about its file."""
     site, building, synthetic = site_in(content), content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
@@ -162,7 +169,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
 
 
 def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Mapping[str, tuple[str, ...]]) -> Sweep:
-    """The cases of one sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
+    """Build the cases of a sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
     names = dependents(project.content, variation.path, beside=beside)
     if not names:
         raise ProjectError(
@@ -173,7 +180,7 @@ def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Ma
 
 
 def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[str, ...]) -> Case:
-    """One case of a sweep: the mechanisms `names` with its value."""
+    """Build one case of a sweep."""
     with locate_errors(variant.name):
         study = part_of(variant.content, reread(variant.content, project, files), names=names)
     return Case(variant.value, variant.name, study)
@@ -182,13 +189,13 @@ def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[st
 def alone(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
 ) -> Study:
-    """The study of one mechanism by another content of the project, with some of its bodies replaced."""
+    """Build the study of one mechanism from other content of the project, with some of its bodies replaced."""
     known = reread(content, project, files)
     return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
 
 
 def reread(content: sections.Content, project: Project, files: Files) -> Files:
-    """The files of a case: what a case has not changed is not read again."""
+    """Read the files of a case; what the case has not changed is not read again."""
     whole = project.content
     changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
     models = models_of(changed, known=files.models)
@@ -212,14 +219,14 @@ def same_body(name: str, case: sections.Content, whole: sections.Content) -> boo
 
 
 def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
-    """The levels [m/s2], rising: the site's own PGA, at which the verdict stands, and those given."""
+    """Return the levels given and the site's own PGA, at which the verdict is found, in rising order [m/s2]."""
     if spectrum is None:
         return tuple(sorted(given or ()))
     return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
 def structure_below(section: sections.Building | None) -> Building | None:
-    """The structure below the mechanisms; None where its height is not given."""
+    """Return the structure below the mechanisms; None if its height is not given."""
     if section is None or section.height is None:
         return None
     stated: dict[str, FirstMode] = {
@@ -229,13 +236,13 @@ def structure_below(section: sections.Building | None) -> Building | None:
 
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
-    """The equation of motion asked for, or the default of the kind: linearised for equivalent blocks, else exact."""
+    """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
 
 
 def grid_of(section: sections.Pulses) -> PulseGrid:
-    """The pulses of the envelopes."""
+    """Return the grid of pulses of the envelopes."""
     spaced = np.geomspace if section.frequency.spacing == "log" else np.linspace
     frequency = spaced(section.frequency.start, section.frequency.to, section.frequency.count)
     amplitude = np.linspace(section.amplitude.start, section.amplitude.to, section.amplitude.count)
@@ -243,7 +250,7 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
 
 
 def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
-    """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
+    """Read every horizontal record named, with messages; none are read here if a suite is to be selected."""
     if section.select is not None:
         return RecordSet((), Fitting(EVERYWHERE)), ()
     found = record_set.all_of(section, folder)
@@ -254,7 +261,7 @@ def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tup
 
 
 def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
-    """The project file and every file it names, with their hashes; of those to choose records from the ones chosen."""
+    """Hash the project file and every file it names; if records are selected, only those chosen."""
     yield Input(project.path.name, project.sha256)
     content = project.content
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]

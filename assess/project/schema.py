@@ -57,12 +57,12 @@ class Project:
 
     @property
     def folder(self) -> Path:
-        """Where the project file lies; its paths are relative to this."""
+        """The folder of the project file; its paths are relative to this."""
         return self.path.parent
 
 
 def load(path: Path | str) -> Project:
-    """The project in the file `path`, or in `project.toml` of the folder `path`.
+    """Read the project in the file `path`, or in `project.toml` of the folder `path`.
 
     Raises ProjectError for a file that is missing, is not TOML, or breaks the schema.
     """
@@ -83,7 +83,7 @@ def load(path: Path | str) -> Project:
 
 
 def _check_sources(project: Project) -> None:
-    """Every key of [report.sources] is one of the file, or the beginning of one."""
+    """Check that every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
         return
     keys = [key for key in resolve(project) if not key.startswith("report.sources.")]
@@ -139,7 +139,7 @@ def _toml(text: str) -> dict[str, Any]:
 
 
 def _toml_reason(message: str, text: str) -> str:
-    """What tomllib found in the text, with the line in front."""
+    """Return what tomllib found in the text, with the line in front."""
     match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)", message, re.DOTALL)
     if match is None:
         return f"not valid TOML: {escape_text(message)}"
@@ -155,14 +155,14 @@ def _toml_reason(message: str, text: str) -> str:
 
 
 def _twice(message: str, line: str) -> str:
-    """The key that stands twice, as tomllib names it, or as the line begins; empty where neither tells."""
+    """Return the key given twice, as tomllib names it or as the line begins; empty if neither shows it."""
     named = ".".join(re.findall(r"'([^']*)'", message))
     key = re.match(r"\s*([^=\[\]{}\"']+?)\s*=", line)
     return named or (key[1][:60] if key else "")
 
 
 def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
-    """The content in the newest format, one pure step at a time."""
+    """Convert the content to the newest format, one pure step at a time."""
     given = raw.get("format", FORMAT)
     if not isinstance(given, int) or isinstance(given, bool) or given < 1:
         raise ProjectError(f"format: {value_text(given)}: not a format number; write format = {FORMAT}")
@@ -174,7 +174,7 @@ def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def resolve(project: Project) -> dict[str, Resolved]:
-    """Every key, written with dots, with its value in SI and whether it was given or is a default.
+    """Return every key, written with dots, with its value in SI and whether it was given or is a default.
 
     Paths are written relative to the project file.
     """
@@ -194,7 +194,7 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
 
 
 def _plain(value: Any, folder: Path) -> Any:
-    """A value as JSON holds it."""
+    """Return a value as JSON holds it."""
     if isinstance(value, Path):
         return relative_path(value, folder)
     if isinstance(value, Section):
@@ -203,6 +203,6 @@ def _plain(value: Any, folder: Path) -> Any:
 
 
 def json_schema() -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of the project file."""
+    """Return the JSON Schema (draft 2020-12) of the project file."""
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Project file of assess"}
     return {**Content.model_json_schema(), **head}

@@ -46,7 +46,7 @@ def _of(subject: Subject, mechanism: Mechanism, *, tolerance: float) -> Iterator
 
 
 def _hinges(subject: Subject, section: sections.Chained, tolerance: float) -> Iterator[Variable]:
-    """Each given hinge, moved along the direction of motion."""
+    """Yield each given hinge, moved along the direction of motion."""
     for table in ("hinges", "hinges_negative"):
         given = getattr(section, table, None)
         if not isinstance(given, sections.Hinges):
@@ -58,7 +58,7 @@ def _hinges(subject: Subject, section: sections.Chained, tolerance: float) -> It
 
 
 def _moved(subject: Subject, path: Key, place: tuple[float, ...], direction: Sequence[float], shift: float) -> Study:
-    """The study with a hinge moved by `shift` [m] along the direction."""
+    """Return the study with a hinge moved by `shift` [m] along the direction."""
     length = sum(each**2 for each in direction) ** 0.5
     way = (1.0, 0.0) if len(place) == 2 else tuple(each / length for each in direction)
     project, moved = subject.project, [at + shift * each for at, each in zip(place, way, strict=True)]

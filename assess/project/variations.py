@@ -50,9 +50,9 @@ class Variation:
 
 
 def variations(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[Variation, ...]:
-    """Every sweep of the project with the `content` read from the `raw` file in `folder`.
+    """Return every sweep of the project, with the `content` read from the `raw` file in `folder`.
 
-    Raises ProjectError for a key that is unknown or no number, and for the first case that breaks the schema.
+    Raises ProjectError for a key that is unknown or not a number, and for the first case that breaks the schema.
     """
     sweeps = content.analysis.sweeps
     if not sweeps:
@@ -83,7 +83,7 @@ def _variation(
 
 
 def _range(sweep: Sweep, *, where: str) -> tuple[Given, ...]:
-    """Evenly spaced values in the unit of both ends."""
+    """Return evenly spaced values in the unit of both ends."""
     assert sweep.start is not None  # the schema asks for all three
     assert sweep.to is not None
     assert sweep.count is not None
@@ -100,7 +100,7 @@ def _range(sweep: Sweep, *, where: str) -> tuple[Given, ...]:
 
 
 def _typed(value: Given, *, where: str) -> tuple[float, str]:
-    """The number and the unit that the user typed."""
+    """Return the number and the unit that the user wrote."""
     if not isinstance(value, str):
         return float(value), ""
     try:
@@ -112,7 +112,7 @@ def _typed(value: Given, *, where: str) -> tuple[float, str]:
 
 
 def read_case(raw: Mapping[str, Any], folder: Path, path: Key, value: Any, *, name: str) -> Content:
-    """The content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
+    """Read the content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
     try:
         content = Content.model_validate(raw, context={"folder": folder})
     except ValidationError as error:

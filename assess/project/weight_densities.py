@@ -15,7 +15,7 @@ DENSITY = KINDS["density"]
 
 
 def weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
-    """A note for each density of the `raw` file that is a weight per volume."""
+    """Note each density of the `raw` file that is a weight per volume."""
     for place in places_of(content).values():
         typed = look_up(raw, place.path)[1] if place.kind == DENSITY else None
         if isinstance(typed, str) and is_weight(typed, DENSITY):

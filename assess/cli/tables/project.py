@@ -21,7 +21,7 @@ MOST = 8  # candidates on a line
 def description(
     project: Project, mechanisms: tuple[MechanismResult, ...], sweeps: tuple[Sweep, ...], notices: tuple[Message, ...]
 ) -> str:
-    """The site, each mechanism with its geometry, loads and interfaces, sweeps, the table of parameters, warnings."""
+    """Describe the site, each mechanism with its geometry, loads and interfaces, sweeps, parameters and warnings."""
     title = escape_text(project.content.title) or "no title"
     lines = [f"{project.path}: {title}", _site(project), _motions(project), ""]
     for mechanism in mechanisms:
@@ -31,7 +31,7 @@ def description(
 
 
 def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
-    """A line for each mechanism whose sensitivity is asked for: its numbers with their low and high values."""
+    """Write a line for each mechanism with a sensitivity study: its variables with low and high values."""
     lines: dict[str, list[str]] = {}
     for each in variables:
         lines.setdefault(each.mechanism, []).append(
@@ -111,7 +111,7 @@ def _interfaces(m: MechanismResult) -> list[str]:
 
 def _interface(found: dict[str, Any]) -> str:
     infinite = found["stiffness_pa_m"] is None
-    stiffness = "without limit of stiffness" if infinite else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
+    stiffness = "infinitely stiff" if infinite else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
     strength = "no crushing" if found["strength_pa"] is None else f"{found['strength_pa'] / 1e6:.4g} MPa"
     opens, crushes = (
         "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
@@ -140,16 +140,18 @@ def _size(load: LoadResult) -> str:
 
 
 def duration_text(load: LoadResult) -> str:
-    """How long a load is there where it resists, and how far it may move on its seat."""
+    """Describe how long a resisting load lasts, and how far it may move on its seat."""
     if load.bearing:
         return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"
-    end = "" if load.end_m is None else f"where its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
+    end = "" if load.end_m is None else f"when its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
     if load.lasting == "to collapse":
-        return "; lasts to collapse" + (f", and ends {end}" if end else "")
+        return "; lasts to collapse" + (f", ends {end}" if end else "")
     if load.lasting == "to its end":
-        return f"; ends {end}, and is left out of displacements and histories"
+        return f"; ends {end}; ignored in displacements and histories"
     if load.lasting == "not shown":
-        return f"; where it resists not shown to last ({', '.join(load.missing)} missing): in the multiplier alone"
+        return (
+            f"; not shown to last where it resists ({', '.join(load.missing)} missing): counts in the multiplier only"
+        )
     return ""
 
 
@@ -181,7 +183,7 @@ def _candidate(candidate: DirectionCandidate) -> str:
 
 
 def _ground(m: MechanismResult) -> list[str]:
-    """How high the mechanism stands over the ground, and what says where that is."""
+    """Describe how high the mechanism is above the ground, and where the ground level comes from."""
     if m.base_elevation_m is None or m.input_height_m is None:
         return []
     counts = "above the ground" if m.above_ground else "on the ground"

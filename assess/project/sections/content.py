@@ -67,7 +67,7 @@ class Content(Section):
 
     @property
     def site_procedures(self) -> tuple[str, ...]:
-        """Procedures that nobody asked for and that the code of the site's spectrum brings with it."""
+        """The procedures that the code of the site's spectrum adds if the project names none."""
         if self.site is None or self.analysis.has_key("procedures"):
             return ()
         return procedures_of_site(self.site.spectrum.code)

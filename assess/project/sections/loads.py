@@ -26,7 +26,7 @@ BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 
 
 def _force(value: Any) -> tuple[float, float] | float:
-    """Two components, or the size of a force."""
+    """Read the two components or the size of a force."""
     if not isinstance(value, list | tuple):
         size = key_value(value, KINDS["force"])
         if size <= 0:
@@ -46,7 +46,7 @@ GivenForce = Annotated[
 
 
 def _until(value: Any) -> float | str:
-    """A displacement, or the word for a load that is there up to collapse."""
+    """Read a displacement, or the word for a load that lasts up to collapse."""
     if isinstance(value, str) and value.strip() == "collapse":
         return "collapse"
     moved = key_value(value, KINDS["length"])

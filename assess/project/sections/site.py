@@ -46,7 +46,7 @@ class Site(Section):
 
     @property
     def own_limit_state(self) -> str | None:
-        """What the site's own action stands for, in either spelling; None where nobody says."""
+        """The limit state that the site's own action stands for, in either spelling; None if not stated."""
         old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
         return self.limit_state or old
 

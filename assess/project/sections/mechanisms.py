@@ -17,6 +17,7 @@ from pydantic import (
 from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
+from assess.model.definitions import keys_along_direction
 from assess.project.quantities import (
     Length,
     Name,
@@ -85,13 +86,16 @@ class Chained(Section):
                 raise wrong(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
         return self
 
+    def points(self) -> dict[str, tuple[tuple[float, ...], ...] | None]:
+        """The hinges that are given as points, from A on, by key."""
+        given = {key: getattr(self, key, None) for key in ("hinges", "hinges_negative")}
+        return {key: tuple(at for _, at in each) if isinstance(each, Hinges) else None for key, each in given.items()}
+
     @model_validator(mode="after")
     def _nothing_turns_with_a_sought_direction(self) -> Self:
         if self.direction != "sweep":
             return self
-        from assess.project.definitions import definition_of
-
-        for key in definition_of(self).keys_along():
+        for key in keys_along_direction(self, hinges=self.points()):
             of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
             raise wrong(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
         return self

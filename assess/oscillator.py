@@ -3,8 +3,8 @@
     I(phi) phi'' + 1/2 I'(phi) phi'^2 + restoring(phi) = -B(phi) u_g''          restoring = dV/dphi - M(phi)
 
 phi [rad] is the rotation of the leading block. A `Branch` tabulates one direction of rotation in its own mirrored
-sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. What stands
-above knows nothing of codes, what stands below nothing of blocks or meshes.
+sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. Geometry and
+mechanisms, which make it, know nothing of codes; dynamics and codes, which use it, know nothing of blocks or meshes.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from spectra.arrays import FloatArray
 class Branch:
     """One direction of rocking, tabulated over rotation; between nodes the table is a cubic spline.
 
-    Equal to itself only, so that its splines can be made once.
+    Compared by identity: its splines are made once.
 
     Attributes
     ----------
@@ -36,8 +36,8 @@ class Branch:
     lift : C = sum m z' [n] [kg m]
     restitution : |velocity after| / |velocity before| of the impact that ends this branch [-]
     overturning : phi_ov, rigid: the first rotation > 0 where restoring goes from + to - [rad]
-    critical : phi_cr, where the linearised equation is made: dV/dphi = 0 [rad]
-    overturning_flexible : the same as overturning, of the interfaces in use [rad]; None where they are rigid
+    critical : phi_cr, about which the equation is linearised: dV/dphi = 0 [rad]
+    overturning_flexible : phi_ov on the interfaces in use [rad]; None if they are rigid
     """
 
     rotation: FloatArray
@@ -59,7 +59,7 @@ class Branch:
 
     @property
     def unstable(self) -> float:
-        """Where the restoring moment of the table falls to zero [rad]."""
+        """Rotation at which the restoring moment of the table falls to zero [rad]."""
         return self.overturning if self.overturning_flexible is None else self.overturning_flexible
 
     @cached_property
@@ -110,11 +110,10 @@ class Branch:
 class Oscillator:
     """A mechanism as the dynamics and the codes see it.
 
-    positive, negative : the branches; negative is None for one-sided rocking, and the positive one where both ways are
-        the same
+    positive, negative : the branches; negative is None for one-sided rocking, and the positive one if both are equal
     mass : total moved mass, bearing or not [kg]
     equilibrium, equilibrium_negative : phi_e, the rotation at rest from which each branch counts, in its own sign
-        [rad]; not zero where a flexible joint carries an eccentric load
+        [rad]; not zero if a flexible joint carries an eccentric load
     """
 
     positive: Branch
@@ -151,7 +150,7 @@ class Oscillator:
 
     @property
     def branches(self) -> tuple[Branch, ...]:
-        """The branches there are, positive first."""
+        """The positive and, if rocking is two-sided, the negative branch."""
         return (self.positive,) if self.negative is None else (self.positive, self.negative)
 
     @property
@@ -161,7 +160,7 @@ class Oscillator:
 
     @property
     def symmetric(self) -> bool:
-        """Whether both ways are one branch: a motion reversed then turns it as far to the other side."""
+        """Whether both directions share one branch, so that a reversed motion gives the mirrored response."""
         return self.negative is self.positive
 
 
@@ -198,7 +197,7 @@ class Linearised:
 
 @dataclass(frozen=True)
 class SingleBlock:
-    """The plain block that is like the mechanism at rest.
+    """The plain block equivalent to the mechanism at rest.
 
     mass M [kg], radius R [m], slenderness alpha [rad], inertia I_O about the hinge [kg m2].
     """
@@ -210,10 +209,15 @@ class SingleBlock:
 
 
 def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
-    """The piecewise cubic through `values` [n, …] over `rotation` [n]: one not-a-knot spline between jumps.
+    """Return the piecewise cubic through values over rotation: one not-a-knot spline between jumps.
 
-    A piece of two nodes is a line, of three a parabola. Jumps (two nodes at one rotation) keep an empty interval,
-    so interval i of the result always lies between nodes i and i + 1.
+    A piece of two nodes is a line, of three a parabola. Jumps (two nodes at one rotation) keep an empty interval, so
+    that interval i of the result always lies between nodes i and i + 1.
+
+    Parameters
+    ----------
+    rotation : not decreasing [n] [rad]
+    values : at the nodes [n, …]
     """
     coefficients = np.zeros((4, rotation.size - 1, *values.shape[1:]))
     ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]
@@ -224,40 +228,55 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
 
 
 def restoring(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Restoring moment [N m] at `rotation` [rad] (same shape)."""
+    """Return the restoring moment [N m] at `rotation` [rad] (same shape)."""
     return np.asarray(branch.restoring_spline(rotation), dtype=np.float64)
 
 
 def energy(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Work stored from rest to `rotation` [rad] (same shape): the integral of the restoring moment [J]."""
+    """Return the work stored from rest: the integral of the restoring moment [J].
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : of any shape [rad]
+    """
     return np.asarray(branch.energy_spline(rotation), dtype=np.float64)
 
 
 def displacement(branch: Branch, rotation: FloatArray, *, mass: float) -> FloatArray:
-    """Displacement of the control point, the centre of all participating masses: (integral of B dphi) / mass [m]."""
+    """Return the displacement of the control point, the centre of all participating masses [m].
+
+    It is (integral of B dphi) / mass.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : of any shape [rad]
+    mass : total moved mass [kg]
+    """
     return np.asarray(branch.excitation_integral(rotation), dtype=np.float64) / mass
 
 
 def multiplier(branch: Branch) -> FloatArray:
-    """lambda(phi) = restoring / (g B) at the nodes [n]: horizontal acceleration in g that holds the mechanism there."""
+    """Return lambda(phi) = restoring / (g B) at the nodes [n]: the acceleration in g in equilibrium there."""
     return branch.restoring / (g * branch.excitation)
 
 
 def threshold(branch: Branch) -> float | None:
-    """lambda at rest, the uplift multiplier [-]; None where rest has no threshold, as on joints that answer at once."""
+    """Return lambda at rest, the uplift multiplier [-]; None without a threshold, as on joints that deform at once."""
     at_rest = float(multiplier(branch)[0])
     return at_rest if at_rest > 0.0 else None
 
 
 def resisted(branch: Branch) -> float:
-    """lambda that linear checks compare with [-]: at rest, or on flexible joints, where it may rise, the largest."""
+    """Return lambda for linear checks [-]: at rest, or on flexible joints, where it may rise, the largest."""
     if branch.overturning_flexible is None:
         return float(multiplier(branch)[0])
     return float(multiplier(branch)[branch.rotation <= branch.unstable].max())
 
 
 def elastic_frequency(branch: Branch) -> float | None:
-    """Frequency of small motions about rest [Hz]; None where rest has a threshold."""
+    """Return the frequency of small motions about rest [Hz]; None if there is a threshold of uplift."""
     if threshold(branch) is not None:
         return None
     stiffness = float(branch.restoring_spline(0.0, 1))
@@ -265,26 +284,44 @@ def elastic_frequency(branch: Branch) -> float | None:
 
 
 def participating_mass(branch: Branch) -> FloatArray:
-    """M* = B^2 / sum m x'^2 at the nodes [n] [kg]."""
+    """Return M* = B^2 / sum m x'^2 at the nodes [n] [kg]."""
     return branch.excitation**2 / branch.participation
 
 
 def participation_ratio(branch: Branch, *, mass: float) -> float:
-    """e* = M* / mass at rest [-]; 1 for a plain block."""
+    """Return e* = M* / mass at rest [-]; 1 for a plain block.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    mass : total moved mass [kg]
+    """
     return float(participating_mass(branch)[0] / mass)
 
 
 def equivalent_block(branch: Branch, *, mass: float) -> SingleBlock:
-    """The single block with the mechanism's mass, restoring moment, excitation and inertia at rest."""
+    """Return the single block with the mass, restoring moment, excitation and inertia of the mechanism at rest.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    mass : total moved mass [kg]
+    """
     height, half_width = branch.excitation[0] / mass, branch.restoring[0] / (mass * g)
     radius, slenderness = float(np.hypot(height, half_width)), float(np.arctan2(half_width, height))
     return SingleBlock(mass, radius, slenderness, float(branch.inertia[0]))
 
 
 def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
-    """The single block with the mechanism's restoring moment, excitation and inertia at a rotation [rad].
+    """Return the single block with the restoring moment, excitation and inertia of the mechanism at a rotation.
 
     For a plain block it is the same at every rotation; on a flexible joint it is thesis 6.50-6.52.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : [rad]
+    mass : total moved mass [kg]
     """
     R, B = float(branch.restoring_spline(rotation)), float(branch.excitation_spline(rotation))
     inertia = float(branch.inertia_spline(rotation))
@@ -292,7 +329,14 @@ def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
 
 
 def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) -> Branch:
-    """The table of a plain block, as far as `end` times its slenderness."""
+    """Tabulate a plain block.
+
+    Parameters
+    ----------
+    block : its mass, radius, slenderness and inertia
+    restitution : of the impact that ends the branch [-]
+    end : of the table, as a multiple of the slenderness [-]
+    """
     M, R, alpha = block.mass, block.radius, block.slenderness
     phi = np.linspace(0.0, end * alpha, 257)
     up, along = M * R * np.sin(alpha - phi), M * R * np.cos(alpha - phi)

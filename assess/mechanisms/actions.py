@@ -17,7 +17,7 @@ from assess.oscillator import Oscillator
 
 @dataclass(frozen=True)
 class ChainActions:
-    """A chain with the moments of its actions, and the rotation up to which each is shown to be there [rad]."""
+    """A chain with the moments of its actions, and the rotation up to which each is shown to act [rad]."""
 
     chain: Chain
     moments: Moments
@@ -29,8 +29,8 @@ class ChainActions:
         return actions_of(self.chain)
 
     @property
-    def lasting(self) -> tuple[float, ...]:
-        """The same ends of those that are shown to last, 0 of the others."""
+    def lasting_ends(self) -> tuple[float, ...]:
+        """The ends of the actions that are shown to last, 0 for the others [rad]."""
         return tuple(end if lasts(each) else 0.0 for each, end in zip(self.actions, self.ends, strict=True))
 
     @property
@@ -41,15 +41,15 @@ class ChainActions:
         return tuple(each for each, moment in forces if isinstance(each, Force) and moment > 0.0)
 
     def up_to(self, ends: Sequence[float]) -> Stages:
-        """The chain with its actions up to given ends [rad]."""
+        """Return the stages of the chain with its actions up to given ends [rad]."""
         return divide_into_stages(self.chain, ends, self.moments)
 
     def ever_resists(self, number: int) -> bool:
-        """Whether an action, by its number, resists at any rotation."""
+        """Return whether an action, by its number, resists at any rotation."""
         return bool((self.moments.of(self.moments.scan)[number] < 0.0).any())
 
     def resists_at(self, number: int, rotation: float) -> bool:
-        """Whether an action, by its number, resists at a rotation [rad]."""
+        """Return whether an action, by its number, resists at a rotation [rad]."""
         return bool(self.moments.of(np.array([rotation]))[number, 0] < 0.0)
 
 

@@ -25,9 +25,9 @@ BRANCHES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 @dataclass(frozen=True)
 class Limit:
-    """A rotation of a branch, as the branch counts [rad]: an action ends ("break"), or a load loses its seat ("seat").
+    """A rotation of a branch [rad], counted as its table: an action ends ("break"), or a load loses its seat ("seat").
 
-    what : the load, by its name
+    what : name of the load
     """
 
     kind: Kind
@@ -37,12 +37,13 @@ class Limit:
 
 
 def limits(mechanism: Mechanism) -> tuple[Limit, ...]:
-    """Where actions that resist end and loads lose their seats, on the branches as the mechanism breaks."""
+    """Return where resisting actions end and loads lose their seats, on the branches of the breaking variant."""
     rocker = mechanism.variants.breaking
     return () if rocker is None else tuple(_limits(rocker, mechanism.actions))
 
 
 def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limit]:
+    """Yield the limits of each branch of an oscillator."""
     sides = zip(acting, rocker.branches, BRANCHES, rocker.equilibria, strict=False)
     for one, branch, name, rest in sides:
         jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
@@ -54,19 +55,19 @@ def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limi
 
 
 def _among(rotation: float, jumps: FloatArray) -> bool:
-    """Whether a table jumps at a rotation [rad]; jumps : all that it has [n]."""
+    """Return whether a table jumps at a rotation [rad]; jumps : of the table [n]."""
     return bool(np.isclose(jumps, rotation, rtol=SAME, atol=0.0).any())
 
 
 def height_of_support(mechanism: Mechanism) -> float:
-    """Height over its base of what else holds the mechanism [m]: the far support or a lasting tie; 0 without either."""
+    """Return the height of the far support or of a lasting tie above the base [m]; 0 without either."""
     return held_above(mechanism) if mechanism.kind == "single-block" else mechanism.rise
 
 
 def held_above(mechanism: Mechanism) -> float:
-    """Height over the base hinge of the highest tie that holds the mechanism [m]; 0 without.
+    """Return the height of the highest tie that holds the mechanism above the base hinge [m]; 0 without ties.
 
-    Those count that are shown to last, or whose end is given: they stiffen the curve up to there.
+    A tie counts if it is shown to last or its end is given: it stiffens the curve up to there.
     """
     heights = [
         action.at[1] - one.chain.hinges[0][1]

@@ -1,11 +1,11 @@
-"""A mechanism by what is shown of its ties and forces: as it starts, as they break, and as it collapses.
+"""The oscillators of a mechanism: as it starts, as its ties and forces end, and as it collapses.
 
-    starting     every action that is there at rest: multipliers
-    breaking     each up to its end; one that nobody shows to last does not resist: the acceleration on the curve
-    collapse     only what is shown to be there up to collapse resists: displacements and histories
+    starting     every action at rest: multipliers
+    breaking     each action up to its end; one not shown to last does not resist: the acceleration on the curve
+    collapse     only actions shown to act up to collapse resist: displacements and histories
 
-A force or tie that drives never leaves. A tie that would break before the mechanism collapses is no part of the curve
-of collapse: once gone it does not come back as the mechanism returns. Source: Circolare 7/2019, C8.7.1.2.1.6.
+A force or tie that drives never ends. A tie that would break before the mechanism collapses is not part of the curve of
+collapse: once broken it does not act again as the mechanism returns. Source: Circolare 7/2019, C8.7.1.2.1.6.
 """
 
 from __future__ import annotations
@@ -30,22 +30,22 @@ SAME = 1e-9  # of a rotation: an end this near overturning comes with it
 
 @dataclass(frozen=True)
 class Variants:
-    """The oscillators of a mechanism, one object where they are the same.
+    """The oscillators of a mechanism, one object where they are equal.
 
-    breaking, collapse : None where the mechanism falls at rest without what is not shown to last
-    standing_by : names of the actions that it then stands by; empty where it stands without them
-    ends : up to where each action of each chain resists on the way to collapse [rad]; 0 where it does not last
+    breaking, collapse : None if the mechanism falls at rest without the actions that are not shown to last
+    depends_on : names of the actions without which it falls at rest; empty if there are none
+    ends : rotation up to which each action of each chain resists on the way to collapse [rad]; 0 if it does not last
     """
 
     starting: Oscillator
     breaking: Oscillator | None
     collapse: Oscillator | None
-    standing_by: tuple[str, ...]
+    depends_on: tuple[str, ...]
     ends: tuple[tuple[float, ...], ...]
 
     @property
     def deciding(self) -> Oscillator:
-        """What displacements and histories are asked of; the mechanism as it starts where it cannot stand otherwise."""
+        """The oscillator of displacements and histories; the starting one if it falls at rest without its actions."""
         return self.starting if self.collapse is None else self.collapse
 
 
@@ -69,7 +69,7 @@ def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainA
         return known[key]
 
     def no_later(sides: Sequence[Stages]) -> Oscillator | None:
-        """Keep what crushes a joint by its weight, without which the mechanism would fall later than it starts to."""
+        """Keep actions that crush a joint by their weight: without them the mechanism would fall too late."""
         made = of(sides)
         later = (
             [False]
@@ -84,8 +84,8 @@ def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainA
         return of([single_stage(one.chain) if on else side for one, on, side in zip(acting, later, sides, strict=True)])
 
     breaking = no_later([each.up_to(each.ends) for each in acting])
-    ends = [each.lasting for each in acting]
-    sides = [each.up_to(each.lasting) for each in acting]
+    ends = [each.lasting_ends for each in acting]
+    sides = [each.up_to(each.lasting_ends) for each in acting]
     collapse = no_later(sides)
     if collapse is not None:
         ends = [_kept(each, fall) for each, fall in zip(acting, overturning_rotations(collapse), strict=True)]
@@ -93,20 +93,20 @@ def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainA
         collapse = no_later(sides)
     if collapse is not None and (breaking is None or _falls_before(breaking, collapse)):
         breaking = collapse
-    missing = () if collapse is not None else _standing_by(acting, sides)
+    missing = () if collapse is not None else _depends_on(acting, sides)
     return Variants(starting, breaking, collapse, missing, tuple(ends))
 
 
 def overturning_rotations(rocker: Oscillator) -> tuple[float, ...]:
-    """Where each branch of an oscillator overturns, counted from the geometry [rad]."""
+    """Return the overturning rotation of each branch, counted from the geometry [rad]."""
     sides = zip(rocker.branches, rocker.equilibria, strict=False)
     return tuple(branch.unstable + rest for branch, rest in sides)
 
 
 def _falls_before(one: Oscillator, other: Oscillator) -> bool:
-    """Whether a mechanism first falls at a smaller rotation than another of its variants.
+    """Return whether a mechanism first falls at a smaller rotation than another of its variants.
 
-    On soft joints one that loses a tie may fall over to where it stands without: then the curve without it is taken.
+    On soft joints one that loses a tie may fall to the equilibrium without it: then the curve without it is used.
     """
     return any(
         first < then * (1.0 - SAME)
@@ -115,14 +115,22 @@ def _falls_before(one: Oscillator, other: Oscillator) -> bool:
 
 
 def collapse_branch(chain: Chain, *, name: str) -> Branch:
-    """The table of a chain on rigid hinges with what is shown to last to collapse, and what drives; no restitution.
+    """Tabulate a chain on rigid hinges with the actions that drive or are shown to last to collapse; no restitution.
 
-    Raises MechanismError for one that never overturns, FallingError for one that falls, or stands by the rest alone.
+    Parameters
+    ----------
+    chain : with all its actions; its joints are ignored
+    name : of the mechanism, for errors
+
+    Raises
+    ------
+    MechanismError : a chain that never overturns
+    FallingError : a chain that falls at rest, or depends on the other actions
     """
     rigid = replace(chain, joints=())
     end = float(staged_branch(single_stage(rigid), restitution=0.0, name=name).rotation[-1])
     acting = actions_on(rigid, name=name, end=end)
-    found = staged_branch(acting.up_to(acting.lasting), restitution=0.0, name=name)
+    found = staged_branch(acting.up_to(acting.lasting_ends), restitution=0.0, name=name)
     return staged_branch(acting.up_to(_kept(acting, found.overturning)), restitution=0.0, name=name)
 
 
@@ -135,12 +143,12 @@ def _oscillator_or_none(pair: ChainPair, sides: Sequence[Stages]) -> Oscillator 
 
 
 def _kept(acting: ChainActions, overturning: float) -> tuple[float, ...]:
-    """The ends of the actions that are there up to overturning [rad]; 0 of those that are not."""
-    return tuple(end if end >= overturning * (1.0 - SAME) else 0.0 for end in acting.lasting)
+    """Return the ends of the actions that act up to overturning [rad]; 0 for the others."""
+    return tuple(end if end >= overturning * (1.0 - SAME) else 0.0 for end in acting.lasting_ends)
 
 
-def _standing_by(acting: Sequence[ChainActions], sides: Sequence[Stages]) -> tuple[str, ...]:
-    """Names of the actions that are missing at rest where a side falls, or where none does at once, of all missing."""
+def _depends_on(acting: Sequence[ChainActions], sides: Sequence[Stages]) -> tuple[str, ...]:
+    """Return the names of the actions missing at rest where a side falls; if none does at once, of all missing."""
     both = list(zip(acting, sides, strict=True))
     falling = [one.actions[number].name for one, side in both if _falls(side[0]) for number in side[0].absent]
     missing = [one.actions[number].name for one, side in both for stage in side for number in stage.absent]
@@ -148,6 +156,6 @@ def _standing_by(acting: Sequence[ChainActions], sides: Sequence[Stages]) -> tup
 
 
 def _falls(stage: Stage) -> bool:
-    """Whether a chain falls at rest as its blocks turn about their hinges."""
+    """Return whether a chain falls at rest as its blocks rotate about their hinges."""
     rigid = replace(stage.chain, joints=())
     return bool(virtual_work(rigid, np.zeros(1)).restoring[0] <= 0.0)

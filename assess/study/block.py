@@ -115,7 +115,7 @@ class Block:
         """
         found = self.mechanism.variants.collapse
         if found is None:
-            names = ", ".join(self.mechanism.variants.standing_by)
+            names = ", ".join(self.mechanism.variants.depends_on)
             raise MechanismError(
                 f'mechanism "{self.name}": it stands only by {names}, not shown to last up to collapse; give until and '
                 "evidence"

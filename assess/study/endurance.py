@@ -80,7 +80,7 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
 
 def unsupported_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
     """Return why no displacement can be assessed: the mechanism stands only by loads that are not shown to last."""
-    loads = mechanism.variants.standing_by
+    loads = mechanism.variants.depends_on
     if not loads:
         return ()
     return (message("unheld", {"loads": ", ".join(loads)}, severity=Severity.WARNING, where=where),)

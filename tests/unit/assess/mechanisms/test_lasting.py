@@ -168,7 +168,7 @@ def test_a_force_acts_where_it_drives_and_not_where_it_resists():
 def test_a_mechanism_that_stands_by_such_a_tie_alone_has_no_curve_of_collapse():
     heavy, holding = Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)
     ways = found(heavy, holding)
-    assert (ways.breaking, ways.collapse, ways.standing_by) == (None, None, ("tie",))
+    assert (ways.breaking, ways.collapse, ways.depends_on) == (None, None, ("tie",))
     assert ways.deciding is ways.starting
     assert limits(wall(heavy, holding)) == ()
     breaking = found(heavy, replace(holding, until=0.1))

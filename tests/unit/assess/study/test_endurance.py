@@ -178,5 +178,5 @@ def test_the_rest_of_it_is_printed(standing_by_its_tie):
     (mechanism,) = results.mechanisms
     assert mechanism.oscillator.uplift_multiplier > 0.0
     assert mechanism.deciding_curve is None
-    assert study.mechanisms[0].variants.standing_by == ("tie 2",)
+    assert study.mechanisms[0].variants.depends_on == ("tie 2",)
     assert envelope(study, jobs=1).mechanisms[0].envelope is None

@@ -10,8 +10,8 @@ from assess.loads.definitions import Through
 from assess.loads.load import Load
 from assess.loads.overburden import UPPER
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.flexible import top_loads
 from assess.mechanisms.joint import Joint
+from assess.mechanisms.jointed_chain import top_loads
 
 ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle comes through it unless said otherwise
 THROUGH_TOP = (

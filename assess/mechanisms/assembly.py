@@ -33,7 +33,7 @@ def assemble(
     label: str,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
     outlines: tuple[Outline, ...],
-    notices: Iterable[str] = (),
+    warnings: Iterable[str] = (),
 ) -> Mechanism:
     """Assemble a mechanism from its chains, with its coefficients of restitution.
 
@@ -45,7 +45,7 @@ def assemble(
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
     outlines : of each block in the plane of motion
-    notices : warnings on what was given
+    warnings : sentences on what was given
 
     Raises
     ------
@@ -68,7 +68,7 @@ def assemble(
         restitution_source=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        notices=(*notices, *pulling, *sorted({kept.notice, back.notice} - {""})),
+        warnings=(*warnings, *pulling, *sorted({kept.notice, back.notice} - {""})),
         stopped=_stopped(kept, back),
         rebounds=kept.range,
     )
@@ -106,7 +106,7 @@ def add_joints(
     )
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
     rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
-    others = [notice for notice in mechanism.notices if notice not in {each.notice for each in rigid}]
+    others = [notice for notice in mechanism.warnings if notice not in {each.notice for each in rigid}]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
     return replace(
@@ -115,7 +115,7 @@ def add_joints(
         negative=back,
         restitution=(kept.value, returned.value),
         restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
-        notices=(*others, *sorted({kept.notice, returned.notice} - {""})),
+        warnings=(*others, *sorted({kept.notice, returned.notice} - {""})),
         stopped=_stopped(kept, returned),
         rebounds=kept.range,
     )

@@ -57,5 +57,5 @@ def equivalent_block(
         label=label,
         restitution=restitution,
         outlines=((outline,),),
-        notices=(impossible,) if k < 1.0 else (),
+        warnings=(impossible,) if k < 1.0 else (),
     )

@@ -8,9 +8,9 @@ block, so that phi alone describes the chain, and V(phi) is the potential energy
     restoring         dV/dphi - M, the moment that holds the leading block
 
 with each hinge at the resultant of its joint. V is never differentiated through a(phi): as the joints are in
-equilibrium, that derivative is zero (tested with the energy of the joints). Inertia is that of the true motion, in which
-the faces rotate about `Contact.instantaneous_centre`, neglecting the small change of forces along the motion. Closures
-count from the state of rest, in which the geometry was measured.
+equilibrium, that derivative is zero (tested with the energy of the joints). Inertia is that of the true motion, in
+which the faces rotate about `Contact.instantaneous_centre`, neglecting the small change of forces along the motion.
+Closures count from the state of rest, in which the geometry was measured.
 """
 
 from __future__ import annotations

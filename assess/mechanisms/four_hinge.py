@@ -26,7 +26,7 @@ def four_hinge(
     sides: Sides = "two",
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    notices: tuple[str, ...] = (),
+    warnings: tuple[str, ...] = (),
 ) -> Mechanism:
     """Make the mechanism of three bodies A-B, B-C and C-D; negative rotation has hinges of its own.
 
@@ -40,7 +40,7 @@ def four_hinge(
     loads : on the blocks
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
-    notices : warnings on what was given
+    warnings : sentences on what was given
 
     Raises
     ------
@@ -59,8 +59,8 @@ def four_hinge(
         label=label,
         restitution=restitution,
         outlines=outlines,
-        notices=(
-            *notices,
+        warnings=(
+            *warnings,
             *loose_hinges(hinges, outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),

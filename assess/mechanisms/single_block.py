@@ -25,7 +25,7 @@ def single_block(
     hinge_negative: Point | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    notices: tuple[str, ...] = (),
+    warnings: tuple[str, ...] = (),
 ) -> Mechanism:
     """Make the mechanism of one body rocking about the edges of its base.
 
@@ -39,7 +39,7 @@ def single_block(
     loads : on the block
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
-    notices : warnings on what was given
+    warnings : sentences on what was given
 
     Raises
     ------
@@ -63,7 +63,7 @@ def single_block(
         label=label,
         restitution=restitution,
         outlines=(body.outline,),
-        notices=(*_off_base(body, hinge, "A"), *_off_base(body, hinge_negative, "A'"), *notices),
+        warnings=(*_off_base(body, hinge, "A"), *_off_base(body, hinge_negative, "A'"), *warnings),
     )
 
 

@@ -36,7 +36,7 @@ def two_block(
     hinges_negative: Hinges | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    notices: tuple[str, ...] = (),
+    warnings: tuple[str, ...] = (),
 ) -> Mechanism:
     """Make the mechanism of a wall of two bodies, held at its base and its top.
 
@@ -51,7 +51,7 @@ def two_block(
     loads : on the blocks
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
-    notices : warnings on what was given
+    warnings : sentences on what was given
 
     Raises
     ------
@@ -76,8 +76,8 @@ def two_block(
         label=label,
         restitution=restitution,
         outlines=outlines,
-        notices=(
-            *notices,
+        warnings=(
+            *warnings,
             *loads_across_crack(loads, front[1][1]),
             *loose_hinges(hinges or (), outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),

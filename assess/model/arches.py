@@ -46,7 +46,7 @@ def arch_mechanism(
     except MechanismError as error:
         start = f'mechanism "{name}": '
         raise MechanismError(start + "; ".join((*warnings, str(error).removeprefix(start)))) from None
-    return replace(made, notices=(*warnings, *made.notices)), pieces
+    return replace(made, warnings=(*warnings, *made.warnings)), pieces
 
 
 def arch_at_weakest_hinges(
@@ -56,15 +56,15 @@ def arch_at_weakest_hinges(
     plain = [block_of(body) for body in voussoirs]
     front = weakest_hinges(plain, joints, name=name)
     _, positive = divide_arch(voussoirs, front)
-    negative, notices = None, [hinges_text(front, "positive", len(joints), flip=False)]
+    negative, warnings = None, [hinges_text(front, "positive", len(joints), flip=False)]
     if sides == "two":
         turned = [replace(block, centroid=mirror_point(block.centroid)) for block in plain[::-1]]
         back = weakest_hinges(turned, [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]], name=name)
         a, b, c, d = (mirror_point(hinge) for hinge in back.hinges)
         negative = mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
-        notices.append(hinges_text(back, "negative", len(joints), flip=True))
+        warnings.append(hinges_text(back, "negative", len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
-    return assemble(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+    return assemble(name, "four-hinge", positive, negative, outlines=outlines, warnings=warnings, **common)
 
 
 def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:

@@ -72,8 +72,8 @@ def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> Mechanism
         mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=load_set.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
-    notices = mechanism.notices if crack is None else (*crack.notices, *mechanism.notices)
-    return replace(mechanism, notices=(*notices, *load_set.warnings)), members
+    warnings = mechanism.warnings if crack is None else (*crack.warnings, *mechanism.warnings)
+    return replace(mechanism, warnings=(*warnings, *load_set.warnings)), members
 
 
 def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
@@ -102,7 +102,7 @@ def of_one_block(
         hinge=front[0] if front else None,
         hinge_negative=back[0] if back else None,
         loads=loads,
-        notices=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
+        warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
         **common(definition),
     )
     return mechanism, pieces
@@ -127,7 +127,7 @@ def of_two_blocks(
         hinges=front,
         hinges_negative=back,
         loads=loads,
-        notices=tuple(dict.fromkeys(warnings)),
+        warnings=tuple(dict.fromkeys(warnings)),
         **common(definition),
     )
     return mechanism, pieces

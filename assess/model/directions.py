@@ -54,8 +54,8 @@ def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> B
             angles(edge_normals(plan)),
         )
     built = mechanism_of(name, turn_towards(definition, towards(found.weakest)), bodies)
-    kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
-    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *corner)))
+    kept = (text for text in built.mechanism.warnings if text != ASKEW)  # every direction has been looked at
+    return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
 
 def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:

@@ -67,8 +67,8 @@ def place_on_joints(
         warnings.append(THROUGH_TOP)
     warnings += contact_offset_warnings(mechanism, joints)
     made = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
-    notices = dict.fromkeys((*made.notices, *warnings, *eccentricity_warnings(made)))
-    return replace(made, notices=tuple(notices))
+    warnings = [*made.warnings, *warnings, *eccentricity_warnings(made)]
+    return replace(made, warnings=tuple(dict.fromkeys(warnings)))
 
 
 def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:

@@ -39,7 +39,7 @@ class Crack:
     """Where a wall of one body cracks: elevation [m], how it was found, and the loads that it was found with."""
 
     elevation: float
-    notices: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     loads: tuple[Load, ...] | None = None
 
 

@@ -119,7 +119,18 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
     built = {name: mechanism_in_direction(name, definitions[name], bodies) for name in chosen}
-    structure = structure_of(content.building)
+    in_place = {
+        name: MechanismInPlace(
+            name=name,
+            definition=definitions[name],
+            built=built[name],
+            bodies=bodies,
+            ground=ground,
+            structure=structure_of(building),
+            base_elevation=base_elevation_of(section),
+        )
+        for name, section in chosen.items()
+    }
     own = files.spectrum
     question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
@@ -140,21 +151,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         options=options_of(content),
         mechanisms=tuple(each.mechanism for each in built.values()),
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
-        amplified={
-            name: amplify(
-                amplification_method_of(section),
-                MechanismInPlace(
-                    name=name,
-                    definition=definitions[name],
-                    built=built[name],
-                    bodies=bodies,
-                    ground=ground,
-                    structure=structure,
-                    base_elevation=base_elevation_of(section),
-                ),
-            )
-            for name, section in chosen.items()
-        },
+        amplified={name: amplify(amplification_method_of(chosen[name]), one) for name, one in in_place.items()},
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},

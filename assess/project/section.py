@@ -29,12 +29,10 @@ def quote_names(names: Mapping[str, Any] | tuple[str, ...]) -> str:
 class Section(BaseModel):
     """One table of the project file.
 
-    `planned` are keys of the interface that this version does not read yet; `elsewhere` are keys of another form of the
-    same table, each with what is wrong about them here.
+    `elsewhere` are keys of another form of the same table, each with what is wrong about it here.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
-    planned: ClassVar[Mapping[str, str]] = {}
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
@@ -73,8 +71,6 @@ class Section(BaseModel):
 
     @classmethod
     def _unknown(cls, key: str) -> str:
-        if key in cls.planned:
-            return f"not supported by this version; {cls.planned[key]}"
         if key in cls.elsewhere:
             return cls.elsewhere[key]
         near = get_close_matches(key, cls.table_keys(), n=1)

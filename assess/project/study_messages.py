@@ -39,7 +39,7 @@ def project_messages(
     yield from overlaps_of(definitions, bodies)
     yield from gaps_of(definitions, bodies)
     for mechanism in mechanisms:
-        for text in mechanism.notices:
+        for text in mechanism.warnings:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
         yield from load_messages(mechanism)
         yield from mechanism.messages

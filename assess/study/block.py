@@ -133,7 +133,7 @@ class Block:
         return (
             *overlaps_of(definitions, self.bodies),
             *gaps_of(definitions, self.bodies),
-            *(warning("mechanism", where, text=text) for text in self.mechanism.notices),
+            *(warning("mechanism", where, text=text) for text in self.mechanism.warnings),
             *self.mechanism.messages,
         )
 

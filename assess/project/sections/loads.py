@@ -230,7 +230,6 @@ class BodyLoad(Section):
         return self
 
 
-LoadTable = MassLoad | ForceLoad | TieLoad | OverburdenLoad | BodyLoad
 LOADS = ("mass", "force", "tie", "overburden", "body")
 
 

@@ -66,7 +66,7 @@ def test_an_impact_between_unlike_hinges_keeps_its_share_of_energy(model):
     np.testing.assert_allclose(alike, share, rtol=1e-4)
     if model == "flexible":  # about the middle of the joint, both ways
         assert first == pytest.approx(second, rel=1e-4)
-        assert not found.notices
+        assert not found.warnings
 
 
 def test_a_given_coefficient_stays_what_it_is():

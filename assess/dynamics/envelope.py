@@ -1,13 +1,13 @@
 """Overturning envelopes: which pulses, by frequency and amplitude, overturn a mechanism (thesis 3.3.1, 3.4.1).
 
-The outcome is not monotone in amplitude: above the least pulse that overturns there can be safe islands, which the map
-shows. The lower bound is sought by a scan in steps of 1 % (exact equation: 2 %) and on the map, then by bisection
-between the last pulse that the mechanism stands and the first that overturns it; a band of overturning thinner than a
+The outcome is not monotone in amplitude: above the weakest overturning pulse there can be safe islands, which the map
+shows. The lower bound is found by a scan in steps of 1 % (exact equation: 2 %) and on the map, then by bisection
+between the last pulse that the mechanism survives and the first that overturns it; a band of overturning thinner than a
 step can be missed.
 
-Both polarities are run, the worse counts: for one-sided rocking the polarity that first presses the body to its support
-needs less than the other, by up to 2.5 times, and the plot of the thesis shows the other one only. A mechanism that is
-the same both ways needs one.
+Both polarities are run and the worse one counts: in one-sided rocking the polarity that first presses the body against
+its support needs up to 2.5 times less than the other, and the thesis plots only the other. A symmetric mechanism needs
+one polarity.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 SCAN = {"linearised": 1.01, "exact": 1.02}
-"""Ratio of two amplitudes of the scan for the lower bound."""
+"""Ratio of two successive amplitudes of the scan for the lower bound."""
 FROM = 0.2
-"""Of the peak acceleration that is resisted at most: where the scan begins on joints without a threshold of uplift."""
+"""Start of the scan on joints without a threshold of uplift, as a fraction of the largest acceleration resisted."""
 BISECTIONS = 40
 MARGIN = 0.99
-"""Of the impulse that overturns: tables bow between their nodes, and the kernel errs by 1e-7."""
+"""Fraction of the overturning impulse: tables are curved between their nodes, and the kernel errs by 1e-7."""
 CHUNK = 3
-"""Frequencies given to a thread at a time: slow pulses cost more than quick ones."""
+"""Frequencies given to a thread at a time: slow pulses cost more than fast ones."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,12 +74,25 @@ def envelope(
     factor: FloatArray | None = None,
     threads: int = 0,
 ) -> Envelope:
-    """The envelope of one mechanism over rising amplitudes; factor: of the ground's at its base, at each frequency [n].
+    """Compute the overturning envelope of one mechanism.
 
-    Raises MechanismError for a branch that cannot rock, ValueError for a frequency that is not positive.
+    Parameters
+    ----------
+    oscillator : the mechanism
+    shape : of the pulse, from `records.pulses`
+    frequency : of the pulses [n] [Hz]
+    amplitude : of the ground, rising [m] [m/s2]
+    equation : "exact" or "linearised"
+    factor : amplification from the ground to the base at each frequency [n] [-]; absent: 1
+    threads : number of threads, 0 for all cores
+
+    Raises
+    ------
+    MechanismError : a branch that cannot rock
+    ValueError : a frequency that is not positive
     """
     check_frequency(frequency)
-    fill = _filling(oscillator, shape, equation)  # first, for it tells what cannot rock
+    fill = _filling(oscillator, shape, equation)  # first, for it rejects what cannot rock
     times = np.ones_like(frequency) if factor is None else factor
     signs = np.array(polarities(oscillator), dtype=np.float64)
     overturned = np.empty((frequency.size, signs.size, amplitude.size), dtype=np.bool_)
@@ -101,7 +114,7 @@ def envelope(
 
 
 def _filling(oscillator: Oscillator, shape: Shape, equation: Equation) -> Callable[..., None]:
-    """The kernel's envelope of the oscillator and the shape."""
+    """Return the kernel for the envelope of this oscillator and shape."""
     one = pack(oscillator, equation)
     if has_closed_form(shape, equation):
         return partial(sine.envelope_sine, one.branches, shape.end)
@@ -112,7 +125,7 @@ def _filling(oscillator: Oscillator, shape: Shape, equation: Equation) -> Callab
 
 
 def _scan(oscillator: Oscillator, factor: FloatArray, *, equation: Equation, highest: float) -> FloatArray:
-    """Amplitudes of the ground at which the lower bound is looked for first [n, k]; the last ones are `highest`."""
+    """Return the amplitudes of the ground to scan for the lower bound [n, k] [m/s2]; the last ones are `highest`."""
     lowest = (uplift_acceleration(oscillator, equation) or FROM * _resisted(oscillator)) / factor
     steps = ceil(log(max(highest / lowest.min(), 1.0)) / log(SCAN[equation])) + 1
     return np.minimum(lowest[:, None] * SCAN[equation] ** np.arange(steps), highest)
@@ -135,7 +148,7 @@ def safe_amplitude(oscillator: Oscillator, shape: Shape, frequency: FloatArray, 
 
 
 def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]:
-    """Of one branch: sqrt(2 E) at overturning, the largest B / sqrt(I), and I at rest."""
+    """Return sqrt(2 E) at overturning, the largest B / sqrt(I), and I at rest, of one branch."""
     if equation == "linearised":
         form = branch.linearised
         needed = sqrt(form.stiffness) * form.overturning
@@ -146,19 +159,19 @@ def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]
 
 
 def polarities(oscillator: Oscillator) -> tuple[int, ...]:
-    """Signs of a pulse that differ in what they do: one for an oscillator that is the same both ways."""
+    """Return the signs of a pulse to run: one for a symmetric oscillator, else both."""
     return (1,) if oscillator.symmetric else (1, -1)
 
 
 def uplift_acceleration(oscillator: Oscillator, equation: Equation) -> float:
-    """Acceleration at the base that starts rocking [m/s2]."""
+    """Return the acceleration at the base that starts rocking [m/s2]."""
     if equation == "linearised":
         return min(g * branch.linearised.multiplier for branch in oscillator.branches)
     return min(float(branch.restoring[0] / branch.excitation[0]) for branch in oscillator.branches)
 
 
 def _resisted(oscillator: Oscillator) -> float:
-    """The largest acceleration that any rotation up to overturning holds [m/s2]."""
+    """Return the largest acceleration resisted at any rotation up to overturning [m/s2]."""
     return min(
         float((branch.restoring / branch.excitation)[branch.rotation <= branch.unstable].max())
         for branch in oscillator.branches

@@ -1,9 +1,9 @@
-"""What pulses of the ground do to oscillators: whether they rock and overturn.
+"""The outcome of pulses of the ground: whether oscillators rock and overturn.
 
 A pulse is one of `records.pulses`, exact but for 1e-12: its acceleration goes to the kernel as polynomials of the fifth
-degree that have its value, slope and curvature at the ends of short pieces. A sine by the linearised equation is closed
-from event to event (`kernel.sine`) and needs no pieces. Outcomes are told at the end of the pulse
-from the energy that is left (reference: the body overturns where y + y' / p > 1, linearised), so no free motion is run.
+degree that have its value, slope and curvature at the ends of short pieces. A sine by the linearised equation has a
+closed form between events (`kernel.sine`) and needs no pieces. The outcome follows at the end of the pulse from the
+energy that is left (linearised: the body overturns if y + y' / p > 1), so no free motion is run.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ from spectra.arrays import BoolArray, FloatArray, IntArray
 Run = Callable[[IntArray, IntArray, FloatArray, FloatArray], None]
 
 PIECES = 100
-"""In one period 2 pi of the phase: the error of a piece of a sine is (2 pi / 100)^6 / 46080 = 1e-12 of its peak."""
+"""Number in one period: the error of a piece of a sine is (2 pi / 100)^6 / 46080 = 1e-12 of its peak."""
 TOLERANCE = 1e-9
-"""Error allowed to one step of the exact equation: the amplitude that overturns is then right to 1e-7 or better."""
+"""Error allowed in one step of the exact equation: the overturning amplitude is then right to 1e-7 or better."""
 CHUNK_JOBS = 32
-"""Jobs given to a thread at a time: few, for a bisection asks one for each frequency."""
+"""Jobs given to a thread at a time: few, because a bisection has one for each frequency."""
 
 
 @dataclass(frozen=True, repr=False)
 class PulseJobs(ShortRepr):
     """What to run, one entry per job [n].
 
-    oscillator : index into the oscillators given beside; frequency : index into the frequencies given beside
+    oscillator, frequency : indices into the oscillators and the frequencies given with the jobs
     amplitude : signed peak acceleration [m/s2]; negative for the reversed polarity
     """
 
@@ -51,7 +51,7 @@ class PulseJobs(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Outcomes(ShortRepr):
-    """Of each job [n]: whether it rocked, whether it overturned, and impacts until the pulse ended or it overturned."""
+    """Whether each job [n] rocked and overturned, and its impacts until the end of the pulse or overturning."""
 
     uplifted: BoolArray
     overturned: BoolArray
@@ -91,8 +91,20 @@ def make_solver(
 ) -> Callable[[PulseJobs], Outcomes]:
     """Return a solver for these oscillators, this shape and these frequencies [n] [Hz]; call it with PulseJobs.
 
-    Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
-    cannot rock, ValueError for a frequency that is not positive.
+    Jobs of one oscillator and one frequency are fastest one after the other.
+
+    Parameters
+    ----------
+    oscillators : the oscillators that jobs name by their index
+    shape : of the pulse, from `records.pulses`
+    frequency : of the pulses that jobs name by their index [n] [Hz]
+    equation : "exact" or "linearised"
+    threads : number of threads, 0 for all cores; the outcomes do not depend on it
+
+    Raises
+    ------
+    MechanismError : a branch that cannot rock
+    ValueError : a frequency that is not positive
     """
     check_frequency(frequency)
     each = [pack(oscillator, equation) for oscillator in oscillators]
@@ -127,14 +139,14 @@ def make_solver(
 
 
 def check_frequency(frequency: FloatArray) -> None:
-    """Raises ValueError for a frequency [n] that is not positive."""
+    """Raise ValueError for a frequency [n] that is not positive."""
     bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
     if bad.size:
         raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
 
 
 def has_closed_form(shape: Shape, equation: Equation) -> bool:
-    """Whether the motion between two events is closed: a sine, whole or half, by the linearised equation."""
+    """Return whether the motion between two events has a closed form: a sine, whole or half, linearised."""
     return equation == "linearised" and shape.name in ("sine", "half-sine")
 
 
@@ -150,15 +162,14 @@ _KERNELS = {"linearised": _linearised, "exact": _exact}
 
 
 def pulse_polynomials(shape: Shape) -> tuple[FloatArray, float]:
-    """The shape as polynomials of phase from the beginning of each piece, lowest power first [n, 6], and the phase of
-    a piece [rad]."""
+    """Return the shape as polynomials of phase over each piece [n, 6], lowest power first, and its phase [rad]."""
     n = max(ceil(PIECES * (shape.end - shape.start) / (2 * pi)), 2)
     return _fitted(shape, n), (shape.end - shape.start) / n
 
 
 @lru_cache(maxsize=8)
 def _fitted(shape: Shape, pieces: int) -> FloatArray:
-    """The polynomials [pieces, 6], made once for all mechanisms: it takes longer than the histories of one."""
+    """Fit the polynomials [pieces, 6], once for all mechanisms: this takes longer than the histories of one."""
     theta = np.linspace(shape.start, shape.end, pieces + 1)
     fitted = PPoly.from_bernstein_basis(BPoly.from_derivatives(theta, shape.derivatives(theta)[:3].T))
     coefficients = np.ascontiguousarray(fitted.c[::-1].T)

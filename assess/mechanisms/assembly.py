@@ -9,9 +9,10 @@ import numpy as np
 
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
-from assess.mechanisms.flexible import FlexibleChain, top_loads
+from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice, find_restitution
 from assess.mechanisms.joint import Joint
+from assess.mechanisms.jointed_chain import top_loads
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.restitution import Restitution
 from assess.mechanisms.virtual_work import require_stable, virtual_work

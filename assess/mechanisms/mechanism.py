@@ -1,4 +1,4 @@
-"""A collapse mechanism: a chain for each direction of rotation, what its impacts keep, and how it is drawn."""
+"""A collapse mechanism: a chain for each direction of rotation, the restitution of its impacts, and its drawing."""
 
 from __future__ import annotations
 
@@ -32,19 +32,19 @@ class Mechanism:
     name, label, kind : as in the project file
     sides : "one" (positive rotation only) or "two"
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
-    restitution : what the impact that ends the positive and the negative branch leaves of the velocity [-]
-    restitution_source : the formula it comes from, or "given"
-    rebounds : what its restitution is multiplied by in histories, its own value first, of which the worst counts
-    stopped : the negative restitution that the rule gave where an impact brings the mechanism to rest, else None [-]
+    restitution : of the impacts that end the positive and the negative branch [-]
+    restitution_source : its formula, or "given"
+    rebounds : factors on the restitution in histories, 1 first; the worst result counts [-]
+    stopped : the negative restitution by the rule, if an impact brings the mechanism to rest; else None [-]
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
     warnings : sentences the engineer must read, such as a rule that did not hold
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
-    directions : the resistance towards each direction where the weakest of a circle was sought, else None
+    directions : the resistance towards each direction if the weakest of a circle was searched, else None
     direction : of positive rotation, a horizontal vector; None for an equivalent block
-    beside : the bodies that touch it and would stop its motion one way or another
-    messages : what else is told of it
+    beside : the bodies in contact with it that would stop its motion one way or another
+    messages : further messages for the engineer
     candidates : the directions among which the weakest was found, or with which a given one was compared
     """
 
@@ -99,12 +99,12 @@ class Mechanism:
 
     @property
     def flexible(self) -> bool:
-        """Whether a hinge presses on a joint that gives way."""
+        """Whether a hinge presses on a joint that deforms or crushes."""
         return any(joint is not None for joint in self.positive.joints)
 
     @property
     def yielding(self) -> bool:
-        """Whether a hinge presses on a joint that answers to any motion, so that rest has no threshold of uplift."""
+        """Whether a hinge presses on a joint that deforms under any motion, so that there is no threshold of uplift."""
         return any(joint is not None and joint.model != "rigid" for joint in self.positive.joints)
 
     @property

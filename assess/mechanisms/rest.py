@@ -1,4 +1,4 @@
-"""A chain of one block at rest, as the plain block that formulas of the field are written for."""
+"""A chain of one block at rest, as the plain block of published formulas."""
 
 from __future__ import annotations
 

@@ -66,11 +66,11 @@ class Side(ShortRepr):
         First from their forces and rates at rest, then corrected by those at the rotations found.
         """
         chain, start, stop = self.chains[number], self.starts[number], self.stops[number]
-        joints = [(number, joint) for number, joint in enumerate(chain.joints) if joint is not None]
+        joints = [(number, joint) for number, joint in enumerate(chain.jointed.joints) if joint is not None]
         places = np.full((len(joints), 2), JUST * self.end)
         for _ in range(CORRECTIONS):
             joints_there, before = chain.solve_joints(places.ravel()), places.copy()
-            turned = chain.relative(joints_there.configuration)
+            turned = chain.jointed.relative(joints_there.configuration)
             for row, (number, joint) in enumerate(joints):
                 for column, at in enumerate((2 * row, 2 * row + 1)):
                     force, psi = float(joints_there.normal_force[number, at]), float(turned[number, at])

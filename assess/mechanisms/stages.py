@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 from assess.loads.load import Action, Force, PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import STATIONS
-from assess.mechanisms.flexible import top_loads
+from assess.mechanisms.jointed_chain import top_loads
 from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.virtual_work import generalised_moment
 from assess.short_repr import ShortRepr

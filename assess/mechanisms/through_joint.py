@@ -1,4 +1,4 @@
-"""Overburdens that come through the joint at the top of a wall of two blocks."""
+"""Overburdens that act through the joint at the top of a wall of two blocks."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from assess.loads.definitions import Through
 from assess.loads.load import Load
 from assess.loads.overburden import UPPER
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.flexible import top_loads
 from assess.mechanisms.joint import Joint
+from assess.mechanisms.jointed_chain import top_loads
 
-ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle comes through it unless said otherwise
+ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle acts through it unless the load says otherwise
 THROUGH_TOP = (
     "interface C: the load on the middle of the top comes through the joint there, so its resultant moves to the edge "
     "as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays in its place, "
@@ -22,10 +22,16 @@ THROUGH_TOP = (
 
 
 def through_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Through]) -> Chain:
-    """The chain with the loads that come through the joint at the top of a wall moved to its hinge.
+    """Move the loads that act through the joint at the top of a wall to its hinge.
 
-    On a joint their resultant is in the middle at rest all the same, and moves to the edge as the wall turns; where
-    the top is rigid they press at the hinge of each direction.
+    On a joint their resultant is still in the middle at rest, and moves to the edge as the wall rotates; on a rigid
+    top they press at the hinge of each direction.
+
+    Parameters
+    ----------
+    chain : of the wall
+    joint : at its top, None if rigid
+    through : what each load says, by its name
     """
     if len(chain.blocks) != 2:
         return chain
@@ -37,7 +43,7 @@ def through_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Throu
 
 
 def comes_through(load: Load, chain: Chain, joint: Joint | None, through: Through) -> bool:
-    """Whether a load of a wall comes through the joint at its top: as is said, else where it stands on the middle."""
+    """Return whether a load acts through the joint at the top: as it says, else if it is on the middle."""
     if through is not None:
         return through == "joint"
     if joint is None or load.block != UPPER:
@@ -50,7 +56,14 @@ def comes_through(load: Load, chain: Chain, joint: Joint | None, through: Throug
 def under_loads(
     chain: Chain, joints: tuple[Joint | None, ...], through: Mapping[str, Through]
 ) -> tuple[Joint | None, ...]:
-    """The joints of a chain; without that at the top of a wall where all that stands at its hinge is fixed there."""
+    """Return the joints of a chain, without the one at the top of a wall if all loads at its hinge are fixed there.
+
+    Parameters
+    ----------
+    chain : of the wall
+    joints : under its hinges
+    through : what each load says, by its name
+    """
     if len(chain.blocks) != 2:
         return joints
     at_hinge = top_loads(chain)

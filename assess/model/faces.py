@@ -8,8 +8,8 @@ from assess.errors import GeometryError
 from assess.geometry.piece import Piece
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.face import Face
-from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import PAIRS
+from assess.mechanisms.jointed_chain import JointedChain
 from assess.mechanisms.mechanism import Mechanism
 from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
@@ -45,7 +45,7 @@ def normal_of(
     """
     ground = PAIRS[len(chain.blocks)][number][0] is None
     if chain.joints and chain.joints[number] is not None:
-        normal = complex(FlexibleChain(chain, "").normal[number])
+        normal = complex(JointedChain(chain, "").normal[number])
         return (normal.real, normal.imag), True
     upright = DOWN if len(chain.blocks) == number == 2 else UP
     try:

@@ -23,6 +23,7 @@ from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.joint import Joint
+from assess.mechanisms.jointed_chain import JointedChain
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.through_joint import THROUGH_TOP, through_joint, under_loads
 from assess.model.body import Bodies, Material
@@ -135,7 +136,7 @@ def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
     text = f"interface {hinge_names(seat.chain)[seat.number]}: no strength is known, so its joint never crushes"
     warnings = (f"{text}; give strength",) if endless else ()
-    shape, sense = interface.shape, float(FlexibleChain(seat.chain, seat.name).sense[seat.number])
+    shape, sense = interface.shape, float(JointedChain(seat.chain, seat.name).sense[seat.number])
     if isinstance(shape, Shape):
         joint, more = shaped_joint(seat, law, shape, sense=sense)
     else:

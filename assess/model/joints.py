@@ -134,8 +134,9 @@ def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]
     if law is None:
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
-    text = f"interface {hinge_names(seat.chain)[seat.number]}: no strength is known, so its joint never crushes"
-    warnings = (f"{text}; give strength",) if endless else ()
+    letter = hinge_names(seat.chain)[seat.number]
+    text = f"interface {letter}: no strength is known, so its joint never crushes; give strength"
+    warnings = (text,) if endless else ()
     shape, sense = interface.shape, float(JointedChain(seat.chain, seat.name).sense[seat.number])
     if isinstance(shape, Shape):
         joint, more = shaped_joint(seat, law, shape, sense=sense)

@@ -35,12 +35,16 @@ TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "li
 
 @dataclass(frozen=True)
 class Case:
-    """Blocks with the hinges of each direction, as they stand, and their loads."""
+    """Blocks with the hinges of each direction, as they stand, and their loads.
+
+    kind : of the mechanism; that of so many blocks where None
+    """
 
     blocks: tuple
     front: tuple
     back: tuple
     loads: tuple = ()
+    kind: str | None = None
 
     def chains(self):
         return Chain(self.blocks, self.front, self.loads), mirror_chain(self.blocks, self.back, self.loads)
@@ -48,11 +52,14 @@ class Case:
     def mechanism(self, *, weld=lambda body: body, restitution="momentum"):
         bodies = [weld(body_of(block)) for block in self.blocks]
         more = {"loads": self.loads, "restitution": (restitution, restitution)}
-        if len(bodies) == 1:
+        kind = self.kind or ("single-block", "two-block", "four-hinge")[len(bodies) - 1]
+        if kind == "single-block":
             return single_block("m", *bodies, hinge=self.front[0], hinge_negative=self.back[0], **more)
-        if len(bodies) == 2:
+        if kind == "two-block":
             return two_block("m", *bodies, hinges=self.front, hinges_negative=self.back, **more)
-        return four_hinge("m", bodies, hinges=self.front, hinges_negative=self.back, **more)
+        if kind == "four-hinge":
+            return four_hinge("m", bodies, hinges=self.front, hinges_negative=self.back, **more)
+        raise NotImplementedError(f"no constructor of {kind} here: add the call of yours to Case.mechanism")
 
 
 def body_of(block):
@@ -213,6 +220,7 @@ def image(case):
         tuple(mirror_point(each) for each in case.back),
         tuple(mirror_point(each) for each in case.front),
         tuple(mirror_load(each) for each in case.loads),
+        case.kind,
     )
 
 
@@ -248,7 +256,7 @@ def scaled(case, s):
             loads.append(replace(each, at=at, anchor=anchor, pull=s**3 * each.pull))
     blocks = tuple(Block(s**3 * b.mass, tuple(s * x for x in b.centroid), s**5 * b.inertia) for b in case.blocks)
     front, back = (tuple((s * x, s * z) for x, z in hinges) for hinges in (case.front, case.back))
-    return Case(blocks, front, back, tuple(loads))
+    return Case(blocks, front, back, tuple(loads), case.kind)
 
 
 @EVERY

@@ -256,12 +256,3 @@ def test_all_that_is_compiled_is_in_the_key() -> None:
             assert ours <= {*kernels, "spectra.arrays"}, name  # types of arguments, of which no code is made
         else:
             assert not {"numba", "assess.kernel", "records.compilation.kernel"} & imported, name
-
-
-def test_looking_at_the_sources_takes_no_time_to_speak_of() -> None:
-    def taken() -> float:
-        start = time.process_time()
-        assert key(())
-        return time.process_time() - start
-
-    assert min(taken() for _ in range(20)) < 5e-3  # 0.7 ms where nothing else runs

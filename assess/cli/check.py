@@ -18,5 +18,5 @@ def check(project: ProjectPath) -> None:
     from assess.study.parameters import parameters
 
     study = build(loaded)
-    print(description(loaded, parameters(study), study.sweeps, study.notices), end="")
+    print(description(loaded, parameters(study), study.sweeps, study.messages), end="")
     print(sensitivity_text(study.variables), end="")

@@ -29,7 +29,7 @@ def parameters(
 
     text = dumps_mechanisms if as_json else csv_text if as_csv else parameters_text
     study = build(loaded)
-    print(messages_text(study.notices), end="", file=sys.stderr)
+    print(messages_text(study.messages), end="", file=sys.stderr)
     mechanisms = parameters_of_study(study)
     print(text((*mechanisms, *case_parameters(study))), end="")
     if text is parameters_text:

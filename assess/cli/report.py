@@ -38,7 +38,8 @@ def report(
     from assess.cli.progress import progress
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
-    from reports.assessment import envelope_report, project_text
+    from reports.assessment import envelope_report
+    from reports.chapters.inputs import project_text
     from reports.writing import Form, write_all, write_document
 
     chosen = language or _known(project_text(found, "report.language"), source=results)

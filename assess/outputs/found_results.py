@@ -12,7 +12,7 @@ from assess.messages.message import Message, warning
 from assess.outputs.manifest import is_changed
 from assess.outputs.recovery import recover_for_reading
 from assess.results import Results
-from assess.results.json import find_results, read
+from assess.results.files import find_results, read
 
 
 @dataclass(frozen=True)

@@ -90,7 +90,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
         resolved=with_asked_procedures(resolve(project), content),
-        notices=(
+        messages=(
             *project.doubts,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
             *notices_of(content, solids, study),
@@ -151,7 +151,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},
-        notices=(),
+        messages=(),
         sweeps=(),
         pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
         hazard=None if site is None else hazard_over_periods(site),

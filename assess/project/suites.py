@@ -71,7 +71,7 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     motions = motions_of(replace(study, artificial=None), spectrum)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
-    notices = tuple(notice for notice in study.notices if notice.where.startswith("records"))
+    notices = tuple(notice for notice in study.messages if notice.where.startswith("records"))
     return Suite(results_of(motions, spectrum, study.fitting), found, notices)
 
 

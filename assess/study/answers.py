@@ -95,7 +95,7 @@ def answers(
         scenes={},
         inputs=(),
         resolved={},
-        notices=(),
+        messages=(),
         sweeps=(),
         pulses=None,
         hazard=None,

@@ -120,7 +120,7 @@ class Study:
     scenes: dict[str, Scene]
     inputs: tuple[Input, ...]
     resolved: dict[str, Resolved]
-    notices: tuple[Message, ...]
+    messages: tuple[Message, ...]
     sweeps: tuple[Sweep, ...]
     pulses: PulseGrid | None
     hazard: Hazard | None

@@ -15,7 +15,7 @@ from assess.study.verdict import by_motion
 def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
     """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
     replaced = {("mechanism", f"mechanisms.{name}") for name in controlling}
-    kept = [message for message in study.notices if (message.key, message.where) not in replaced]
+    kept = [message for message in study.messages if (message.key, message.where) not in replaced]
     return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
 
 
@@ -28,7 +28,7 @@ def suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Mes
 
 def envelope_messages(study: Study) -> tuple[Message, ...]:
     """Return the messages on envelopes, where no procedure of a code is used."""
-    kept = tuple(message for message in study.notices if message.key != "confidence-factor")
+    kept = tuple(message for message in study.messages if message.key != "confidence-factor")
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from assess.messages.plural import count_noun
 from assess.results import Resolved, Results
-from reports.chapters import tables
+from reports.chapters import check_tables
 from reports.document import Block, Cell, Column, Section, Table, Text, nonempty
 from reports.language.lettering import truncate
 from reports.language.numerals import entries
@@ -46,7 +46,7 @@ def section(results: Results) -> Section:
         "the mechanisms that are named. All other values of the project file are listed in the annex."
     )
     blocks: tuple[Block, ...] = (Text((introduction,)), table(results))
-    procedures = tables.procedures(results)
+    procedures = check_tables.procedures(results)
     return Section("Assumptions", 0, (*blocks, *nonempty(rules(results)), *nonempty(procedures)))
 
 

@@ -1,13 +1,50 @@
-"""Tables that compare procedures and mechanisms (as thesis Tables 8.6 and 8.10)."""
+"""The chapter that compares procedures and mechanisms (as thesis Tables 8.6 and 8.10)."""
 
 from __future__ import annotations
+
+from functools import partial
 
 from assess.codes.check import Check
 from assess.results import ComparisonRow, Results
 from reports import governing
-from reports.chapters.tables import LEVEL, MECHANISM, OVERTURNED, PROCEDURE, breakable_name, rocking_cell, rotation_cell
-from reports.document import Cell, Column, Table
+from reports.chapters import descriptions, interface_variants, sweeps
+from reports.chapters.check_tables import (
+    LEVEL,
+    MECHANISM,
+    OVERTURNED,
+    PROCEDURE,
+    breakable_name,
+    rocking_cell,
+    rotation_cell,
+)
+from reports.document import Cell, Column, Figure, Section, Table, Text, nonempty
+from reports.figures import comparison as figure
 from reports.mechanism_title import mechanism_title
+
+
+def chapter(results: Results) -> list[Section]:
+    """Return the chapter; none without a comparison."""
+    if not results.comparison:
+        return []
+    names = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
+    draw = partial(figure.draw, governing.rows_to_draw(results), names, governing.overturned_rows(results))
+    caption = (
+        "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
+        "are readings of the thesis, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
+        "the spectrum."
+    )
+    standing = sweeps.controlling_cases(results.sweeps, names)
+    unlike = descriptions.unequal_inputs(results)
+    blocks = (
+        *standing,
+        *((Text(unlike),) if unlike else ()),
+        Figure("comparison", caption, draw),
+        *nonempty(capacities(results)),
+        side_by_side(results),
+        *nonempty(rotations(results)),
+        *interface_variants.blocks(results, name="interfaces"),
+    )
+    return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 
 
 def side_by_side(results: Results) -> Table:

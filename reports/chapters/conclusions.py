@@ -11,12 +11,12 @@ from assess.codes.verdict import MechanismVerdict
 from assess.codes.verdict_text import margin_text
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
-from reports.chapters.sentences import join_names
 from reports.language.lettering import truncate
+from reports.language.lists import join_names, list_names
 from reports.language.numerals import numeral
 from reports.mechanism_title import mechanism_title
 
-LONGEST, MANY = 40, 6  # characters of a name in a sentence; names in a list
+LONGEST = 40  # characters of a name in a sentence
 MEASURES = {
     Family.DISPLACEMENT: "compares the displacement capacity with the spectral displacement at the secant period",
     Family.LINEAR: "checks the acceleration that starts the motion, reduced by q, not the rotation that follows",
@@ -49,11 +49,6 @@ def conclusions(results: Results) -> tuple[str, ...]:
 def short_title(mechanism: MechanismResult) -> str:
     """Return the title of a mechanism for use in a sentence."""
     return truncate(mechanism_title(mechanism), LONGEST)
-
-
-def list_names(names: list[str]) -> str:
-    """Join names with commas and "and"; of many only the first ones, and the number of the others."""
-    return join_names([*names[:MANY], f"{len(names) - MANY} others"] if len(names) > MANY + 1 else names)
 
 
 def _critical_mechanism(results: Results) -> Iterator[str]:

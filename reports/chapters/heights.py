@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assess.results import MechanismResult, Results
-from reports.chapters.tables import MECHANISM
+from reports.chapters.check_tables import MECHANISM
 from reports.document import Cell, Column, Table
 from reports.mechanism_title import mechanism_title
 

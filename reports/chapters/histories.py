@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assess.results import HistoryResult, MechanismResult, SuiteResult
-from reports.chapters.tables import LEVEL, OVERTURNED, rocking_cell
+from reports.chapters.check_tables import LEVEL, OVERTURNED, rocking_cell
 from reports.document import Cell, Column, Table
 
 

@@ -1,13 +1,42 @@
-"""Tables of what was read: files, values of the project, and the warnings of the run."""
+"""The inputs: files, values of the project, and the warnings of the run."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from assess.results import Results
-from reports.document import Column, Table
+from reports.document import Block, Column, Section, Table, Text, nonempty
 from reports.language.message_text import message_text
 from reports.language.numerals import entries
+
+LONG = 120  # characters; longer titles are shortened where they head something and printed once in full
+
+
+def annex(results: Results) -> Section:
+    """Return the annex: title and notes in full, files, and values of the project."""
+    title, notes = project_text(results, "title"), project_text(results, "notes")
+    blocks: list[Block] = []
+    blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
+    blocks += [Text((f"Notes: {notes}",))] if notes else []
+    blocks += [*nonempty(inputs(results)), *nonempty(values_present(results))]
+    return Section("Annex: inputs", 0, tuple(blocks), starts_page=True)
+
+
+def project_text(results: Results, key: str) -> str:
+    """Return a text of the project file.
+
+    Parameters
+    ----------
+    results : of a run
+    key : with dots, as "report.language"
+
+    Returns
+    -------
+    str
+        empty where the project gives none
+    """
+    found = results.project.get(key)
+    return "" if found is None or found.value is None else str(found.value)
 
 
 def inputs(results: Results) -> Table:

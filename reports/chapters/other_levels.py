@@ -6,8 +6,9 @@ from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import conclusions
-from reports.chapters.tables import LEVEL, MECHANISM, breakable_name
+from reports.chapters.check_tables import LEVEL, MECHANISM, breakable_name
 from reports.document import Cell, Column, Items, Section, Table, Text
+from reports.language.lists import list_names
 from reports.mechanism_title import mechanism_title
 
 TITLE = "Study at other peak ground accelerations"
@@ -79,7 +80,7 @@ def passes_beyond_capacity(results: Results) -> tuple[str, ...]:
     if not names:
         return ()
     return (
-        f"{conclusions.list_names(names)}: records that overturn the mechanism, or rotate it too far, at "
+        f"{list_names(names)}: records that overturn the mechanism, or rotate it too far, at "
         "one PGA can be survived at a higher one. The PGA at capacity is the last before the suite first "
         "fails; a pass at a higher level is not a margin.",
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from operator import attrgetter
 
 from assess.results import BranchCurve, HingeForceResult, MechanismResult, OscillatorResult, Results
-from reports.chapters.tables import MECHANISM, uplift_cell
+from reports.chapters.check_tables import MECHANISM, uplift_cell
 from reports.document import Cell, Column, Table
 
 LIFTS, NOT_GIVEN, ROCKS_FIRST = "lifts", "not given", "rocks first"

@@ -9,6 +9,7 @@ from math import inf
 
 from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
+from reports.chapters.check_tables import OVERTURNED
 from reports.chapters.sensitivity_ranking import (
     SIDES,
     Case,
@@ -22,7 +23,6 @@ from reports.chapters.sensitivity_ranking import (
     span,
     verdict_at,
 )
-from reports.chapters.tables import OVERTURNED
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import tornado
 from reports.language.lettering import truncate

@@ -1,11 +1,35 @@
-"""Tables of the site: its spectrum, the records and what was done to them."""
+"""The chapter on the site: its spectrum, the records and their processing."""
 
 from __future__ import annotations
 
+from functools import partial
+
 from assess.results import RecordResult, RecordSpectrum, Results, SpectrumResult
-from reports.document import Cell, Column, Table
+from reports.chapters import suite
+from reports.document import Block, Cell, Column, Figure, Section, Table, nonempty
+from reports.figures import spectrum as figure
 from reports.language import spectrum_parameters
 from reports.language.numerals import as_given
+
+
+def section(results: Results) -> list[Section]:
+    """Return the chapter: spectrum, records and suite; none without spectrum and records."""
+    blocks: list[Block] = []
+    if results.spectrum is not None:
+        caption = (
+            f"Elastic response spectrum of the site ({results.spectrum.code}, damping {results.spectrum.damping:.3g}) "
+            f"and of the records as scaled to it{_fitted(results)}."
+        )
+        blocks.append(Figure("spectrum", caption, partial(figure.draw, results.spectrum, results.records)))
+        blocks += nonempty(site(results))
+    blocks += [*nonempty(records(results)), *suite.blocks(results), *nonempty(processing_history(results))]
+    return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
+
+
+def _fitted(results: Results) -> str:
+    """How far artificial records are fitted, where there are any."""
+    artificial = any(not record.path for record in results.records)
+    return "; artificial records are fitted up to a period of 4 s" if artificial else ""
 
 
 def site(results: Results) -> Table:

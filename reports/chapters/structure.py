@@ -7,7 +7,7 @@ from functools import partial
 
 from assess.results import MechanismResult, Resolved, Results
 from reports import joints
-from reports.chapters import tables
+from reports.chapters import check_tables
 from reports.document import Block, Cell, Column, Figure, Section, Table, nonempty
 from reports.figures import overview
 from reports.language.measures import as_typed, unit_word
@@ -124,7 +124,7 @@ def _row(mechanism: MechanismResult) -> tuple[Cell, ...]:
         of.radius_m,
         of.slenderness_rad,
         of.p_eq_per_s,
-        tables.uplift_cell(of.uplift_multiplier),
+        check_tables.uplift_cell(of.uplift_multiplier),
         of.overturning_rad,
     )
     kind = (mechanism_title(mechanism), mechanism.kind, mechanism.sides, joints.model_name(mechanism))

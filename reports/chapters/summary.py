@@ -5,8 +5,9 @@ from __future__ import annotations
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import governing
-from reports.chapters import conclusions, inputs, tables
+from reports.chapters import check_tables, conclusions, inputs
 from reports.document import Block, Cell, Column, Items, Section, Table, Text, nonempty
+from reports.language.lists import list_names
 from reports.mechanism_title import mechanism_title
 
 REFERENCE = "SLV"  # the limit state whose PGA is the level's
@@ -30,7 +31,7 @@ def own_pga_note(results: Results) -> tuple[Text, ...]:
         return ()
     sentence = (
         "The PGA in the tables is that of the level. "
-        f"Limit states {conclusions.list_names(list(states))} have their own PGA and "
+        f"Limit states {list_names(list(states))} have their own PGA and "
         "spectrum by the hazard of the site; their calculation sheets give them."
     )
     return (Text((sentence,)),)
@@ -39,10 +40,10 @@ def own_pga_note(results: Results) -> tuple[Text, ...]:
 def governing_checks(results: Results) -> Table:
     """Tabulate every mechanism by every procedure at the site's own action."""
     columns = (
-        tables.MECHANISM,
-        tables.PROCEDURE,
+        check_tables.MECHANISM,
+        check_tables.PROCEDURE,
         Column("Role"),
-        *tables.DEMAND_COLUMNS,
+        *check_tables.DEMAND_COLUMNS,
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
         Column("Outcome", kind="verdict"),
@@ -61,8 +62,8 @@ def governing_checks(results: Results) -> Table:
 
 
 def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
-    named, quantity, demand, capacity, ratio = tables.demand_cells(check, mechanism.checks)
-    accelerations = (tables.uplift_cell(check.uplift_pga_g), check.capacity_pga_g)
+    named, quantity, demand, capacity, ratio = check_tables.demand_cells(check, mechanism.checks)
+    accelerations = (check_tables.uplift_cell(check.uplift_pga_g), check.capacity_pga_g)
     return (
         mechanism_title(mechanism),
         named,

@@ -7,7 +7,7 @@ from functools import partial
 
 from assess.messages.plural import count_noun
 from assess.results import DirectionSweep, MechanismResult, SweepResult
-from reports.chapters.tables import OVERTURNED, uplift_cell
+from reports.chapters.check_tables import OVERTURNED, uplift_cell
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import directions as directions_figure
 from reports.figures import sweep as sweep_figure

@@ -28,7 +28,7 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
 
 def test_every_mechanism_is_read_and_nothing_is_doubtful(study: Study) -> None:
     assert [m.name for m in study.mechanisms] == ["weakest", "crack", "parapet", "held", "portal", "arch"]
-    told = [notice.text for notice in study.notices if notice.key not in ("not-amplified", "confidence-factor")]
+    told = [notice.text for notice in study.messages if notice.key not in ("not-amplified", "confidence-factor")]
     assert all(text.startswith(("crack at", "hinges of")) for text in told), told
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from assess import cli
 from assess.results import Results
-from assess.results import json as results_io
+from assess.results import files as results_files
 
 RECORDS = Path(__file__).parents[3] / "shared" / "records"
 PUBLISHED = RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"
@@ -53,7 +53,7 @@ def assessed(folder: Path, *, files: str = "RSN*.AT2", count: int = 5, more: str
     with pytest.raises(SystemExit) as ended:
         cli.main(["run", str(folder), "--no-report", "-o", str(folder / "out")])
     assert ended.value.code in (0, 1, 3)
-    return results_io.read(folder / "out" / "results.json")
+    return results_files.read(folder / "out" / "results.json")
 
 
 @pytest.fixture(scope="module")

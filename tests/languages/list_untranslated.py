@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from assess.results.json import read
+from assess.results.files import read
 from reports.missing_translations import missing_sentences
 
 

@@ -8,7 +8,7 @@ from math import inf
 from assess.codes.check import Outcome, Reason, reason_message
 from assess.results import ComparisonRow, Results
 from reports import governing
-from reports.chapters import comparisons, other_levels, summary, tables
+from reports.chapters import check_tables, comparisons, other_levels, summary
 
 
 def test_overturning_stands_before_every_ratio(results: Results) -> None:
@@ -64,7 +64,7 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
     assert governing.rows_to_draw(made)[:-1] == results.comparison
     alone = replace(made, verdict=None, mechanisms=(replace(one, checks=(worst,)),))
     lines = (
-        tables.demands(one, name="d").rows[-1],
+        check_tables.demands(one, name="d").rows[-1],
         next(line for line in other_levels.table(made).rows if line[1] == 9.0),
         next(line for line in comparisons.side_by_side(made).rows if line[1] == 9.0),
         next(line for line in comparisons.comparison(made).rows if line[1] == 9.0),

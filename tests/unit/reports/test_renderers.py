@@ -19,6 +19,7 @@ CELLS = "spectra.formulas"  # which text a spreadsheet would run: letters, not p
 DATA = {
     CELLS,
     "spectra.arrays",  # the types of arrays
+    "assess.outputs.signals",  # interruptions end the process that writes
     "assess.outputs.single",  # files whole or not at all
     "assess.workers",  # processes that end with their parent
     "assess.errors",

@@ -180,7 +180,7 @@ def test_s_1_above_s_s_is_told(tmp_path: Path) -> None:
     path = tmp_path / "site.toml"
     site = {"code": "asce7-16", "s_s": "0.2 g", "s_1": "0.4 g", "site_class": "B", "t_l": "6 s"}
     path.write_text(project_toml(site={"spectrum": site}))
-    assert any("exchanged" in notice.text for notice in build(load(path)).notices)
+    assert any("exchanged" in notice.text for notice in build(load(path)).messages)
 
 
 def test_what_no_site_has_is_told_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:

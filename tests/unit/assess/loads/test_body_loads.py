@@ -63,7 +63,7 @@ def loads_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
 
 
 def texts(study) -> str:
-    return "\n".join(notice.text for notice in study.notices if notice.key == "mechanism")
+    return "\n".join(notice.text for notice in study.messages if notice.key == "mechanism")
 
 
 def test_a_floor_built_into_two_walls_rests_with_half_its_weight_on_each(tmp_path):
@@ -335,7 +335,7 @@ def test_hostile_names_appear_as_text(tmp_path):
     name = "<b>&floor\\u0007 $x$ =cmd()\\n"
     hostile = FLOOR.replace("bodies.floor", f'bodies."{name}"')
     study = study_of(tmp_path, hostile, f'body = "{name}"')
-    shown = description(load(tmp_path), parameters(study), (), study.notices)
+    shown = description(load(tmp_path), parameters(study), (), study.messages)
     assert "<b>&floor\\x07 $x$ =cmd()\\n at x = 2.8 m" in shown
     assert all(line.isprintable() for line in shown.splitlines())
 

@@ -20,7 +20,7 @@ def gaps(tmp_path, base: str, mechanism: str) -> list[str]:
         "b": f'material = "m"\nbox = {{ thickness = 0.5, length = 3, height = 4, base = {base} }}',
     }
     text = project_toml(site=None, materials={"m": {"density": 2000}}, bodies=bodies, mechanisms={"m": mechanism})
-    return [notice.text for notice in study_of(tmp_path, text).notices if notice.key in ("gap", "gap-at-hinge")]
+    return [notice.text for notice in study_of(tmp_path, text).messages if notice.key in ("gap", "gap-at-hinge")]
 
 
 ONE_BLOCK = 'kind = "single-block"\nblocks = [["a", "b"]]'

@@ -347,17 +347,17 @@ def test_blocks_that_do_not_touch_at_a_hinge(tmp_path):
 
 def test_a_contact_that_is_not_in_one_place_for_both_directions_is_told(tmp_path):
     lines = SOFT.replace(" }", ", shape = { rectangle = [0.6, 2] } }")
-    told = [notice.text for notice in study(tmp_path, STONE + SINGLE + lines).notices]
+    told = [notice.text for notice in study(tmp_path, STONE + SINGLE + lines).messages]
     assert any("interface A: its contact lies 0.4 m apart for the two directions" in text for text in told)
     lines = SOFT.replace(" }", ", shape = { rectangle = [1, 2] } }")
-    assert not any("apart" in notice.text for notice in study(tmp_path, STONE + SINGLE + lines).notices)
+    assert not any("apart" in notice.text for notice in study(tmp_path, STONE + SINGLE + lines).messages)
 
 
 @pytest.mark.parametrize(("eccentricity", "told"), [(0.0, True), (0.1, False)])
 def test_a_load_that_comes_through_the_joint_at_the_top_is_told(tmp_path, eccentricity, told):
     wall = SINGLE.replace("single-block", "two-block") + "crack = 3.6\n"
     load = f'loads = [{{ kind = "overburden", force = "40 kN", eccentricity = {eccentricity} }}]\n'
-    texts = [notice.text for notice in study(tmp_path, STONE + wall + SOFT + load).notices]
+    texts = [notice.text for notice in study(tmp_path, STONE + wall + SOFT + load).messages]
     assert (
         any("interface C: the load on the middle of the top comes through the joint" in each for each in texts) == told
     )

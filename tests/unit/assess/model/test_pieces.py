@@ -46,7 +46,7 @@ def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", d
 
 def of_bodies(made: Study) -> list[Message]:
     """The notices on bodies."""
-    return [notice for notice in made.notices if notice.key in ("mesh", "size", "overlap")]
+    return [notice for notice in made.messages if notice.key in ("mesh", "size", "overlap")]
 
 
 def body(name: str, form: str, *, material: str = "stone") -> str:

@@ -48,7 +48,7 @@ def found(folder: Path, *tables: str) -> Mechanism:
 
 def keys(made: Study) -> set[str]:
     """Of what is told of directions and sides."""
-    return {each.key for each in made.notices} - {"confidence-factor"}
+    return {each.key for each in made.messages} - {"confidence-factor"}
 
 
 @pytest.mark.parametrize(("wall", "direction"), [(ALONG_Y, (0.0, 1.0, 0.0)), (ALONG_X, (1.0, 0.0, 0.0))])
@@ -117,7 +117,7 @@ def test_a_wall_joined_at_both_ends_keeps_out_of_its_plane(tmp_path: Path) -> No
     (one,) = made.mechanisms
     assert one.direction == (1.0, 0.0, 0.0)
     assert one.sides == "two"
-    told = [each for each in made.notices if each.key == "direction-stopped"]
+    told = [each for each in made.messages if each.key == "direction-stopped"]
     assert len(told) == 2
     assert all("left" in each.text or "right" in each.text for each in told)
 
@@ -208,7 +208,7 @@ def test_an_eccentricity_is_measured_along_the_direction(tmp_path: Path) -> None
 
 def test_a_given_direction_is_compared_with_a_weaker_one(tmp_path: Path) -> None:
     made = study(tmp_path, ALONG_Y, mechanism("direction = [1, 0, 0]"))
-    (told,) = [each for each in made.notices if each.key == "direction-weaker"]
+    (told,) = [each for each in made.messages if each.key == "direction-weaker"]
     assert told.severity == "warning"
     values = {key: getattr(each, "value", each) for key, each in told.values.items()}
     assert values["direction"] in ("[0, 1, 0]", "[0, -1, 0]")

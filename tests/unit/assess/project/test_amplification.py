@@ -82,7 +82,7 @@ def test_rayleigh_bends_the_wall_in_its_direction(tmp_path):
     found = rayleigh_mode(slice_cantilever([WALL], [3e9], direction=[0, 1, 0]))
     assert along == pytest.approx(found.frequency, rel=1e-9)
     study = study_of(tmp_path, CUT + amplification("srss"))
-    assumed = [notice.text for notice in study.notices if notice.where == "mechanisms.m"]
+    assumed = [notice.text for notice in study.messages if notice.where == "mechanisms.m"]
     assert len(assumed) == 1
     assert "G = 0.4 E" in assumed[0]
 
@@ -137,16 +137,17 @@ def test_what_is_missing_is_named(tmp_path, mechanism, building, words):
 
 def test_two_first_modes_of_one_building_are_told(tmp_path):
     whole = HOUSE + 'natural_frequency = "2.5 Hz"\neffective_height = "6 m"\n'
-    told = [n for n in study_of(tmp_path, CUT + amplification("srss"), building=whole).notices if n.where == "building"]
+    messages = study_of(tmp_path, CUT + amplification("srss"), building=whole).messages
+    told = [each for each in messages if each.where == "building"]
     assert len(told) == 1
     assert "give period = 0.4" in told[0].text
     same = study_of(tmp_path, CUT + amplification("srss"), building=whole + "period = 0.4\n")
-    assert not [n for n in same.notices if n.where == "building"]
+    assert not [n for n in same.messages if n.where == "building"]
 
 
 def test_only_what_is_not_amplified_is_warned_of(tmp_path):
     def raised(text: str) -> list[str]:
-        return [n.text for n in study_of(tmp_path, text, building=HOUSE).notices if n.where == "mechanisms"]
+        return [n.text for n in study_of(tmp_path, text, building=HOUSE).messages if n.where == "mechanisms"]
 
     assert len(raised(CUT)) == 1
     assert raised(CUT + amplification("ec8")) == []

@@ -118,17 +118,17 @@ def test_motion_is_carried_to_the_base_elevation(tmp_path: Path) -> None:
 def test_check_prints_the_heights_and_where_they_are_from(tmp_path: Path) -> None:
     tables = (wall(0.0), mechanism('base_elevation = "8 m"'))
     made = study(tmp_path, *tables)
-    text = description(load(tmp_path), parameters(made), (), made.notices)
+    text = description(load(tmp_path), parameters(made), (), made.messages)
     assert "ground      base 8 m over the ground, held at 8 m: above the ground; by its base_elevation\n" in text
     unknown = study(tmp_path, wall(8.0), mechanism())
-    text = description(load(tmp_path), parameters(unknown), (), unknown.notices)
+    text = description(load(tmp_path), parameters(unknown), (), unknown.messages)
     assert "not known where the ground is: give building.ground_elevation" in text
 
 
 def test_check_prints_a_squat_mechanism(tmp_path: Path) -> None:
     squat = "[bodies.wall]\nmaterial = 'm'\nbox = { thickness = 9, length = 20, height = 2 }\n"
     made = study(tmp_path, squat, mechanism())
-    text = description(load(tmp_path), parameters(made), (), made.notices)
+    text = description(load(tmp_path), parameters(made), (), made.messages)
     assert "stops at its first impact" in text
     assert "direction   towards 0 deg from +x\n" in text
 

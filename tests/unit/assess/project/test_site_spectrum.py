@@ -155,7 +155,7 @@ def test_codes_without_a_vertical_spectrum_say_so(tmp_path: Path) -> None:
 
 
 def test_a_site_that_needs_a_study_is_warned_of(tmp_path: Path) -> None:
-    notices = [notice for notice in build(loaded(tmp_path, CODES["asce7-16"])).notices if notice.key == "site-study"]
+    notices = [notice for notice in build(loaded(tmp_path, CODES["asce7-16"])).messages if notice.key == "site-study"]
     assert [notice.where for notice in notices] == ["site.spectrum"]
     assert "§11.4.8" in notices[0].text
 

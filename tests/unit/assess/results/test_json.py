@@ -36,7 +36,8 @@ from assess.results import (
     SweepResult,
     View,
 )
-from assess.results.json import _at_once, _step_by_step, dumps, dumps_mechanisms, loads, read
+from assess.results.files import read
+from assess.results.json import _validate_at_once, _validate_step_by_step, dumps, dumps_mechanisms, loads
 
 
 def oscillator() -> OscillatorResult:
@@ -157,7 +158,7 @@ def test_a_message_has_key_severity_where_values_and_text() -> None:
 
 def test_read_at_once_as_step_by_step() -> None:
     text = dumps(results())
-    assert _at_once(text) == _step_by_step(text, "results") == results()
+    assert _validate_at_once(text) == _validate_step_by_step(text, "results") == results()
     told = replace(results(), warnings=(Message("NaN", Severity.NOTE, "Infinity", "a word, not a number"),))
     assert loads(dumps(told)) == told
 

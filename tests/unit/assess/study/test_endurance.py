@@ -56,7 +56,7 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
     assert (found.lasting, found.missing) == ("to collapse", ())
     assert found.end_rad == pytest.approx(asin(0.2 * 8.0 / 4.5), rel=1e-12)  # by its fracture strain, beyond collapse
     assert "lasts to collapse" in duration_text(found)
-    assert not any(notice.key == "not-lasting" for notice in study.notices)
+    assert not any(notice.key == "not-lasting" for notice in study.messages)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 4.5
     assert context.support_height == 2.25
@@ -79,7 +79,7 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     study = study_of(tmp_path, tie(more), top=top)
     (found,) = loads_of(study)
     assert (found.lasting, found.missing) == ("not shown", missing)
-    (told,) = [notice for notice in study.notices if notice.key == "not-lasting"]
+    (told,) = [notice for notice in study.messages if notice.key == "not-lasting"]
     assert f"give {', '.join(missing)} (" in told.text
     assert all(key in duration_text(found) for key in missing)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
@@ -171,7 +171,7 @@ def test_a_wall_that_stands_by_its_tie_alone_is_not_answered_by_displacements(st
     assert linear.verdict in (Outcome.PASS, Outcome.FAIL)
     assert results.verdict.outcome == "incomplete"
     assert mechanism.histories == ()
-    assert any(notice.key == "unheld" for notice in study.notices)
+    assert any(notice.key == "unheld" for notice in study.messages)
 
 
 def test_the_rest_of_it_is_printed(standing_by_its_tie):

@@ -176,13 +176,13 @@ def test_one_sided_histories_never_turn_the_other_way(tmp_path):
     ],
 )
 def test_doubtful_hinges_are_pointed_out(tmp_path, mechanism, words):
-    notices = study_of(tmp_path, mechanism=f"{mechanism}\nrestitution = 0.9").notices
+    notices = study_of(tmp_path, mechanism=f"{mechanism}\nrestitution = 0.9").messages
     assert any(words in notice.text and notice.where == "mechanisms.m" for notice in notices)
 
 
 def test_plain_walls_raise_no_doubt_about_their_hinges(tmp_path):
     for direction in ("[1, 0, 0]", "[0, -1, 0]"):
-        notices = study_of(tmp_path, mechanism=f"direction = {direction}").notices
+        notices = study_of(tmp_path, mechanism=f"direction = {direction}").messages
         assert not [notice for notice in notices if notice.key == "mechanism"]
 
 
@@ -211,7 +211,7 @@ LC2 = '[procedures.dmi2008]\nknowledge_level = "LC2"'
 )
 def test_levels_and_factors_that_do_not_decide_without_crushing_are_told(tmp_path, mechanism, tail, words):
     study = study_of(tmp_path, mechanism=mechanism, tail=tail)
-    texts = [notice.text for notice in study.notices if notice.key == "confidence-factor"]
+    texts = [notice.text for notice in study.messages if notice.key == "confidence-factor"]
     assert len(texts) == (words is not None)
     assert all(words in text and "1.35" in text for text in texts)
 
@@ -308,7 +308,7 @@ def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
     np.testing.assert_allclose(block.centroid, (0.0, 3.0), atol=1e-12)
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.5), atol=1e-12)
     assert min(z for _, z in mechanism.outlines[0][0]) == 1.5
-    assert "not-amplified" in {notice.key for notice in study.notices}
+    assert "not-amplified" in {notice.key for notice in study.messages}
     (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
     assert vars(at_base) == vars(whole)
 
@@ -319,7 +319,7 @@ def test_an_inclined_cut_has_each_hinge_at_its_own_elevation(tmp_path):
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.65), atol=1e-12)
     np.testing.assert_allclose(mechanism.negative.hinges[0], (0.3, 1.35), atol=1e-12)  # mirrored
     assert mechanism.elevation == pytest.approx(1.65, rel=1e-12)
-    assert all("restitution" in notice.text for notice in study.notices if notice.key == "mechanism")
+    assert all("restitution" in notice.text for notice in study.messages if notice.key == "mechanism")
     (shown,) = run(study).mechanisms
     np.testing.assert_allclose([h.at for h in shown.drawing.hinges], [(0.3, 1.65), (-0.3, 1.35)], atol=1e-12)
     assert shown.oscillator.mass_kg == pytest.approx(2000 * 0.6 * 4 * 3, rel=1e-12)
@@ -344,7 +344,7 @@ def test_clauses_above_ground_apply_to_a_cut_wall(tmp_path):
 
 
 def test_a_cut_that_slopes_across_the_motion_is_pointed_out(tmp_path):
-    notices = study_of(tmp_path, mechanism="cut = { point = [0, 0, 1.5], normal = [0, 0.1, 1] }").notices
+    notices = study_of(tmp_path, mechanism="cut = { point = [0, 0, 1.5], normal = [0, 0.1, 1] }").messages
     (text,) = [notice.text for notice in notices if notice.key == "mechanism"]
     assert "slopes across the direction of motion and its extreme line rises by 0.4 m" in text
 
@@ -423,7 +423,7 @@ def factor_of(check):
 def test_the_linearised_equation_on_joints_without_a_threshold_is_told(tmp_path, joint, equation, told):
     """Below the threshold of the linearised equation nothing moves, where the exact one always does."""
     made = study_of(tmp_path, mechanism=joint, analysis=f'equation = "{equation}"\nlevels = ["0.02 g"]', records=SUITE)
-    texts = [notice.text for notice in made.notices if (notice.key, notice.where) == ("equation", "analysis.equation")]
+    texts = [notice.text for notice in made.messages if (notice.key, notice.where) == ("equation", "analysis.equation")]
     assert len(texts) == told
     assert all("the joints of m do not have" in text for text in texts)
     histories = run(made).mechanisms[0].histories

@@ -10,6 +10,7 @@ from assess.codes.check import Outcome
 from assess.codes.registry import PROCEDURES
 from assess.results import Results
 from reports.chapters import conclusions
+from reports.language.lists import list_names
 
 
 def with_margins(results: Results, *margins: float | None) -> Results:
@@ -58,7 +59,7 @@ def test_nothing_is_said_of_agreement(results: Results) -> None:
     [([], ""), (["a"], "a"), (["a", "b"], "a and b"), (list("abcdefghij"), "a, b, c, d, e, f and 4 others")],
 )
 def test_long_lists_are_shortened(names: list[str], said: str) -> None:
-    assert conclusions.list_names(names) == said
+    assert list_names(names) == said
 
 
 def test_no_record_overturns_is_not_said_of_procedures_with_a_motion_of_their_own(results: Results) -> None:

@@ -15,7 +15,7 @@ from assess.results import HistoryResult, MechanismResult, Resolved, Results, Tr
 from assess.study.parameters import parameters
 from reports import joints
 from reports.assessment import assessment
-from reports.chapters import interface_variants, interfaces, sentences
+from reports.chapters import descriptions, interface_variants, interfaces
 from reports.chapters.parameters import parameters as table_of_parameters
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
@@ -141,7 +141,7 @@ def test_the_capacity_curve_has_a_mark_for_each_overturning_and_its_caption_tell
         axes = capacity.draw(found).axes[0]
         drawn = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "s")]
         assert drawn == marks
-        assert ("square on its joints" in sentences.capacity_caption(found)) == (len(marks) == 2)
+        assert ("square on its joints" in descriptions.capacity_caption(found)) == (len(marks) == 2)
 
 
 def test_the_name_of_overturning_on_joints_leaves_the_curve_free(mechanisms):

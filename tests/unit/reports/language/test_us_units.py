@@ -10,7 +10,7 @@ import pytest
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
-from reports.chapters import tables
+from reports.chapters import check_tables
 from reports.document import Cell, Column, Document, Line, Section, Sheet, Table, Text
 from reports.language.numerals import step_result
 from reports.language.us_units import WORKED_IN_SI, in_us_units, table
@@ -78,7 +78,7 @@ def test_demand_and_allowable_follow_the_unit_of_their_row(results: Results) -> 
         replace(check, quantity="d*", unit="m") if check.procedure.startswith("dmi2008") else check
         for check in mechanism.checks
     )
-    found = table(tables.verdicts(replace(results, mechanisms=(replace(mechanism, checks=checks),))))
+    found = table(check_tables.verdicts(replace(results, mechanisms=(replace(mechanism, checks=checks),))))
     seen = set()
     for row, check in zip(found.rows, checks, strict=True):
         unit = str(row[3]).rpartition(", ")[2]

@@ -8,7 +8,7 @@ from assess.codes.check import Bound, Step
 from assess.messages.message import message
 from assess.results import Results
 from reports.assessment import assessment
-from reports.chapters import tables
+from reports.chapters import check_tables
 from reports.chapters.calculation_sheets import calculation_sheet
 from reports.language.numerals import step_result
 from reports.render.sheet_table import as_table
@@ -54,7 +54,7 @@ def test_a_return_period_beyond_the_hazard_is_shown_as_a_bound(results: Results)
     ends: tuple[tuple[Bound, str], ...] = (("<=", "≤ 30"), (">=", "≥ 30"))
     for bound, shown in ends:
         check = replace(one.checks[0], return_period_years=30.0, return_period_bound=bound, steps=(step,))
-        table = tables.demands(replace(one, checks=(check,)), name="t")
+        table = check_tables.demands(replace(one, checks=(check,)), name="t")
         assert table.rows[0][[column.label for column in table.columns].index("Return period")] == shown
         made = calculation_sheet(check, name="s", mechanism="m")
         assert step_result(made.lines[0].value, made.lines[0].unit) == "≥ 2475 years"
@@ -67,7 +67,7 @@ def test_what_checks_say_is_told_at_the_sites_own_action_and_elsewhere_where_the
     parapet = results.mechanisms[1]
     remark, condition = message("fails-below", {"pga": "0.3 g"}), message("premise-anchorage")
     first = replace(parapet.checks[0], remarks=(remark,), conditions=(condition,))
-    table = tables.answers(replace(parapet, checks=(first, *parapet.checks[1:])), 0.067, name="a")
+    table = check_tables.answers(replace(parapet, checks=(first, *parapet.checks[1:])), 0.067, name="a")
     heads = [column.label for column in table.columns]
     rows = [dict(zip(heads, row, strict=True)) for row in table.rows]
     assert {row["Outcome"] for row in rows if row["PGA"] != 0.067} == {"fail"}
@@ -86,7 +86,7 @@ def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> N
         (one, [check.uplift_pga_g for check in one.checks]),
         (soft, ["none"] * len(one.checks)),
     ):
-        table = tables.demands(mechanism, name="d")
+        table = check_tables.demands(mechanism, name="d")
         column = [each.label for each in table.columns].index("PGA at uplift")
         assert [row[column] for row in table.rows] == expected
         assert ("joints respond to any motion" in table.caption) == (mechanism is soft)
@@ -97,7 +97,7 @@ def test_safety_index_and_return_period_stand_only_where_some_check_has_them(res
     first, *others = one.checks
     rated = replace(first, safety_index=0.8, return_period_years=210.0)
     for checks, expected in ((one.checks, []), ((rated, *others), ["Safety index", "Return period"])):
-        table = tables.demands(replace(one, checks=tuple(checks)), name="d")
+        table = check_tables.demands(replace(one, checks=tuple(checks)), name="d")
         labels = [column.label for column in table.columns]
         assert [label for label in labels if label in ("Safety index", "Return period")] == expected
         assert all(len(row) == len(labels) for row in table.rows)

@@ -1,20 +1,14 @@
-"""Sentences on the mechanisms, captions of their figures, and the limits of the method."""
+"""Sentences on a mechanism, and the captions of its figures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-
-from assess.codes.check import Check, Outcome
-from assess.messages.texts import TEXTS
 from assess.results import MechanismResult, Results, View
-from reports.chapters import interfaces
 from reports.language.lettering import truncate
+from reports.language.lists import join_names
 from reports.language.measures import measure, measures
 from reports.language.message_text import message_text
 from reports.mechanism_title import mechanism_title
 
-SLIDING = "sliding"
-GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
 _KINDS = {
     "single-block": "a single rocking block",
     "two-block": "a wall held at its top and bottom that cracks between them (two blocks)",
@@ -98,104 +92,6 @@ def _span(factors: list[float]) -> str:
     return f"{most:.3g}" if most - least < 5e-4 * most else f"{least:.3g} to {most:.3g}"
 
 
-def limits(results: Results) -> tuple[str, ...]:
-    """Return what the engineer must keep in mind before signing."""
-    return (
-        *_GENERAL,
-        sliding_limit(results),
-        *interfaces.limits(results.mechanisms),
-        *_readings(results),
-        *_input_difference(results),
-        *_unamplified(results),
-        *_linearised(results),
-        *_unverified(results),
-    )
-
-
-_GENERAL = (
-    "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling "
-    "and mechanisms that were not described in the project are outside this assessment: finding the mechanisms "
-    "that matter remains the engineer’s task.",
-    "A single rocking history is not predictable: a small change of the motion or the geometry can turn a large "
-    "rotation into collapse or into rest. The statistics of many records are. Judge by the suite, not by one history.",
-    "The coefficients of restitution of the literature assume inelastic impact without bouncing, the greatest "
-    "dissipation that impact can give, which is slightly unconservative (thesis 3.3). Prefer tested values.",
-    "Codes assess rocking with an equivalent linear oscillator. Their allowable rotations and equivalent periods "
-    "differ; ratios of different procedures measure different margins.",
-    "Crushing and the flexibility of the joints count only where the project gives an interface; a rigid interface of "
-    "unlimited strength overestimates the resistance of large walls of weak masonry.",
-)
-
-
-def sliding_limit(results: Results) -> str:
-    """State where friction was checked, and where it is only assumed to be sufficient."""
-    is_checked = {
-        mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
-        for mechanism in results.mechanisms
-    }
-    assumed = "friction at the hinges is assumed to be sufficient"
-    forces = "the tables of forces at the hinges give the friction that rocking needs"
-    if not any(is_checked.values()):
-        return f"No sliding, no bouncing, no separation other than rocking: {assumed}; {forces}."
-    unchecked = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not is_checked[m.name])
-    others = f" For {join_names(unchecked)} it was not checked: {assumed}." if unchecked else ""
-    return (
-        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism "
-        f"starts to rock (procedure {SLIDING}; horizontal motion only).{others} While it rocks {assumed}: no "
-        f"bouncing, no separation other than rocking; {forces}. The support at the top of a wall of two "
-        "blocks is assumed to hold."
-    )
-
-
-def _readings(results: Results) -> tuple[str, ...]:
-    names = dict.fromkeys(c.procedure for c in _checks(results) if c.reading == "thesis")
-    return (
-        (f"{join_names(names)}: reading of the thesis, shown for comparison; it never decides a verdict.",)
-        if names
-        else ()
-    )
-
-
-def _input_difference(results: Results) -> tuple[str, ...]:
-    if len({check.input_at for check in _checks(results)}) < 2:
-        return ()
-    return (
-        "Some procedures take their input at the ground and others at the base of the mechanism; each "
-        "table says which. Do not compare their ratios line by line.",
-    )
-
-
-def _unamplified(results: Results) -> tuple[str, ...]:
-    """Procedures that check mechanisms at height by the motion of the ground."""
-    every = [(m, check) for m in results.mechanisms for check in m.checks]
-    unamplified = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
-    if not unamplified:
-        return ()
-    procedures = dict.fromkeys(check.procedure for _, check in unamplified)
-    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in unamplified)
-    return (f"{join_names(procedures)}, for {join_names(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
-
-
-def _linearised(results: Results) -> tuple[str, ...]:
-    names = [mechanism.name for mechanism in results.mechanisms if mechanism.equation == "linearised"]
-    if not names:
-        return ()
-    return (
-        "The linearised equation of motion is used for the time histories of "
-        f"{join_names(dict.fromkeys(truncate(name, 40) for name in names))}. It is accurate for slender bodies and "
-        "departs from the exact equation as the slenderness angle grows.",
-    )
-
-
-def _unverified(results: Results) -> Iterator[str]:
-    """Clauses of the basis and procedures that could not be compared with the printed standard."""
-    if results.verdict is not None and results.verdict.uncompared:
-        yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
-    names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)
-    if names:
-        yield f"{join_names(names)}: the table of procedures says what could not be compared with the printed standard."
-
-
 def capacity_caption(mechanism: MechanismResult) -> str:
     """Return the caption of the capacity curve, with its marks."""
     on_joints = mechanism.oscillator.overturning_flexible_rad is not None
@@ -237,13 +133,3 @@ def view_caption(seen: View) -> str:
         f"The bodies in space, {size} along x, y and z: axis of rotation (red), of the negative "
         f"branch (blue, dashed), and direction of motion (arrow).{stays}{cut}{light}"
     )
-
-
-def _checks(results: Results) -> list[Check]:
-    return [check for mechanism in results.mechanisms for check in mechanism.checks]
-
-
-def join_names(names: Iterable[str]) -> str:
-    """Join names with commas and "and"."""
-    every = list(names)
-    return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

@@ -1,0 +1,48 @@
+"""Files of results, found and read."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+from assess.errors import ResultsError
+from assess.results.json import REMEDY, loads
+from assess.results.run import Results
+
+NAMES = ("results.json", "envelopes.json")
+"""Files of results, as `assess run` and `assess envelope` write them."""
+
+LARGEST = 500_000_000
+"""Bytes of a file of results; one of eight mechanisms and seven records has some three million."""
+
+
+def read(path: Path) -> Results:
+    """Read results from a file; raise ResultsError for a file that is missing, not regular, or too large."""
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {REMEDY}")
+        if status.st_size > LARGEST:
+            size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
+            raise ResultsError(f"{path}: {size} that results may have; {REMEDY}")
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise ResultsError(f"{path}: not a text file; {REMEDY}") from None
+    except OSError as error:
+        raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {REMEDY}") from None
+    return loads(text, source=str(path))
+
+
+def find_results(path: Path) -> Path:
+    """Find the results file that `path` names: itself, or the one in the folder, or in its only NAME-results folder.
+
+    Raises ResultsError if there is none, or more than one.
+    """
+    if not path.is_dir():
+        return path
+    here = [file for name in NAMES if (file := path / name).is_file()]
+    below = sorted(path.glob(f"*-results/{NAMES[0]}"))
+    if here or len(below) == 1:
+        return (here or below)[0]
+    found = "none of " + " or ".join(NAMES) if not below else f"{len(below)} folders of results"
+    raise ResultsError(f"{path}: a folder with {found}; {REMEDY}")

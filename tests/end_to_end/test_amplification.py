@@ -83,7 +83,7 @@ def test_the_filtered_motion_stands_beside_the_original(outputs, found):
     assert base == pytest.approx(factor * ground, rel=1e-9)
     period, at_base = np.array(motion["period_s"]), np.array(motion["base_spectrum_g"])
     texts = [each["text"] for each in found["filter"]["amplification"]["said"] if isinstance(each, dict)]
-    (sentence,) = [text for text in texts if text.startswith("first mode of")]
+    (sentence,) = [text for text in texts if text.startswith("first mode at")]
     frequency = float(sentence.split()[3])
     assert 0.7 < period[np.argmax(at_base)] * frequency < 1.4  # the floor's spectrum peaks at the building's period
     assert len(list((outputs / "figures").glob("*-amplification.svg"))) == 1
@@ -117,7 +117,7 @@ def test_check_prints_the_way_up(outputs, capsys):
     assert assess("check", outputs.parent) == 0
     out = capsys.readouterr().out
     assert "motion      srss, base 4.77 m above the ground" in out
-    assert "first mode of 2.5 Hz (given), h_e = 6.01 m (given)" in out
+    assert "first mode at 2.5 Hz (given), h_e = 6.01 m (given)" in out
 
 
 def test_what_is_missing_ends_with_one_line(outputs, tmp_path, capsys):

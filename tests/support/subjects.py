@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from math import inf
 
 import numpy as np
@@ -165,9 +166,18 @@ def context_of(mechanism: Mechanism, floor: Spectrum | None) -> Context:
     )
 
 
-def subjects(name: str) -> Iterator[Subject]:
+@cache
+def subjects(name: str) -> tuple[Subject, ...]:
     """The answers of a procedure; the thesis' readings put a plain block in the place of what is on joints."""
-    for mechanism, context in (*contexts(), *(special() if not name.endswith("-thesis") else ())):
-        rocker = oscillator(mechanism)
-        for check in procedure(name, OPTIONS)(rocker, context):
-            yield Subject(mechanism, context, rocker, check)
+    every = rockers(contexts) + (rockers(special) if not name.endswith("-thesis") else ())
+    return tuple(
+        Subject(mechanism, context, rocker, check)
+        for mechanism, context, rocker in every
+        for check in procedure(name, OPTIONS)(rocker, context)
+    )
+
+
+@cache
+def rockers(of: Callable[[], Iterator[tuple[Mechanism, Context]]]) -> tuple[tuple[Mechanism, Context, Oscillator], ...]:
+    """Mechanisms with their contexts and oscillators."""
+    return tuple((mechanism, context, oscillator(mechanism)) for mechanism, context in of())

@@ -109,6 +109,7 @@ def test_an_edit_of_what_is_compiled_in_changes_the_answer_at_once(tmp_path: Pat
     assert run(SINE, packages, place) == (before, 1, 0)  # the code of either version stays
 
 
+@pytest.mark.study
 def test_numbas_own_cache_gives_the_old_answer_after_the_edit(tmp_path: Path) -> None:
     """What this cache is there for; should numba learn it, ours can go."""
     packages, place = toy(tmp_path / "packages"), {"NUMBA_CACHE_DIR": str(tmp_path / "cache")}

@@ -6,13 +6,14 @@ it is first used, so that `import assess` takes no time; rooms such as `assess.l
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from assess.late import late_names
 
 if TYPE_CHECKING:
     from scipy.constants import g
 
-    from assess.codes.context import Building
+    from assess.codes.context import building
     from assess.interfaces.definition import Interface, Shape
     from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
     from assess.model.body import Body, Material
@@ -28,7 +29,6 @@ __all__ = [
     "Block",
     "Body",
     "BodyLoad",
-    "Building",
     "CutAngle",
     "CutPlane",
     "ForceLoad",
@@ -43,6 +43,7 @@ __all__ = [
     "TieLoad",
     "answers",
     "box",
+    "building",
     "envelope",
     "equivalent_block",
     "four_hinge",
@@ -60,7 +61,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "assess.codes.context": ("Building",),
+    "assess.codes.context": ("building",),
     "assess.interfaces.definition": ("Interface", "Shape"),
     "assess.loads.definitions": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.model.body": ("Body", "Material"),
@@ -73,7 +74,6 @@ _HOMES = {
     "scipy.constants": ("g",),
     "spectra.registry": ("spectrum",),
 }
-_HOME = {name: home for home, names in _HOMES.items() for name in names}
 _ROOMS = (
     "amplification",
     "codes",
@@ -86,20 +86,4 @@ _ROOMS = (
     "model",
     "study",
 )
-
-
-def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        found = getattr(import_module(_HOME[name]), name)
-    elif name in _ROOMS:
-        found = import_module(f"{__name__}.{name}")
-    else:
-        raise AttributeError(
-            f"module {__name__!r} has no attribute {name!r}; the public names are: {', '.join(__all__)}"
-        )
-    globals()[name] = found
-    return found
-
-
-def __dir__() -> list[str]:
-    return [*__all__, *_ROOMS]
+__getattr__, __dir__ = late_names(__name__, _HOMES, _ROOMS)

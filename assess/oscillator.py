@@ -3,14 +3,14 @@
     I(phi) phi'' + 1/2 I'(phi) phi'^2 + restoring(phi) = -B(phi) u_g''          restoring = dV/dphi - M(phi)
 
 phi [rad] is the rotation of the leading block. A `Branch` tabulates one direction of rotation in its own mirrored
-sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. What stands
-above knows nothing of codes, what stands below nothing of blocks or meshes.
+sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. Geometry and
+mechanisms, which make it, know nothing of codes; dynamics and codes, which use it, know nothing of blocks or meshes.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -20,11 +20,11 @@ from scipy.interpolate import CubicSpline, PPoly
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Branch:
     """One direction of rocking, tabulated over rotation; between nodes the table is a cubic spline.
 
-    Equal to itself only, so that its splines can be made once.
+    Compared by identity: its splines are made once.
 
     Attributes
     ----------
@@ -36,8 +36,8 @@ class Branch:
     lift : C = sum m z' [n] [kg m]
     restitution : |velocity after| / |velocity before| of the impact that ends this branch [-]
     overturning : phi_ov, rigid: the first rotation > 0 where restoring goes from + to - [rad]
-    critical : phi_cr, where the linearised equation is made: dV/dphi = 0 [rad]
-    overturning_flexible : the same as overturning, of the interfaces in use [rad]; None where they are rigid
+    critical : phi_cr, about which the equation is linearised: dV/dphi = 0 [rad]
+    overturning_flexible : phi_ov on the interfaces in use [rad]; None if they are rigid
     """
 
     rotation: FloatArray
@@ -51,21 +51,69 @@ class Branch:
     critical: float
     overturning_flexible: float | None = None
 
+    def __repr__(self) -> str:
+        return (
+            f"Branch({self.rotation.size} rotations to {self.rotation[-1]:.4g} rad, "
+            f"overturning={self.unstable:.4g} rad, restitution={self.restitution:.4g})"
+        )
+
     @property
     def unstable(self) -> float:
-        """Where the restoring moment of the table falls to zero [rad]."""
+        """Rotation at which the restoring moment of the table falls to zero [rad]."""
         return self.overturning if self.overturning_flexible is None else self.overturning_flexible
 
+    @cached_property
+    def restoring_spline(self) -> PPoly:
+        """Restoring moment [N m] over rotation [rad]."""
+        return interpolant(self.rotation, self.restoring)
 
-@dataclass(frozen=True)
+    @cached_property
+    def excitation_spline(self) -> PPoly:
+        """Excitation B [kg m] over rotation [rad]."""
+        return interpolant(self.rotation, self.excitation)
+
+    @cached_property
+    def inertia_spline(self) -> PPoly:
+        """Inertia I [kg m2] over rotation [rad]."""
+        return interpolant(self.rotation, self.inertia)
+
+    @cached_property
+    def energy_spline(self) -> PPoly:
+        """Work stored from rest [J] over rotation [rad]: the integral of the restoring moment."""
+        return self.restoring_spline.antiderivative()
+
+    @cached_property
+    def excitation_integral(self) -> PPoly:
+        """Integral of B dphi from rest [kg m] over rotation [rad]."""
+        return self.excitation_spline.antiderivative()
+
+    @cached_property
+    def linearised(self) -> Linearised:
+        """The branch linearised about phi_cr, the unstable equilibrium of the weights (thesis 3.3-3.7).
+
+        At phi_cr dV/dphi = 0, so there restoring = -M, and K = M' - V'' = -restoring'.
+        """
+        at = self.critical
+        columns = interpolant(self.rotation, np.stack([self.inertia, self.excitation, self.restoring], axis=1))
+        inertia, excitation, restoring = columns(at)
+        return Linearised(
+            inertia=float(inertia),
+            stiffness=-float(columns(at, 1)[2]),
+            excitation=float(excitation),
+            moment=-float(restoring),
+            critical=at,
+            restitution=self.restitution,
+        )
+
+
+@dataclass(frozen=True, repr=False)
 class Oscillator:
     """A mechanism as the dynamics and the codes see it.
 
-    positive, negative : the branches; negative is None for one-sided rocking, and the positive one where both ways are
-        the same
+    positive, negative : the branches; negative is None for one-sided rocking, and the positive one if both are equal
     mass : total moved mass, bearing or not [kg]
     equilibrium, equilibrium_negative : phi_e, the rotation at rest from which each branch counts, in its own sign
-        [rad]; not zero where a flexible joint carries an eccentric load
+        [rad]; not zero if a flexible joint carries an eccentric load
     """
 
     positive: Branch
@@ -74,14 +122,45 @@ class Oscillator:
     equilibrium: float = 0.0
     equilibrium_negative: float = 0.0
 
+    def __repr__(self) -> str:
+        sides = "one-sided" if self.negative is None else "two-sided"
+        with np.errstate(all="ignore"):
+            return (
+                f"Oscillator(p={self.p:.4g} 1/s, slenderness={self.slenderness:.4g} rad, {sides}, {self.mass:.4g} kg)"
+            )
+
+    @property
+    def p(self) -> float:
+        """Frequency parameter p_eq of the positive branch, linearised [1/s]."""
+        return self.positive.linearised.p
+
+    @property
+    def slenderness(self) -> float:
+        """Slenderness of the equivalent single block of the positive branch [rad].
+
+        At rest, or at phi_cr on flexible joints, which carry no moment at rest.
+        """
+        rotation = 0.0 if threshold(self.positive) is not None else self.positive.critical
+        return block_at(self.positive, rotation, mass=self.mass).slenderness
+
+    @property
+    def multiplier(self) -> float | None:
+        """Acceleration in g that starts the positive branch, lambda at rest [-]; None without a threshold of uplift."""
+        return threshold(self.positive)
+
     @property
     def branches(self) -> tuple[Branch, ...]:
-        """The branches there are, positive first."""
+        """The positive and, if rocking is two-sided, the negative branch."""
         return (self.positive,) if self.negative is None else (self.positive, self.negative)
 
     @property
+    def equilibria(self) -> tuple[float, float]:
+        """The rotations at rest from which the positive and the negative branch count [rad]."""
+        return self.equilibrium, self.equilibrium_negative
+
+    @property
     def symmetric(self) -> bool:
-        """Whether both ways are one branch: a motion reversed then turns it as far to the other side."""
+        """Whether both directions share one branch, so that a reversed motion gives the mirrored response."""
         return self.negative is self.positive
 
 
@@ -118,7 +197,7 @@ class Linearised:
 
 @dataclass(frozen=True)
 class SingleBlock:
-    """The plain block that is like the mechanism at rest.
+    """The plain block equivalent to the mechanism at rest.
 
     mass M [kg], radius R [m], slenderness alpha [rad], inertia I_O about the hinge [kg m2].
     """
@@ -130,10 +209,15 @@ class SingleBlock:
 
 
 def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
-    """The piecewise cubic through `values` [n, …] over `rotation` [n]: one not-a-knot spline between jumps.
+    """Return the piecewise cubic through values over rotation: one not-a-knot spline between jumps.
 
-    A piece of two nodes is a line, of three a parabola. Jumps (two nodes at one rotation) keep an empty interval,
-    so interval i of the result always lies between nodes i and i + 1.
+    A piece of two nodes is a line, of three a parabola. Jumps (two nodes at one rotation) keep an empty interval, so
+    that interval i of the result always lies between nodes i and i + 1.
+
+    Parameters
+    ----------
+    rotation : not decreasing [n] [rad]
+    values : at the nodes [n, …]
     """
     coefficients = np.zeros((4, rotation.size - 1, *values.shape[1:]))
     ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]
@@ -143,104 +227,116 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     return PPoly.construct_fast(coefficients, rotation)
 
 
-@lru_cache(maxsize=64)
-def restoring_spline(branch: Branch) -> PPoly:
-    """Restoring moment [N m] over rotation [rad]."""
-    return interpolant(branch.rotation, branch.restoring)
-
-
-@lru_cache(maxsize=64)
-def excitation_spline(branch: Branch) -> PPoly:
-    """Excitation B [kg m] over rotation [rad]."""
-    return interpolant(branch.rotation, branch.excitation)
-
-
-@lru_cache(maxsize=64)
-def _inertia_spline(branch: Branch) -> PPoly:
-    return interpolant(branch.rotation, branch.inertia)
-
-
-@lru_cache(maxsize=64)
-def _work(branch: Branch) -> PPoly:
-    return restoring_spline(branch).antiderivative()
-
-
-@lru_cache(maxsize=64)
-def excitation_integral(branch: Branch) -> PPoly:
-    """Integral of B dphi from rest [kg m] over rotation [rad]."""
-    return excitation_spline(branch).antiderivative()
-
-
 def restoring(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Restoring moment [N m] at `rotation` [rad] (same shape)."""
-    return np.asarray(restoring_spline(branch)(rotation), dtype=np.float64)
+    """Return the restoring moment [N m] at `rotation` [rad] (same shape)."""
+    return np.asarray(branch.restoring_spline(rotation), dtype=np.float64)
 
 
 def energy(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Work stored from rest to `rotation` [rad] (same shape): the integral of the restoring moment [J]."""
-    return np.asarray(_work(branch)(rotation), dtype=np.float64)
+    """Return the work stored from rest: the integral of the restoring moment [J].
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : of any shape [rad]
+    """
+    return np.asarray(branch.energy_spline(rotation), dtype=np.float64)
 
 
 def displacement(branch: Branch, rotation: FloatArray, *, mass: float) -> FloatArray:
-    """Displacement of the control point, the centre of all participating masses: (integral of B dphi) / mass [m]."""
-    return np.asarray(excitation_integral(branch)(rotation), dtype=np.float64) / mass
+    """Return the displacement of the control point, the centre of all participating masses [m].
+
+    It is (integral of B dphi) / mass.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : of any shape [rad]
+    mass : total moved mass [kg]
+    """
+    return np.asarray(branch.excitation_integral(rotation), dtype=np.float64) / mass
 
 
 def multiplier(branch: Branch) -> FloatArray:
-    """lambda(phi) = restoring / (g B) at the nodes [n]: horizontal acceleration in g that holds the mechanism there."""
+    """Return lambda(phi) = restoring / (g B) at the nodes [n]: the acceleration in g in equilibrium there."""
     return branch.restoring / (g * branch.excitation)
 
 
 def threshold(branch: Branch) -> float | None:
-    """lambda at rest, the uplift multiplier [-]; None where rest has no threshold, as on joints that answer at once."""
+    """Return lambda at rest, the uplift multiplier [-]; None without a threshold, as on joints that deform at once."""
     at_rest = float(multiplier(branch)[0])
     return at_rest if at_rest > 0.0 else None
 
 
 def resisted(branch: Branch) -> float:
-    """lambda that linear checks compare with [-]: at rest, or on flexible joints, where it may rise, the largest."""
+    """Return lambda for linear checks [-]: at rest, or on flexible joints, where it may rise, the largest."""
     if branch.overturning_flexible is None:
         return float(multiplier(branch)[0])
     return float(multiplier(branch)[branch.rotation <= branch.unstable].max())
 
 
 def elastic_frequency(branch: Branch) -> float | None:
-    """Frequency of small motions about rest [Hz]; None where rest has a threshold."""
+    """Return the frequency of small motions about rest [Hz]; None if there is a threshold of uplift."""
     if threshold(branch) is not None:
         return None
-    stiffness = float(restoring_spline(branch)(0.0, 1))
+    stiffness = float(branch.restoring_spline(0.0, 1))
     return float(np.sqrt(max(stiffness, 0.0) / branch.inertia[0]) / (2 * np.pi))
 
 
 def participating_mass(branch: Branch) -> FloatArray:
-    """M* = B^2 / sum m x'^2 at the nodes [n] [kg]."""
+    """Return M* = B^2 / sum m x'^2 at the nodes [n] [kg]."""
     return branch.excitation**2 / branch.participation
 
 
 def participation_ratio(branch: Branch, *, mass: float) -> float:
-    """e* = M* / mass at rest [-]; 1 for a plain block."""
+    """Return e* = M* / mass at rest [-]; 1 for a plain block.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    mass : total moved mass [kg]
+    """
     return float(participating_mass(branch)[0] / mass)
 
 
 def equivalent_block(branch: Branch, *, mass: float) -> SingleBlock:
-    """The single block with the mechanism's mass, restoring moment, excitation and inertia at rest."""
+    """Return the single block with the mass, restoring moment, excitation and inertia of the mechanism at rest.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    mass : total moved mass [kg]
+    """
     height, half_width = branch.excitation[0] / mass, branch.restoring[0] / (mass * g)
     radius, slenderness = float(np.hypot(height, half_width)), float(np.arctan2(half_width, height))
     return SingleBlock(mass, radius, slenderness, float(branch.inertia[0]))
 
 
 def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
-    """The single block with the mechanism's restoring moment, excitation and inertia at a rotation [rad].
+    """Return the single block with the restoring moment, excitation and inertia of the mechanism at a rotation.
 
     For a plain block it is the same at every rotation; on a flexible joint it is thesis 6.50-6.52.
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : [rad]
+    mass : total moved mass [kg]
     """
-    R, B = float(restoring_spline(branch)(rotation)), float(excitation_spline(branch)(rotation))
-    inertia = float(_inertia_spline(branch)(rotation))
+    R, B = float(branch.restoring_spline(rotation)), float(branch.excitation_spline(rotation))
+    inertia = float(branch.inertia_spline(rotation))
     return SingleBlock(mass, float(np.hypot(R / g, B)) / mass, rotation + float(np.arctan2(R / g, B)), inertia)
 
 
 def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) -> Branch:
-    """The table of a plain block, as far as `end` times its slenderness."""
+    """Tabulate a plain block.
+
+    Parameters
+    ----------
+    block : its mass, radius, slenderness and inertia
+    restitution : of the impact that ends the branch [-]
+    end : of the table, as a multiple of the slenderness [-]
+    """
     M, R, alpha = block.mass, block.radius, block.slenderness
     phi = np.linspace(0.0, end * alpha, 257)
     up, along = M * R * np.sin(alpha - phi), M * R * np.cos(alpha - phi)
@@ -254,23 +350,4 @@ def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) ->
         restitution=restitution,
         overturning=alpha,
         critical=alpha,
-    )
-
-
-@lru_cache(maxsize=64)
-def linearise(branch: Branch) -> Linearised:
-    """The branch linearised about phi_cr, the unstable equilibrium of the weights (thesis 3.3-3.7).
-
-    At phi_cr dV/dphi = 0, so there restoring = -M, and K = M' - V'' = -restoring'.
-    """
-    at = branch.critical
-    columns = interpolant(branch.rotation, np.stack([branch.inertia, branch.excitation, branch.restoring], axis=1))
-    inertia, excitation, restoring = columns(at)
-    return Linearised(
-        inertia=float(inertia),
-        stiffness=-float(columns(at, 1)[2]),
-        excitation=float(excitation),
-        moment=-float(restoring),
-        critical=at,
-        restitution=branch.restitution,
     )

@@ -1,6 +1,6 @@
-"""The writer of the report: where a process can be copied, one of its own that gets ready while the analysis runs.
+"""A process that writes the report: where one can be forked, it gets ready while the analysis runs.
 
-What draws pages takes a second to import, and in most of that time the analysis has no use for a second core.
+The modules that draw pages take a second to import; for most of that time the analysis leaves a second core idle.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from assess.workers import available_cores, end_with_parent, hear_signals, hold_
 if TYPE_CHECKING:
     from assess.results import Results
 
-Say = Callable[[str], None]
-Begin = Callable[["Results", Path, Say], Callable[[], Path]]
-"""Begins to write the report of results into a folder and says the stages; its answer waits for the path of the PDF."""
+Progress = Callable[[str], None]
+Begin = Callable[["Results", Path, Progress], Callable[[], Path]]
+"""Begins to write a report into a folder and reports the stages; returns what waits for the path of the PDF."""
 
 
 @contextmanager
 def report_writer(jobs: int | None) -> Iterator[Begin]:
-    """What writes a report by `jobs` processes, of all cores if None."""
+    """Provide a function that writes a report by `jobs` processes, on all cores if None."""
     number = jobs or available_cores()
     if number == 1 or sys.platform != "linux":
-        yield lambda results, folder, say: lambda: _write(results, folder, say, jobs=number)
+        yield lambda results, folder, progress: lambda: _write(results, folder, progress, jobs=number)
         return
     process = _Process(number)
     try:
@@ -51,29 +51,29 @@ class _Process:
         with hold_signals():
             self._process.start()
         theirs.close()
-        self._asked = self._answered = False
+        self._has_begun = self._has_replied = False
 
-    def begin(self, results: Results, folder: Path, say: Say) -> Callable[[], Path]:
-        self._asked = True
+    def begin(self, results: Results, folder: Path, progress: Progress) -> Callable[[], Path]:
+        self._has_begun = True
         try:
             self._connection.send((results, folder))
         except ConnectionError:
             raise self._ended() from None
-        return partial(self._wait, say)
+        return partial(self._wait, progress)
 
-    def _wait(self, say: Say) -> Path:
+    def _wait(self, progress: Progress) -> Path:
         while True:
-            told = self._told()
-            if isinstance(told, str):
-                say(told)
+            reply = self._receive()
+            if isinstance(reply, str):
+                progress(reply)
                 continue
-            self._answered = True
-            if isinstance(told, BaseException):
-                raise told
-            assert isinstance(told, Path)  # all that is told
-            return told
+            self._has_replied = True
+            if isinstance(reply, BaseException):
+                raise reply
+            assert isinstance(reply, Path)  # the last of what it sends
+            return reply
 
-    def _told(self) -> object:
+    def _receive(self) -> object:
         try:
             return self._connection.recv()
         except (EOFError, ConnectionError):
@@ -84,17 +84,17 @@ class _Process:
         return RuntimeError(f"the process that writes the report ended by itself (exit code {self._process.exitcode})")
 
     def end(self) -> None:
-        """Wait until it has ended; what it has not begun or not finished is not wanted any more."""
+        """End it, whatever it has not begun or not finished, and wait for that."""
         self._connection.close()
-        if not self._asked:
+        if not self._has_begun:
             self._process.kill()
-        elif not self._answered:
+        elif not self._has_replied:
             self._process.terminate()
         self._process.join()
 
 
 def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
-    """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
+    """Get ready, write the results received, send the stages, and last the path or the error."""
     other_end.close()
     end_with_parent()
     for number in ENDING:
@@ -102,7 +102,7 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
             signal.signal(number, _interrupt)
     try:
         hear_signals()
-        with suppress(Exception):  # what goes wrong here goes wrong again when it is to write, and is told then
+        with suppress(Exception):  # an error here comes again when it is to write, and is sent then
             import reports.writing  # noqa: F401 - while the analysis runs
         results, folder = connection.recv()
         try:
@@ -111,17 +111,17 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
             error.add_note(traceback.format_exc())
             connection.send(error)
     except (EOFError, OSError, KeyboardInterrupt):
-        pass  # nobody waits for it
+        pass  # no one waits for it
 
 
 def _interrupt(*_: object) -> None:
-    """End once, however often it is asked for."""
+    """Interrupt once, however often the signal comes."""
     for number in ENDING:
         signal.signal(number, lambda *_: None)  # SIG_IGN says so of one that has come already
     raise KeyboardInterrupt
 
 
-def _write(results: Results, folder: Path, say: Say, *, jobs: int) -> Path:
+def _write(results: Results, folder: Path, progress: Progress, *, jobs: int) -> Path:
     from reports.writing import write_all
 
-    return write_all(results, folder, jobs=jobs, progress=say)
+    return write_all(results, folder, jobs=jobs, progress=progress)

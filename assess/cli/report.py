@@ -42,7 +42,7 @@ def report(
     from reports.chapters.inputs import project_text
     from reports.writing import Form, write_all, write_document
 
-    chosen = language or _known(project_text(found, "report.language"), source=results)
+    chosen = language or _language_of(project_text(found, "report.language"), source=results)
     folder = output or read.path.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
@@ -64,7 +64,7 @@ def report(
     print(folder / pdf.relative_to(stage))
 
 
-def _known(language: str, *, source: Path) -> str:
+def _language_of(language: str, *, source: Path) -> str:
     """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
     from reports.language.catalogue import ENGLISH, languages

@@ -88,12 +88,12 @@ def spectrum(
     options = {key: value for key, value in context.params.items() if key not in OWN and value is not None}
     _refuse(project, options, as_json=as_json, as_csv=as_csv, output=output)
     from assess.cli.tables.design_spectrum import csv_text, json_text, print_spectrum_warnings, table_text
+    from assess.project.site_options import read_site_options, site_option_messages
     from assess.project.site_spectrum import site_of, spectrum_of, vertical_of
-    from assess.project.typed_site import check_typed_site, typed_site_messages
 
-    site = check_typed_site(options, folder=Path()) if project is None else site_of(project)
+    site = read_site_options(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)
-    print_spectrum_warnings(found, messages=typed_site_messages(options))
+    print_spectrum_warnings(found, messages=site_option_messages(options))
     if output is not None:
         from assess.cli.tables.design_spectrum import draw
 

@@ -39,9 +39,9 @@ def _plain(error: Any) -> str:
 
 def _value(error: Any) -> str:
     """Return the value given, as the library that checked it kept it."""
-    from assess.project.messages import printable
+    from assess.project.key_text import escape_text
 
     for cause in (error.__cause__, error.__context__):
         if hasattr(cause, "errors"):
-            return printable(str(cause.errors()[0]["input"]))
+            return escape_text(str(cause.errors()[0]["input"]))
     return "this"

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import inf
 from typing import Literal
 
 from assess.codes.check import BranchName, InputAt
+from assess.errors import ProcedureError
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message
 from assess.oscillator import Oscillator
@@ -91,6 +93,33 @@ class Building:
     period: float
     damping: float
     limit_states: Mapping[str, FirstMode] = field(default_factory=dict)
+
+
+def default_period(height: float) -> float:
+    """Return the period of the first mode of a building by its height [m], 0.05 H^0.75 [s] (EN 1998-1, eq. 4.6)."""
+    return float(0.05 * height**0.75)
+
+
+def building(
+    *, height: float, storeys: int | None = None, period: float | None = None, damping: float = 0.05
+) -> Building:
+    """Return the structure below a mechanism.
+
+    Parameters
+    ----------
+    height : above the ground [m]
+    storeys : their number, where it is known
+    period : of the first mode [s]; 0.05 H^0.75 where None
+    damping : of the first mode [-]
+
+    Raises
+    ------
+    ProcedureError : a value is not positive, or not finite
+    """
+    for name, value in (("height", height), ("storeys", storeys), ("period", period), ("damping", damping)):
+        if value is not None and not 0.0 < value < inf:
+            raise ProcedureError(f"building: {name} = {value:g}: give a finite number greater than 0")
+    return Building(height, storeys, default_period(height) if period is None else period, damping)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from assess.codes.check import PgaCurve
 from assess.codes.context import Suite
 from assess.codes.worst_branch import least_known
 from assess.messages.message import Message, Quantity, message
-from assess.oscillator import Oscillator, linearise, threshold
+from assess.oscillator import Oscillator, threshold
 
 
 def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
@@ -29,7 +29,7 @@ def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | No
         PGA [g]; None without a threshold.
     """
     if linearised:
-        return min(linearise(branch).multiplier for branch in oscillator.branches)
+        return min(branch.linearised.multiplier for branch in oscillator.branches)
     return least_known([threshold(branch) for branch in oscillator.branches])
 
 

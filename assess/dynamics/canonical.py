@@ -1,11 +1,11 @@
-"""Branches as the kernel marches them: in the coordinate that makes the inertia one number.
+"""Branches in the coordinate of the kernel, in which the inertia is constant.
 
 With s(phi) = sqrt(I(phi) / I(0)) and dy = s dphi / L, where y = 1 at overturning, the kinetic energy is
 I(0) L^2 y'^2 / 2, and the rocking equation loses its velocity:
 
     I phi'' + 1/2 I' phi'^2 + R = -B a        becomes        y'' = -r(y) - b(y) a,     r, b = (R, B) / (I(0) L s)
 
-Where I is constant, as of a rigid block, y is phi / phi_ov. Where it jumps, y' and so the energy goes on.
+Where I is constant, as for a rigid block, y is phi / phi_ov. Where it jumps, y' and so the energy is continuous.
 """
 
 from __future__ import annotations
@@ -16,18 +16,19 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline, PPoly
 
 from assess.oscillator import Branch, interpolant
+from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
 
 
 SAME = 1e-10
-"""Of the largest value of a table: less than this between two nodes at one rotation is rounding, and no jump."""
+"""Fraction of the largest value of a table below which a difference between two nodes at one rotation is rounding."""
 
 
-@dataclass(frozen=True)
-class Canonical:
-    """A branch over y, on the n segments that have a width.
+@dataclass(frozen=True, repr=False)
+class Canonical(ShortRepr):
+    """A branch over y, on its n segments of nonzero width.
 
     turn : dphi / dy at rest, L [rad]
     y : ends of the segments [n + 1] [-]
@@ -48,15 +49,15 @@ class Canonical:
     inertia: PPoly
 
     def rotation(self, y: FloatArray) -> FloatArray:
-        """phi [rad] at y (same shape)."""
+        """Return phi [rad] at y (same shape)."""
         return np.asarray(self.back(y))
 
     def velocity(self, y: FloatArray, v: FloatArray) -> FloatArray:
-        """phi' [rad/s] at y with y' (same shapes)."""
+        """Return phi' [rad/s] at y with y' (same shapes)."""
         return np.asarray(self.turn * v / np.sqrt(self.inertia(self.back(y))))
 
     def at(self, rotation: float) -> float:
-        """y at a rotation [rad]: by Newton's method from the chord."""
+        """Return y at a rotation [rad], by Newton's method from the chord."""
         y = float(np.interp(rotation, self.back(self.y), self.y))
         for _ in range(4):
             y -= float((self.back(y) - rotation) / self.back(y, 1))
@@ -64,14 +65,14 @@ class Canonical:
 
 
 def linear_form(turn: float) -> Canonical:
-    """Of the linearised equation, whose inertia is constant and needs no table: y = phi / turn."""
+    """Return the coordinate of the linearised equation, y = phi / turn: its inertia is constant and needs no table."""
     ends, none = np.array([0.0, 1.0]), np.empty((4, 0))
     line, one = CubicHermiteSpline(ends, turn * ends, [turn, turn]), PPoly([[1.0]], turn * ends)
     return Canonical(turn, ends, none, none, np.empty(0), np.empty((0, 2), dtype=np.int64), line, one)
 
 
 def canonical_form(branch: Branch) -> Canonical:
-    """The branch over y: cubics with its values and slopes at the ends of each segment."""
+    """Return the branch over y: cubics with its values and slopes at the ends of each segment."""
     wide = np.diff(branch.rotation) > 0.0
     left, width = branch.rotation[:-1][wide], np.diff(branch.rotation)[wide]
     at_rest = float(branch.inertia[0])
@@ -105,12 +106,12 @@ def canonical_form(branch: Branch) -> Canonical:
 
 
 def _lengths(inertia: FloatArray, width: FloatArray) -> FloatArray:
-    """The integral of s over each segment [n] [rad], by Gauss; inertia: cubics over that at rest [4, n]."""
+    """Integrate s over each segment [n] [rad] by Gauss; inertia: cubics of I / I(0) [4, n]."""
     return np.asarray(0.5 * width * (WEIGHTS @ np.sqrt(_values(inertia, 0.5 * width * (1.0 + NODES[:, None])))))
 
 
 def _values(polynomials: FloatArray, d: FloatArray) -> FloatArray:
-    """Polynomials [k, n] at distances d [m, n] from the beginning of their segments [m, n]."""
+    """Return polynomials [k, n] at distances d [m, n] from the start of their segments [m, n]."""
     value: FloatArray = np.zeros_like(d)
     for row in polynomials:
         value = value * d + row
@@ -118,24 +119,24 @@ def _values(polynomials: FloatArray, d: FloatArray) -> FloatArray:
 
 
 def _slopes(cubics: FloatArray) -> FloatArray:
-    """The derivatives of cubics [4, n]: [3, n]."""
+    """Return the derivatives [3, n] of cubics [4, n]."""
     return np.asarray(cubics[:-1] * np.array([[3.0], [2.0], [1.0]]))
 
 
 def _hermite(value: FloatArray, slope: FloatArray, width: FloatArray) -> FloatArray:
-    """Cubics [4, n] with these values and slopes at both ends [2, n] of segments of these widths [n]."""
+    """Return the cubics [4, n] with these values and slopes at both ends [2, n] of segments of these widths [n]."""
     rise = (value[1] - value[0]) / width
     third, second = slope[0] + slope[1] - 2.0 * rise, 3.0 * rise - 2.0 * slope[0] - slope[1]
     return np.stack([third / width**2, second / width, slope[0], value[0]])
 
 
 def _smooth(branch: Branch, wide: BoolArray) -> IntArray:
-    """First and last segment, of those with a width, between the jumps around each [n, 2].
+    """Return the first and last segment of nonzero width between the jumps around each [n, 2].
 
-    Where two nodes at one rotation have the same values, but for rounding, there is a kink and no jump: steps may pass.
+    Two nodes at one rotation with equal values, but for rounding, are a kink and not a jump: steps may pass it.
     """
     columns = np.array([branch.restoring, branch.excitation, branch.inertia])
     leaps = (np.abs(np.diff(columns)) > SAME * np.abs(columns).max(axis=1, keepdims=True)).any(axis=0)
-    jumps = np.cumsum(leaps & ~wide)[wide]  # how many come before a segment
+    jumps = np.cumsum(leaps & ~wide)[wide]  # the number before each segment
     first, beyond = np.searchsorted(jumps, jumps), np.searchsorted(jumps, jumps, side="right")
     return np.asarray(np.stack([first, beyond - 1], axis=1), dtype=np.int64)

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 TIE = 0.05
-"""Bounds within this share of the least are no clear order: a pulse, a restitution or a density decides."""
+"""Bounds within this share of the least are in no clear order: a pulse, restitution or density could change it."""
 
 
 @dataclass(frozen=True)
@@ -22,8 +23,8 @@ class Band:
     end: float
 
 
-@dataclass(frozen=True)
-class Critical:
+@dataclass(frozen=True, repr=False)
+class Critical(ShortRepr):
     """Of m mechanisms at n frequencies.
 
     mechanism : the one with the least bound, -1 where none has one [n]
@@ -44,7 +45,13 @@ class Critical:
 
 
 def find_critical(frequency: FloatArray, bounds: FloatArray) -> Critical:
-    """From the lower bounds [m, n] of m mechanisms at rising frequencies [n], nan where nothing overturns."""
+    """Find the mechanism with the least lower bound at each frequency.
+
+    Parameters
+    ----------
+    frequency : rising [n] [Hz]
+    bounds : lower bound of each of m mechanisms, nan where nothing overturns it [m, n] [m/s2]
+    """
     filled = np.where(np.isnan(bounds), np.inf, bounds)
     order = np.argsort(filled, axis=0, kind="stable")
     columns = np.arange(frequency.size)
@@ -61,6 +68,7 @@ def find_critical(frequency: FloatArray, bounds: FloatArray) -> Critical:
 
 
 def _bands(frequency: FloatArray, bounds: FloatArray, first: IntArray) -> list[Band]:
+    """Return the bands of frequency in which one mechanism is critical."""
     changes = np.flatnonzero(np.diff(first)) + 1
     places = [_crossing(frequency, bounds, first, int(k)) for k in changes]
     edges = [float(frequency[0]), *places, float(frequency[-1])]
@@ -69,7 +77,7 @@ def _bands(frequency: FloatArray, bounds: FloatArray, first: IntArray) -> list[B
 
 
 def _crossing(frequency: FloatArray, bounds: FloatArray, first: IntArray, k: int) -> float:
-    """Between frequencies k - 1 and k, where the bounds of both mechanisms are known at both; halfway where not."""
+    """Return where two bounds cross between frequencies k - 1 and k [Hz]; halfway if one is not known at both."""
     one, other = first[k - 1], first[k]
     a, b = float(frequency[k - 1]), float(frequency[k])
     both = bounds[[other, one]][:, [k - 1, k]] if min(one, other) >= 0 else np.full((2, 2), np.inf)

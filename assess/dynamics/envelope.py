@@ -25,7 +25,7 @@ from scipy.constants import g
 from assess.dynamics.kernel import exact, linearised, sine
 from assess.dynamics.packing import Equation, pack, tables_of
 from assess.dynamics.pulse_response import TOLERANCE, check_frequency, has_closed_form, pulse_polynomials
-from assess.oscillator import Branch, Oscillator, energy, linearise
+from assess.oscillator import Branch, Oscillator, energy
 from assess.short_repr import ShortRepr
 from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -119,12 +119,12 @@ def _scan(oscillator: Oscillator, factor: FloatArray, *, equation: Equation, hig
 
 
 def safe_amplitude(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation) -> FloatArray:
-    """Peak acceleration at the base that is too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
+    """Return the peak acceleration at the base too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
 
     By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
-    that sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), besides what impacts take. Who overturns
-    passes the work up to overturning. Where an impact that turns the body about a nearer hinge adds energy, the one
-    that follows takes more.
+    sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), less what impacts dissipate. To overturn, the
+    body must absorb at least the work up to phi_ov. Where an impact that turns the body about a nearer hinge adds
+    energy, the next one dissipates more.
     """
     tables = [_impulsive(branch, equation) for branch in oscillator.branches]
     needed, gained, at_rest = (np.array(column) for column in zip(*tables, strict=True))
@@ -137,7 +137,7 @@ def safe_amplitude(oscillator: Oscillator, shape: Shape, frequency: FloatArray, 
 def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]:
     """Of one branch: sqrt(2 E) at overturning, the largest B / sqrt(I), and I at rest."""
     if equation == "linearised":
-        form = linearise(branch)
+        form = branch.linearised
         needed = sqrt(form.stiffness) * form.overturning
         return needed, form.excitation / sqrt(form.inertia), form.inertia
     end = np.array(min(branch.unstable, float(branch.rotation[-1])))
@@ -153,7 +153,7 @@ def polarities(oscillator: Oscillator) -> tuple[int, ...]:
 def uplift_acceleration(oscillator: Oscillator, equation: Equation) -> float:
     """Acceleration at the base that starts rocking [m/s2]."""
     if equation == "linearised":
-        return min(g * linearise(branch).multiplier for branch in oscillator.branches)
+        return min(g * branch.linearised.multiplier for branch in oscillator.branches)
     return min(float(branch.restoring[0] / branch.excitation[0]) for branch in oscillator.branches)
 
 

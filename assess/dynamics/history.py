@@ -1,9 +1,9 @@
 """Rocking time histories: oscillators under ground motions.
 
-A job is one oscillator under one motion times one signed scale, whose sign is the polarity. `peaks` answers many jobs
-on all cores, `trace` gives one history sample by sample, `free_rocking` releases a body from rest. The equation is
-"exact" (the branch tables) or "linearised" (thesis 3.9). Between samples the ground acceleration is linear; after the
-record the body goes on in free motion until no later peak can be larger, and that peak counts.
+A job is one oscillator under one motion times one signed scale, whose sign is the polarity. `peaks` runs many jobs on
+all cores, `trace` returns one history sample by sample, `free_rocking` releases a body from rest. The equation is
+"exact" (the branch tables) or "linearised" (thesis 3.9). The ground acceleration is linear between samples; after the
+record the free motion is followed until no later peak can be larger, and that peak counts.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ Array = TypeVar("Array", FloatArray, IntArray, BoolArray)
 Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
 
 TOLERANCE = 1e-10
-"""Error allowed to one step of the exact equation, of phi / phi_ov and of its rate over the branch's own rate."""
+"""Error allowed in one step of the exact equation, of phi / phi_ov and of its rate over the rate of the branch."""
 FREE_TOLERANCE = 1e-14
-"""The same of `free_rocking`: step errors of one sign add up, and at this the energy of an hour is kept to 1e-8."""
+"""Error allowed in one step of `free_rocking`: errors of one sign add up; this keeps the energy of an hour to 1e-8."""
 CHUNK_STEPS = 7_000
-"""Record steps given to a thread at a time: few, for the batches of a scan are small."""
+"""Record steps given to a thread at a time: few, because the batches of a scan are small."""
 MOST_EVENTS = 100_000
 """Events that `free_rocking` keeps."""
 
@@ -44,7 +44,7 @@ MOST_EVENTS = 100_000
 class Jobs(ShortRepr):
     """What to run, one entry per job.
 
-    oscillator, motion : indices into the sequences given beside [n]
+    oscillator, motion : indices into the sequences given with the jobs [n]
     scale : factor on the motion; negative for the reversed polarity [n] [-]
     """
 
@@ -59,12 +59,12 @@ class Peaks(ShortRepr):
 
     Attributes
     ----------
-    max_rotation : rotation of largest |rotation| / phi_ov, signed [rad]; where overturned, what was reached before
-        the run ended (meaningless as a maximum)
+    max_rotation : rotation of largest |rotation| / phi_ov, signed [rad]; if overturned, the rotation reached when
+        the run ended, which is not a maximum
     max_ratio : |rotation| / phi_ov of its branch [-]; phi_ov is that of the equation used, and of rigid interfaces
-    time_of_max : [s]; 0 where the body never moved
+    time_of_max : [s]; 0 if the body never moved
     impacts : until overturning, or until the free motion after the record has peaked on each side or come to rest
-    overturned : it can no longer return; having been beyond phi_ov is not enough
+    overturned : whether it can no longer return; having passed phi_ov is not enough
     overturning_time : last upward passage of phi_ov [s]; nan where not overturned
     uplifted : whether it rocked at all
     """
@@ -80,7 +80,7 @@ class Peaks(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Trace(ShortRepr):
-    """A history at the record's samples, as far as overturning.
+    """A history at the samples of the record, up to overturning.
 
     time [s], rotation [rad], velocity [rad/s], signed.
     """
@@ -94,7 +94,7 @@ class Trace(ShortRepr):
 class FreeRocking(ShortRepr):
     """Free motion after a release: instants of impacts and peaks [s], velocity before each impact [rad/s], peaks [rad].
 
-    Signed by the side they happen on. The release itself is no peak.
+    Signed by the side on which they occur. The release itself is not a peak.
     """
 
     impact_time: FloatArray
@@ -104,7 +104,7 @@ class FreeRocking(ShortRepr):
 
 
 def product(oscillators: int, motions: int, scales: ArrayLike) -> Jobs:
-    """Every oscillator under every motion at every scale: scales vary fastest, oscillators slowest."""
+    """Return jobs for every oscillator, motion and scale: scales vary fastest, oscillators slowest."""
     factors = np.atleast_1d(np.asarray(scales, dtype=np.float64))
     o, m, s = np.meshgrid(np.arange(oscillators), np.arange(motions), np.arange(factors.size), indexing="ij")
     return Jobs(_frozen(o.ravel()), _frozen(m.ravel()), _frozen(factors[s.ravel()]))
@@ -119,11 +119,20 @@ def peaks(
     threads: int = 0,
     tolerance: float = TOLERANCE,
 ) -> Peaks:
-    """Largest response of every job; the same whatever the number of `threads` (0: all cores).
+    """Return the largest response of every job.
 
-    tolerance : error allowed to a step of the exact equation [-]; the linearised one has none
+    Parameters
+    ----------
+    oscillators, motions : what jobs name by their indices
+    jobs : which oscillator, motion and scale to run
+    equation : "exact" or "linearised"
+    threads : number of threads, 0 for all cores; the result does not depend on it
+    tolerance : error allowed in a step of the exact equation [-]; the linearised one has none
 
-    Raises ValueError for jobs that name no oscillator or motion, MechanismError for a branch that cannot rock.
+    Raises
+    ------
+    MechanismError : a branch that cannot rock
+    ValueError : jobs with an unknown index or a scale that is not finite
     """
     return make_solver(oscillators, motions, equation=equation, threads=threads, tolerance=tolerance)(jobs)
 
@@ -136,9 +145,18 @@ def make_solver(
     threads: int = 0,
     tolerance: float = TOLERANCE,
 ) -> Callable[[Jobs], Peaks]:
-    """What answers any number of jobs of these oscillators and motions, as `peaks` does.
+    """Return a solver for these oscillators and motions; call it with Jobs to get Peaks.
 
-    Raises MechanismError for a branch that cannot rock.
+    Parameters
+    ----------
+    oscillators, motions : what jobs name by their indices
+    equation : "exact" or "linearised"
+    threads : number of threads, 0 for all cores; the result does not depend on it
+    tolerance : error allowed in a step of the exact equation [-]; the linearised one has none
+
+    Raises
+    ------
+    MechanismError : a branch that cannot rock
     """
     each = [pack(oscillator, equation) for oscillator in oscillators]
     run = _RUNS[equation](each, motions, tolerance)
@@ -170,9 +188,15 @@ def trace(
     release: float = 0.0,
     tolerance: float = TOLERANCE,
 ) -> Trace:
-    """History of one oscillator under `scale` times one motion, at the samples; it ends with overturning.
+    """Return the history of one oscillator under one motion at its samples, up to overturning.
 
-    release : rotation of the positive branch at which it is let go, without velocity [rad]
+    Parameters
+    ----------
+    oscillator, motion : the mechanism and the ground motion
+    scale : factor on the motion, negative for the reversed polarity [-]
+    equation : "exact" or "linearised"
+    release : rotation of the positive branch from which it is released without velocity [rad]; 0: from rest
+    tolerance : error allowed in a step of the exact equation [-]
     """
     one = pack(oscillator, equation)
     run = _RUNS[equation]([one], [motion], tolerance)
@@ -199,7 +223,16 @@ def free_rocking(
     equation: Equation = "exact",
     tolerance: float = FREE_TOLERANCE,
 ) -> FreeRocking:
-    """Released from rest at `rotation` [rad] of the positive branch, for `duration` [s] on still ground."""
+    """Return the free motion on still ground after a release without velocity.
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    rotation : of the positive branch at the release [rad]
+    duration : of the motion [s]
+    equation : "exact" or "linearised"
+    tolerance : error allowed in a step of the exact equation [-]
+    """
     one = pack(oscillator, equation)
     samples = 2 + math.ceil(4.0 * one.branches[0, columns.RATE] * duration)
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
@@ -218,26 +251,26 @@ def free_rocking(
 
 
 def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:
-    """All accelerations end to end, where each starts (and the last ends), their steps and peaks."""
+    """Return all accelerations end to end, where each starts (and the last ends), their time steps and peaks."""
     offset = np.cumsum([0, *(motion.npts for motion in motions)], dtype=np.int64)
     ground = np.concatenate([np.empty(0), *(motion.acceleration for motion in motions)])
     return ground, offset, np.array([m.dt for m in motions]), np.array([m.pga for m in motions])
 
 
 def _released(one: Packed, rotation: float) -> float:
-    """The kernel's y of a rotation of the positive branch [rad]. Raises ValueError for one that is not positive."""
+    """Return the y of the kernel at a rotation of the positive branch [rad], which must be positive."""
     if not 0.0 < rotation < math.inf:
         raise ValueError(f"release at {rotation} rad; it must be a positive rotation of the positive branch")
     return one.sides[0].at(rotation)
 
 
 def _linearised(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
-    """The linearised kernel with oscillators and motions filled in; it makes no error to tolerate."""
+    """Return the linearised kernel with oscillators and motions filled in; it has no error to tolerate."""
     return partial(linearised.rock_linearised, branches_of(oscillators), *_motions(motions))
 
 
 def _exact(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
-    """The exact kernel with oscillators and motions filled in."""
+    """Return the exact kernel with oscillators and motions filled in."""
     ground, offset, dt, _ = _motions(motions)
     tables = tables_of(oscillators)
     return partial(exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
@@ -250,7 +283,7 @@ _RUNS: dict[Equation, Callable[[Sequence[Packed], Sequence[Record], float], Run]
 
 
 def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
-    """The jobs as arrays of the kernel's types, if every index names something and every scale is a number."""
+    """Return the jobs as arrays of the kernel's types, checked for unknown indices and scales that are not finite."""
     checked = Jobs(
         np.ascontiguousarray(jobs.oscillator, dtype=np.int64),
         np.ascontiguousarray(jobs.motion, dtype=np.int64),
@@ -265,7 +298,7 @@ def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
 
 
 def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
-    """Slices of consecutive jobs of about CHUNK_STEPS record steps."""
+    """Return slices of consecutive jobs of about CHUNK_STEPS record steps."""
     steps = np.array([motion.npts for motion in motions])[jobs.motion]
     chunk = np.cumsum(steps) // CHUNK_STEPS
     cuts = [0, *(np.flatnonzero(np.diff(chunk)) + 1).tolist(), jobs.scale.size]
@@ -273,7 +306,7 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
 
 
 def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[Packed]) -> Peaks:
-    """The kernel's rows as named columns, of the side with the larger ratio."""
+    """Return the rows of the kernel as named columns, of the side with the larger ratio."""
     ratio, rotation, time = np.zeros((3, jobs.scale.size))
     for number in np.unique(jobs.oscillator):
         here = np.flatnonzero(jobs.oscillator == number)
@@ -297,6 +330,6 @@ def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], eac
 
 
 def _frozen(array: Array) -> Array:
-    """The array, read-only."""
+    """Return the array, read-only."""
     array.flags.writeable = False
     return array

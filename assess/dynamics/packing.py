@@ -1,4 +1,4 @@
-"""Oscillators as the kernel takes them: branches, tables, and what its coordinate means."""
+"""Oscillators in the form that the kernel takes: branches, tables, and the meaning of its coordinate."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from scipy.constants import g
 from assess.dynamics.canonical import Canonical, canonical_form, linear_form
 from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, linearise
+from assess.oscillator import Branch, Oscillator, elastic_frequency, energy
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 Equation = Literal["exact", "linearised"]
@@ -21,12 +22,12 @@ T = TypeVar("T")
 FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; masonry's are below 1000 Hz
 
 
-@dataclass(frozen=True)
-class Packed:
+@dataclass(frozen=True, repr=False)
+class Packed(ShortRepr):
     """An oscillator for one equation.
 
     branches : the columns of `branch` in `kernel.columns` [2, 6]
-    sides : what the kernel's y is on each side there is, with the cubics of the exact equation
+    sides : the meaning of the kernel's y on each side, with the cubics of the exact equation
     """
 
     branches: FloatArray
@@ -34,14 +35,14 @@ class Packed:
 
 
 def pack(oscillator: Oscillator, equation: Equation) -> Packed:
-    """The oscillator for the kernel. Raises MechanismError for a branch that cannot rock."""
+    """Pack an oscillator for the kernel. Raises MechanismError for a branch that cannot rock."""
     if equation not in _PACKING:
         raise ValueError(f'equation "{equation}" is not known; the equations are {", ".join(_PACKING)}')
     return _PACKING[equation](oscillator)
 
 
 def _exact(oscillator: Oscillator) -> Packed:
-    """By the tables; the end of a table means overturned."""
+    """Pack an oscillator by its tables; a body at the end of a table has overturned."""
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
         _check_pace(branch)
@@ -56,8 +57,8 @@ def _exact(oscillator: Oscillator) -> Packed:
 
 
 def _linearised(oscillator: Oscillator) -> Packed:
-    """By the linearised equation; LIMIT depends on the job."""
-    forms = _of_each(oscillator, linearise)
+    """Pack an oscillator by its linearised form; LIMIT depends on the job."""
+    forms = _of_each(oscillator, lambda branch: branch.linearised)
     for form in forms:
         _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
         _positive(form.overturning, "linearised overturning rotation", "rad")
@@ -75,7 +76,7 @@ _PACKING: dict[Equation, Callable[[Oscillator], Packed]] = {"exact": _exact, "li
 
 
 def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
-    """What is made of each branch, once where both are one."""
+    """Return what `make` returns for each branch, made once where both are one branch."""
     first = make(oscillator.positive)
     if oscillator.negative is None:
         return (first,)
@@ -83,14 +84,14 @@ def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ..
 
 
 def branches_of(oscillators: Sequence[Packed]) -> FloatArray:
-    """The branches of all oscillators [oscillators, 2, 6]."""
+    """Return the branches of all oscillators [oscillators, 2, 6]."""
     return np.array([each.branches for each in oscillators]).reshape(-1, 2, 6)
 
 
 def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
-    """What the two equations share: restitution, and the branch that follows an impact."""
+    """Return the columns that both equations share: restitution, and the branch that follows an impact [2, 6]."""
     rows = np.zeros((2, 6))
-    rows[:, columns.THRESHOLD] = math.inf  # a side that is not there never lifts
+    rows[:, columns.THRESHOLD] = math.inf  # a missing side never lifts
     for side, branch in enumerate(oscillator.branches):
         partner = 1 - side if oscillator.negative is not None else side
         rows[side, columns.BOUNCE] = branch.restitution * sides[side].turn / sides[partner].turn
@@ -99,7 +100,7 @@ def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
 
 
 def _check_branch(branch: Branch, *, following: Branch) -> None:
-    """A branch that can rock: it rests on still ground, has mass, and impacts there and back add no energy."""
+    """Raise MechanismError for a branch that falls at rest, has no mass, or gains energy at impacts there and back."""
     _positive(float(branch.unstable), "overturning rotation", "rad")
     _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
     _positive(float(branch.excitation[0]), "excitation at rest", "kg m")
@@ -119,7 +120,7 @@ def _check_branch(branch: Branch, *, following: Branch) -> None:
 
 
 def _check_pace(branch: Branch) -> None:
-    """A branch whose small motions can be followed from sample to sample."""
+    """Raise MechanismError for a branch whose small motions are too fast to follow."""
     frequency = elastic_frequency(branch)
     if frequency is not None and frequency > FASTEST:
         raise MechanismError(
@@ -129,7 +130,7 @@ def _check_pace(branch: Branch) -> None:
 
 
 def _positive(value: float, name: str, unit: str) -> float:
-    """The value, if it is a positive number."""
+    """Return the value, or raise MechanismError if it is not positive."""
     if not value > 0.0:
         raise MechanismError(
             f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; "
@@ -139,9 +140,10 @@ def _positive(value: float, name: str, unit: str) -> float:
 
 
 def check_jobs(indices: Mapping[str, tuple[IntArray, int]], *, name: str, number: FloatArray) -> None:
-    """Raises ValueError where jobs [n] are not one of each, name something that is not there, or have no finite number.
+    """Raise ValueError for jobs [n] with an unknown index or a number that is not finite.
 
-    indices : of what each job takes, and how many of that there are; name : of the `number` of each job
+    indices : the index of each job into each sequence, and the length of that sequence
+    name : of the `number` of each job
     """
     for of, (index, count) in indices.items():
         if not index.shape == number.shape == (number.size,):
@@ -155,7 +157,7 @@ def check_jobs(indices: Mapping[str, tuple[IntArray, int]], *, name: str, number
 
 
 def tables_of(oscillators: Sequence[Packed]) -> tuple[FloatArray, IntArray, IntArray]:
-    """The cubics of all branches [segments, 11] over y, and the segments of each smooth piece and branch."""
+    """Return the cubics of all branches over y [segments, 11], and the segments of each smooth piece and branch."""
     rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
     for oscillator in oscillators:
         spans.append(np.zeros((2, 2), dtype=np.int64))

@@ -22,6 +22,7 @@ from scipy.interpolate import BPoly, PPoly
 from assess.dynamics.kernel import columns, exact, linearised, sine
 from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, pack, tables_of
 from assess.oscillator import Oscillator
+from assess.short_repr import ShortRepr
 from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -35,8 +36,8 @@ CHUNK_JOBS = 32
 """Jobs given to a thread at a time: few, for a bisection asks one for each frequency."""
 
 
-@dataclass(frozen=True)
-class PulseJobs:
+@dataclass(frozen=True, repr=False)
+class PulseJobs(ShortRepr):
     """What to run, one entry per job [n].
 
     oscillator : index into the oscillators given beside; frequency : index into the frequencies given beside
@@ -48,8 +49,8 @@ class PulseJobs:
     amplitude: FloatArray
 
 
-@dataclass(frozen=True)
-class Outcomes:
+@dataclass(frozen=True, repr=False)
+class Outcomes(ShortRepr):
     """Of each job [n]: whether it rocked, whether it overturned, and impacts until the pulse ended or it overturned."""
 
     uplifted: BoolArray
@@ -88,7 +89,7 @@ def outcomes(
 def make_solver(
     oscillators: Sequence[Oscillator], shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int = 0
 ) -> Callable[[PulseJobs], Outcomes]:
-    """What answers any number of jobs for these oscillators, this shape and these frequencies [n] [Hz].
+    """Return a solver for these oscillators, this shape and these frequencies [n] [Hz]; call it with PulseJobs.
 
     Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
     cannot rock, ValueError for a frequency that is not positive.

@@ -6,9 +6,9 @@ phase psi = asin(1 / A); with x = p (t - t_psi), theta = psi + Omega x and y = p
     y(x) = 1 + C1 e^x + C2 e^-x - A / (1 + Omega^2) sin(theta)
     C1 = Omega (s - Omega) / (2 (1 + Omega^2)),   C2 = -Omega (s + Omega) / (2 (1 + Omega^2)),   s = sqrt(A^2 - 1)
 
-and once the pulse is over it overturns where y + dy/dx > 1. Each function gives the amplitudes A at which the outcome
-changes. They are written with decaying exponentials alone, so that a long pulse (Omega to zero) overflows nothing.
-Two or more impacts have no closed form here, so a strong bounce (restitution near 1) can need less than `least`.
+and once the pulse is over it overturns where y + dy/dx > 1. Each function returns the amplitudes A at which the outcome
+changes. All exponentials decay, so that a long pulse (Omega to zero) cannot overflow. Two or more impacts have no
+closed form here, so with a strong bounce (restitution near 1) less than `least` can overturn.
 
 Sources: own derivation, tests/validation/rocking_pulses; without impact and half-sine as Zhang & Makris 2001, J. Eng.
 Mech. 127, 473-483.
@@ -24,15 +24,15 @@ import numpy as np
 from scipy.optimize import brentq
 
 SCAN = 400
-"""Amplitudes between which a branch that can turn back is looked for: a band thinner than a step can be missed."""
+"""Number of amplitudes scanned for a branch that can turn back: a band thinner than a step can be missed."""
 BARELY = 1.0 + 1e-9
-"""Of the uplift: the least amplitude looked at."""
+"""The least amplitude scanned, as a multiple of that of uplift."""
 
 
 def without_impact(omega: float) -> float:
-    """Branch (a), above which the body overturns on the side that it lifts to first; the restitution has no part.
+    """Return branch (a), above which the body overturns on the side to which it first rotates, without impact.
 
-    (s - Omega) exp((2 pi - psi) / Omega) = A; the difference of both sides grows with A, so there is one root.
+    (s - Omega) exp((2 pi - psi) / Omega) = A; the difference of the two sides grows with A, so there is one root.
     """
     _check(omega)
 
@@ -43,9 +43,9 @@ def without_impact(omega: float) -> float:
 
 
 def half_sine(omega: float) -> float:
-    """The same under half a cycle: (s - Omega) exp((pi - psi) / Omega) + A = 0.
+    """Return the least overturning amplitude under half a cycle: (s - Omega) exp((pi - psi) / Omega) + A = 0.
 
-    It is also the least amplitude of one-sided rocking under a full cycle that begins by pressing on the support.
+    It is also that of one-sided rocking under a full cycle that begins by pressing on the support.
     """
     _check(omega)
 
@@ -56,8 +56,7 @@ def half_sine(omega: float) -> float:
 
 
 def impact_in_pulse(omega: float, restitution: float) -> tuple[float, ...]:
-    """Branch (b), rising: the body lands while the pulse lasts, and at its end is just about to overturn on the other
-    side.
+    """Return branch (b), rising: one impact during the pulse, at whose end the body just overturns on the other side.
 
     (eta |y'_i| - 1 - A (sin theta_i + Omega cos theta_i) / (1 + Omega^2)) exp((2 pi - theta_i) / Omega)
     + A Omega / (1 + Omega^2) = 0, where theta_i is the phase of landing; and no second landing before the end.
@@ -76,10 +75,10 @@ def impact_in_pulse(omega: float, restitution: float) -> tuple[float, ...]:
 
 
 def impact_after_pulse(omega: float, restitution: float) -> tuple[float, ...]:
-    """Branch (c), rising: the body lands after the pulse with just the energy to overturn on the other side.
+    """Return branch (c), rising: the body lands after the pulse with just the energy to overturn on the other side.
 
-    y'_e^2 - (1 - y_e)^2 = 1 / eta^2 - 1 at the end of the pulse, where the left side is -4 D+ D-; it overturns where
-    that is the larger. Between `last_in_pulse` and `without_impact`.
+    y'_e^2 - (1 - y_e)^2 = 1 / eta^2 - 1 at the end of the pulse, where the left side is -4 D+ D-; the body overturns
+    where it exceeds the right side. Between `last_in_pulse` and `without_impact`.
     """
     _check(omega, restitution)
 
@@ -91,7 +90,7 @@ def impact_after_pulse(omega: float, restitution: float) -> tuple[float, ...]:
 
 
 def last_in_pulse(omega: float) -> float:
-    """The amplitude at which the body first lands at the very end of the pulse: beyond it, later."""
+    """Return the amplitude at which the first landing is at the end of the pulse; above it the landing is later."""
     _check(omega)
 
     def height(A: float) -> float:
@@ -102,25 +101,25 @@ def last_in_pulse(omega: float) -> float:
 
 
 def least(omega: float, restitution: float) -> float:
-    """The least amplitude at which a branch begins to overturn the body, with one impact or none."""
+    """Return the least overturning amplitude with one impact or none."""
     after = tuple(A for A in impact_after_pulse(omega, restitution) if _begins_after(A, omega))
     return min(*impact_in_pulse(omega, restitution), *after, without_impact(omega), float("inf"))
 
 
 def _begins_after(A: float, omega: float) -> bool:
-    """Whether the energy left at the end of the pulse grows with the amplitude."""
+    """Return whether the energy left at the end of the pulse grows with the amplitude."""
     above, below = (rising * falling for rising, falling in (_at_end(A * s, omega) for s in (1 + 1e-7, 1 - 1e-7)))
     return above < below
 
 
 def _constants(A: float, omega: float) -> tuple[float, float, float, float]:
-    """C1, C2, A / (1 + Omega^2) and psi."""
+    """Return C1, C2, A / (1 + Omega^2) and psi."""
     s, twice = sqrt(A * A - 1.0), 2.0 * (1.0 + omega**2)
     return omega * (s - omega) / twice, -omega * (s + omega) / twice, 2.0 * A / twice, asin(1.0 / A)
 
 
 def _at_end(A: float, omega: float) -> tuple[float, float]:
-    """D+ and D- of y = 1 + D+ e^x + D- e^-x after the pulse; D+ is -inf where it has grown beyond all numbers."""
+    """Return D+ and D- of y = 1 + D+ e^x + D- e^-x after the pulse; D+ is -inf where it overflows."""
     C1, C2, push, psi = _constants(A, omega)
     x = (2.0 * pi - psi) / omega
     grown = C1 * exp(min(x, 700.0))
@@ -128,9 +127,9 @@ def _at_end(A: float, omega: float) -> tuple[float, float]:
 
 
 def _landing(A: float, omega: float) -> tuple[float, float]:
-    """Phase [rad] of the first impact, in the pulse, and |dy/dx| before it.
+    """Return the phase of the first impact, in the pulse [rad], and |dy/dx| before it.
 
-    Up to pi - psi the body is pushed up, from there on pulled down, so that it lands once: y e^-x changes its sign.
+    The body is pushed up until pi - psi and down from there on, so that it lands once: y e^-x changes its sign.
     """
     C1, C2, push, psi = _constants(A, omega)
 
@@ -147,7 +146,7 @@ def _landing(A: float, omega: float) -> tuple[float, float]:
 
 
 def _stays_up(A: float, omega: float, restitution: float) -> bool:
-    """Whether the body, once it has landed, does not land again before the end of the pulse: y e^-x keeps its sign."""
+    """Return whether the body does not land again before the end of the pulse: y e^-x keeps its sign."""
     theta, speed = _landing(A, omega)
     push, v = A / (1.0 + omega**2), restitution * speed
     sine, cosine = push * sin(theta), push * cos(theta)
@@ -158,7 +157,7 @@ def _stays_up(A: float, omega: float, restitution: float) -> bool:
 
 
 def _roots(f: Callable[[float], float], low: float, high: float) -> tuple[float, ...]:
-    """Where f changes its sign between low and high, least first."""
+    """Return where f changes its sign between low and high, in rising order."""
     places = (low + (high - low) * np.linspace(1e-9, 1.0 - 1e-9, SCAN)).tolist()
     values = [f(place) for place in places]
     pairs = zip(pairwise(places), pairwise(values), strict=True)
@@ -174,7 +173,7 @@ def _bounded(value: float) -> float:
 
 
 def _check(omega: float, restitution: float = nan) -> None:
-    """Raises ValueError for values that are no frequency ratio or no restitution."""
+    """Raise ValueError for an impossible frequency ratio or restitution."""
     if not (isfinite(omega) and omega > 0.0):
         raise ValueError(f"Omega = {omega}: give a positive ratio of the pulse's circular frequency to p")
     if restitution == restitution and not 0.0 <= restitution <= 1.0:

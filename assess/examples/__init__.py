@@ -52,9 +52,16 @@ EXAMPLES: dict[str, Example] = {
 
 
 def copy_example(name: str, folder: Path) -> Path:
-    """Write the example `name` into `folder`, whole or not at all; the path of its project file.
+    """Write an example into a folder, completely or not at all.
 
-    Raises ProjectError for an unknown name, and for a folder that exists and is not empty.
+    Parameters
+    ----------
+    name : of the example
+    folder : to create
+
+    Returns
+    -------
+    path of its project file
     """
     if name not in EXAMPLES:
         near = get_close_matches(name, EXAMPLES, n=1)
@@ -69,7 +76,7 @@ def copy_example(name: str, folder: Path) -> Path:
 
 
 def source(name: str) -> Path:
-    """Where the example lies in the program, without its meshes."""
+    """Return the folder of the example within the program, without its meshes."""
     return Path(__file__).parent / "projects" / name
 
 

@@ -85,7 +85,7 @@ TABLE = {  # Tables 8.2 and 8.3
 
 
 def surface(wall: Wall, *, above: float = 0.0) -> Surface:
-    """The wall from the elevation `above` [m], the ground or a band, to its top."""
+    """Return the wall from the elevation `above` [m], the ground or a band, to its top."""
     rows = _rows(wall)
     rows = rows[rows >= above]
     along = np.linspace(-0.5, 0.5, COLUMNS)
@@ -97,7 +97,7 @@ def surface(wall: Wall, *, above: float = 0.0) -> Surface:
 
 
 def _rows(wall: Wall) -> FloatArray:
-    """Elevations of the rows of the mesh; bands and corners of the wall's elevation lie on a row each [m]."""
+    """Return the elevations of the rows of the mesh; bands and corners of the elevation lie on a row each [m]."""
     fixed = sorted({*wall.elevations, *(band.elevation for band in wall.bands)})
     pieces = [
         np.linspace(low, high, max(3, round((high - low) / ROW)), endpoint=False) for low, high in pairwise(fixed)
@@ -106,13 +106,13 @@ def _rows(wall: Wall) -> FloatArray:
 
 
 def _lost(wall: Wall, rows: FloatArray) -> FloatArray:
-    """What the broken top has lost at its lower end, none at the last band [m]."""
+    """Return what the broken top has lost at its lower end, none at the last band [m]."""
     start = wall.bands[-1].elevation
     return wall.broken * np.clip((rows - start) / (wall.elevations[-1] - start), 0.0, 1.0) ** 2
 
 
 def _faces(wall: Wall, z: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """x of the front and back face at elevation z and place y along the wall [m]."""
+    """Return x of the front and back face at elevation z and position y along the wall [m]."""
     middle = wall.lean * z / wall.elevations[-1]
     half, weathering = np.full_like(z, wall.thickness / 2.0), np.full_like(z, ROUGHNESS)
     for band in wall.bands:
@@ -125,14 +125,17 @@ def _faces(wall: Wall, z: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatA
 
 
 def _weather(y: FloatArray, z: FloatArray, seed: float) -> FloatArray:
-    """Courses with rounded edges, and gullies of several sizes; of the order of 1 [-]."""
+    """Return the weathering: rounded courses and gullies of several sizes, of the order of 1 [-]."""
     courses = np.abs(np.sin(pi * z / COURSE)) ** 0.5 - 0.7
     gullies = np.sin(3.1 * y + 1.7 * z + seed) + 0.7 * np.sin(5.3 * y - 2.9 * z + 3.0 * seed)
     return np.asarray(courses + 0.6 * gullies + 0.4 * np.sin(9.7 * y + 7.9 * z + 5.0 * seed), dtype=np.float64)
 
 
 def misfit(wall: Wall, targets: Sequence[Target]) -> FloatArray:
-    """How far the part above each band is from its target: centroid and J / M, by R and R^2 [3 per target] [-]."""
+    """Return how far the part above each band is from its target.
+
+    Centroid by R, and J / M by R^2 [3 per target] [-].
+    """
     differences: list[float] = []
     for band, target in zip(wall.bands, targets, strict=True):
         part = surface(wall, above=band.elevation)
@@ -147,7 +150,7 @@ def misfit(wall: Wall, targets: Sequence[Target]) -> FloatArray:
 
 
 def solve(form: Callable[[FloatArray], Wall], guess: Sequence[float], targets: Sequence[Target]) -> Wall:
-    """The wall of a `form` with as many free sizes as it takes to meet the targets."""
+    """Find the wall of a `form` whose free sizes meet the targets."""
 
     def distance(sizes: FloatArray) -> FloatArray:
         return misfit(form(sizes), targets)
@@ -170,7 +173,7 @@ def wall_on(
     seed: float,
     thickness: float = THICKNESS,
 ) -> Wall:
-    """The wall with one band, `length` long on average above it [m]: its height, flare and the band's centre solved."""
+    """Solve for a wall with one band, `length` long on average above it [m]: height, flare and centre of the band."""
 
     def form(sizes: FloatArray) -> Wall:
         centre, height, flare = map(float, sizes)
@@ -184,7 +187,7 @@ def wall_on(
 
 
 def wall_0() -> Wall:
-    """The wall of two mechanisms: W0a, the whole, and W0b, its top."""
+    """Solve for the wall of two mechanisms: W0a, the whole, and W0b, its top."""
     whole, top = TABLE["W0a"], TABLE["W0b"]
 
     def form(sizes: FloatArray) -> Wall:
@@ -197,7 +200,7 @@ def wall_0() -> Wall:
 
 
 def walls() -> dict[str, Wall]:
-    """The seven walls."""
+    """Return the seven walls."""
     return {
         "wall_0": wall_0(),
         "wall_1": wall_on(TABLE["W1"], length=2.4, reach=0.9, lean=0.05, broken=0.3, seed=1.0),
@@ -210,5 +213,5 @@ def walls() -> dict[str, Wall]:
 
 
 def meshes() -> dict[str, Surface]:
-    """The walls' surfaces, by the file that the project names."""
+    """Return the walls' surfaces, by the file that the project names."""
     return {f"walls/{name}.ply": surface(wall) for name, wall in walls().items()}

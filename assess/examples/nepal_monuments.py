@@ -30,24 +30,27 @@ ROUND = FACES * tan(pi / FACES)  # area of the prism's section over r^2, in plac
 
 
 def tapered_tower() -> Surface:
-    """The ring times a factor that falls evenly from 1 at the foot to q at the top: mean area A (1 + q + q^2) / 3."""
+    """Return a tower whose section shrinks evenly with height.
+
+    The ring times a factor that falls evenly from 1 at the foot to q at the top: mean area A (1 + q + q^2) / 3.
+    """
     foot = ROUND * (OUTER**2 - INNER**2)
     q = (sqrt(12.0 * AREA / foot - 3.0) - 1.0) / 2.0
     return _shell(np.linspace(OUTER, q * OUTER, LAYERS + 1), np.linspace(INNER, q * INNER, LAYERS + 1))
 
 
 def even() -> Surface:
-    """A pipe of the outer radius."""
+    """Return a tower of constant section: a pipe of the outer radius."""
     inner = sqrt(OUTER**2 - AREA / ROUND)
     return _shell(np.full(LAYERS + 1, OUTER), np.full(LAYERS + 1, inner))
 
 
 def _shell(outer: FloatArray, inner: FloatArray) -> Surface:
-    """The shell between two radii at the joints of the layers [LAYERS + 1] [m]."""
+    """Return the shell between two radii at the joints of the layers [LAYERS + 1] [m]."""
     z = np.linspace(0.0, HEIGHT, LAYERS + 1)
     return revolve([*zip(outer, z, strict=True), *zip(inner[::-1], z[::-1], strict=True)], faces=FACES)
 
 
 def meshes() -> dict[str, Surface]:
-    """The tower's surfaces, by the file that the project names."""
+    """Return the tower's surfaces, by the file that the project names."""
     return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": even()}

@@ -19,7 +19,7 @@ ROWS = 13
 
 
 def spire(*, radius: float = RADIUS, wall: float = WALL) -> Surface:
-    """A cone of `radius` at its foot, hollow but for a wall of a level thickness `wall` [m]."""
+    """Return a cone of `radius` at its foot, hollow but for a wall of horizontal thickness `wall` [m]."""
     outer, inner = np.linspace(radius, 0.0, ROWS), np.linspace(0.0, radius - wall, ROWS)
     hollow = HEIGHT * (1.0 - wall / radius)
     up, down = np.linspace(0.0, HEIGHT, ROWS), np.linspace(hollow, 0.0, ROWS)
@@ -27,5 +27,5 @@ def spire(*, radius: float = RADIUS, wall: float = WALL) -> Surface:
 
 
 def meshes() -> dict[str, Surface]:
-    """The spire's surface, by the file that the project names."""
+    """Return the spire's surface, by the file that the project names."""
     return {"spire.ply": spire()}

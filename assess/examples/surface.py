@@ -19,7 +19,7 @@ class Surface:
 
 
 def slab(front: ArrayLike, back: ArrayLike) -> Surface:
-    """The body between two faces, each a grid of rows from bottom to top and columns along y.
+    """Return the body between two faces, each a grid of rows from bottom to top and columns along y.
 
     front, back : [rows, columns, 3] [m]; front is the face at larger x, the bottom and the top row close the body.
     """
@@ -35,7 +35,7 @@ def slab(front: ArrayLike, back: ArrayLike) -> Surface:
 
 
 def revolve(profile: ArrayLike, *, faces: int) -> Surface:
-    """The body that a polygon of (radius, elevation) sweeps about the vertical axis, as a prism of so many `faces`.
+    """Revolve a polygon of (radius, elevation) about the vertical axis, as a prism of so many `faces`.
 
     Faces touch the circles, an even number of them: the middles of two are at x = -r and x = r, and a section has the
     area n tan(pi / n) r^2.
@@ -54,7 +54,7 @@ def revolve(profile: ArrayLike, *, faces: int) -> Surface:
 
 
 def ply(surface: Surface) -> bytes:
-    """The surface as a PLY file (binary, double precision), the same bytes on every machine."""
+    """Write the surface as a PLY file (binary, double precision), the same bytes on every machine."""
     header = (
         "ply\nformat binary_little_endian 1.0\ncomment metres\n"
         f"element vertex {len(surface.points)}\nproperty double x\nproperty double y\nproperty double z\n"
@@ -66,12 +66,12 @@ def ply(surface: Surface) -> bytes:
 
 
 def _split(a: IntArray, b: IntArray, c: IntArray, d: IntArray) -> IntArray:
-    """Two triangles for each quadrangle a, b, c, d."""
+    """Split each quadrangle a, b, c, d into two triangles."""
     return np.stack([np.stack([a, b, c], -1), np.stack([a, c, d], -1)], -2).reshape(-1, 3)
 
 
 def _without_lines(points: FloatArray, triangles: IntArray) -> Surface:
-    """The surface without triangles that have two equal corners, and without points that no triangle uses."""
+    """Drop degenerate triangles and unused points."""
     a, b, c = triangles.T
     whole = triangles[(a != b) & (b != c) & (c != a)]
     used, numbers = np.unique(whole, return_inverse=True)

@@ -1,4 +1,4 @@
-"""Bodies that share space, so that their masonry counts twice."""
+"""Overlap of bodies, whose common masonry would count twice."""
 
 from __future__ import annotations
 
@@ -13,8 +13,14 @@ OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
 
-def overlaps(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
-    """A warning for each two of the bodies that overlap, so that what they share is weighed twice."""
+def overlap_warnings(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
+    """Warn of each pair of bodies that overlap, so that their common volume is weighed twice.
+
+    Parameters
+    ----------
+    bodies : any number
+    where : what the warnings concern
+    """
     for one, other in combinations(bodies, 2):
         shared = intersect(one, other)
         if shared is not None and shared.part > OVERLAP:
@@ -28,7 +34,17 @@ def overlaps(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
             )
 
 
-def shared_with(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
-    """What a body shares with the solids of a block: the largest part of the smaller [-], and the volume [m3]."""
+def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
+    """Return the overlap of a body with the solids of a block.
+
+    Parameters
+    ----------
+    block : its solids
+    other : the body
+
+    Returns
+    -------
+    largest share of the smaller body [-], and the volume [m3]
+    """
     shared = [each for solid in block if (each := intersect(solid, other)) is not None]
     return max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)

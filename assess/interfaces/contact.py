@@ -1,8 +1,8 @@
-"""The contact of two faces that turn against each other: where the resultant presses, how far it is open or crushed.
+"""The contact of two faces in relative rotation: where the resultant acts, how much is open or crushed.
 
 One solver for every section and regime (full or partial contact, elastic or crushed); thesis 6.2-6.45 are its special
 cases. The rotation is that of one face relative to the other and compresses the edge at depth 0; for the other sense
-take the `mirror` section.
+use the section that `mirror` returns.
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
 from assess.interfaces.law import JointLaw
 from assess.interfaces.section import Section, mirror
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True)
-class Contact:
+@dataclass(frozen=True, repr=False)
+class Contact(ShortRepr):
     """The contact at n rotations, read-only arrays [n].
 
     Attributes
@@ -54,13 +55,17 @@ class Contact:
 def contact(
     section: Section, law: JointLaw, *, normal_force: ArrayLike, rotation: ArrayLike, where: str = "interface"
 ) -> Contact:
-    """The contact under a normal force [N], one or [n], at rotations >= 0, one or [n] [rad].
+    """Solve the contact under a normal force at given rotations.
 
-    A rigid joint (infinite stiffness) has the limits of a stiff one: the plastic block, or the edge itself. At rest
-    its resultant may be anywhere between there and the centroid; reported is what holds as soon as it turns.
+    A rigid joint (infinite stiffness) is the limit of a stiff one: the plastic block, or the edge itself. At rest its
+    resultant may be anywhere between there and the centroid; returned is the state as soon as it rotates.
 
     Parameters
     ----------
+    section : seen in the direction in which the rotation compresses it
+    law : stiffness and strength of the joint
+    normal_force : compression > 0, one or [n] [N]
+    rotation : not negative, one or [n] [rad]
     where : what an error names
 
     Raises
@@ -82,11 +87,18 @@ def contact(
 def thresholds(
     section: Section, law: JointLaw, *, normal_force: float, where: str = "interface"
 ) -> tuple[float, float]:
-    """Rotations at which the far edge opens and at which the compressed edge starts to crush [rad]; inf: never.
+    """Return the rotations at which the far edge opens and the compressed edge starts to crush [rad]; inf: never.
 
-    The stress missing to the strength is that of the mirrored section under the force missing to its bearing capacity.
-    So what opens the one crushes the other, and two formulas hold for all regimes, also where crushing comes first
-    (thesis 6.2-6.4 and its like for other shapes are the case of opening first).
+    The strength less the stress is the stress of the mirrored section under its bearing capacity less the force. So
+    opening of the one is crushing of the other, and two formulas hold for all regimes, also if crushing comes first
+    (thesis 6.2-6.4 and their equivalents for other shapes are the case of opening first).
+
+    Parameters
+    ----------
+    section : seen in the direction in which the rotation compresses it
+    law : stiffness and strength of the joint
+    normal_force : compression > 0 [N]
+    where : what an error names
 
     Raises
     ------
@@ -108,9 +120,16 @@ def thresholds(
 
 
 def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float, where: str = "interface") -> float:
-    """Distance of the fixed hinge from the compressed edge, a_SF: the resultant's when crushing starts [m].
+    """Return the distance of the fixed hinge from the compressed edge, a_SF: of the resultant when crushing starts [m].
 
     It does not depend on the stiffness, and is zero for infinite strength (thesis 6.3.1.2).
+
+    Parameters
+    ----------
+    section : seen in the direction in which the rotation compresses it
+    law : stiffness and strength of the joint
+    normal_force : compression > 0 [N]
+    where : what an error names
 
     Raises
     ------
@@ -125,7 +144,13 @@ def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float,
 
 
 def out_of_plane_warning(section: Section, found: Contact) -> str:
-    """A sentence where the resultant leaves the plane of motion by more than a hundredth of the breadth, or ""."""
+    """Return a warning if the resultant leaves the plane of motion by more than a hundredth of the breadth, else "".
+
+    Parameters
+    ----------
+    section : of the joint
+    found : its contact at all rotations of interest
+    """
     largest = float(np.abs(found.out_of_plane_eccentricity).max())
     if largest <= 0.01 * section.breadth:
         return ""
@@ -136,7 +161,7 @@ def out_of_plane_warning(section: Section, found: Contact) -> str:
 
 
 def _refuse_rotation(turns: FloatArray, *, where: str) -> None:
-    """Raise where a rotation is negative or not finite."""
+    """Raise InterfaceError for a rotation that is negative or not finite."""
     wrong = turns[~(np.isfinite(turns) & (turns >= 0.0))]
     if wrong.size:
         raise InterfaceError(
@@ -145,7 +170,7 @@ def _refuse_rotation(turns: FloatArray, *, where: str) -> None:
 
 
 def _refuse_load(section: Section, law: JointLaw, forces: FloatArray, *, where: str) -> None:
-    """Raise where the law is none, or the section cannot carry a force under it."""
+    """Raise InterfaceError for an impossible law, or a force that the section cannot carry."""
     for what, value, unit in (("stiffness", law.stiffness, "Pa/m"), ("strength", law.strength, "Pa")):
         if not value > 0.0:
             raise InterfaceError(f"{where}: its {what} is {value:g} {unit}; give a positive number, or inf")

@@ -1,4 +1,4 @@
-"""What a joint answers to being closed."""
+"""The law of a joint: its stress over its closure."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from math import inf
 
 @dataclass(frozen=True)
 class JointLaw:
-    """No tension, linear up to the strength, plastic beyond, without memory.
+    """A joint without tension, linear up to its strength and plastic beyond, without memory.
 
-    stiffness : of the joint for each area, k_n = E / thickness [Pa/m]; infinite: rigid
+    stiffness : per unit of area, k_n = E / thickness [Pa/m]; infinite: rigid
     strength : in compression, f_m [Pa]; infinite: elastic
     """
 

@@ -1,4 +1,4 @@
-"""The section of a contact: how its width is spread over the depth, and the moments of that."""
+"""The section of a contact: its width over the depth, and the moments of that."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.interfaces.kernel import moments
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True)
-class Section:
+@dataclass(frozen=True, repr=False)
+class Section(ShortRepr):
     """A plane region seen in one direction of rocking: pieces of linear width, and discs.
 
     The depth x runs from the compressed extreme fibre, 0, to the far one; the offset y along the axis of rotation
@@ -38,18 +39,18 @@ class Section:
 
     @property
     def table(self) -> moments.Table:
-        """What the kernel reads."""
+        """The arrays and numbers that the kernel reads."""
         return self.pieces, self.discs, self.depth, self.area, self.centroid
 
 
 def section_of_pieces(knots: ArrayLike, *, widths: ArrayLike, sides: ArrayLike, breadth: float) -> Section:
-    """A section whose width is linear between knots.
+    """Make a section whose width is linear between knots.
 
     Parameters
     ----------
     knots : depths from 0, increasing [m + 1] [m]
-    widths : at the beginning and end of each piece, which need not meet those of the next one [m, 2] [m]
-    sides : integral of the offset from the centroid over the width, at the beginning, middle and end of each piece
+    widths : at the start and end of each piece, which need not match those of the next one [m, 2] [m]
+    sides : integral of the offset from the centroid over the width, at the start, middle and end of each piece
         [m, 3] [m2]
     breadth : extent across [m]
     """
@@ -70,14 +71,14 @@ def section_of_pieces(knots: ArrayLike, *, widths: ArrayLike, sides: ArrayLike, 
 
 
 def section_of_discs(outer: float, *, inner: float = 0.0) -> Section:
-    """A disc of the outer radius, without a concentric one of the inner radius [m]."""
+    """Make a disc of the outer radius with a concentric hole of the inner radius [m]."""
     discs = np.array([[outer, 0.0, 1.0], [inner, outer - inner, -1.0]])[: 2 if inner > 0.0 else 1]
     area = float(np.pi * (outer - inner) * (outer + inner))
     return Section(2.0 * outer, 2.0 * outer, area, float(outer), _frozen(np.empty((0, 12))), _frozen(discs))
 
 
 def mirror(section: Section) -> Section:
-    """The same region rocking the other way."""
+    """Return the same region rocking the other way."""
     if not section.pieces.size:
         return section  # discs are concentric
     X, (W0, W1, V0, V1, V2) = section.pieces[::-1, moments.BEGIN], section.pieces[-2::-1, moments.W0 : moments.A].T
@@ -88,17 +89,17 @@ def mirror(section: Section) -> Section:
 
 
 def _integral(powers: Sequence[FloatArray], L: FloatArray) -> FloatArray:
-    """Integrals of polynomials, coefficients [m] lowest power first, over pieces of lengths L [m]."""
+    """Integrate polynomials, coefficients [m] lowest power first, over pieces of lengths L [m]."""
     return np.asarray(sum(c * L ** (n + 1) / (n + 1) for n, c in enumerate(powers)), dtype=np.float64)
 
 
 def _upto(parts: FloatArray) -> FloatArray:
-    """Sums up to the beginning of each piece, and to the end of the last one [m + 1]."""
+    """Return the sums up to the start of each piece, and to the end of the last one [m + 1]."""
     return np.append(0.0, np.cumsum(parts))
 
 
 def _frozen(array: FloatArray) -> FloatArray:
-    """The array, contiguous and read-only."""
+    """Return the array, contiguous and read-only."""
     kept = np.ascontiguousarray(array)
     kept.setflags(write=False)
     return kept

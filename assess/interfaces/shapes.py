@@ -1,4 +1,4 @@
-"""The shapes of a contact, each seen in a direction of rocking: what is pressed when the body turns that way."""
+"""The shapes of a contact, each seen in a direction of rocking."""
 
 from __future__ import annotations
 
@@ -19,14 +19,27 @@ ALONG: Direction = (1.0, 0.0)
 
 
 def rectangle(width: float, length: float, *, direction: Direction = ALONG) -> Section:
-    """A rectangle, width along x and length along y [m], rocking in a direction (x, y) of its plane."""
+    """Return a rectangle rocking in a direction of its plane.
+
+    Parameters
+    ----------
+    width, length : along x and along y [m]
+    direction : (x, y), of any length
+    """
     return polygon(_box(width, length), direction=direction)
 
 
 def hollow_rectangle(
     width: float, length: float, *, inner: tuple[float, float], direction: Direction = ALONG
 ) -> Section:
-    """A rectangle with a concentric one cut out of it; inner: width and length of the hole [m]."""
+    """Return a rectangle with a concentric rectangular hole.
+
+    Parameters
+    ----------
+    width, length : along x and along y [m]
+    inner : width and length of the hole [m]
+    direction : (x, y), of any length
+    """
     _refuse_larger(inner[0], width, "width")
     _refuse_larger(inner[1], length, "length")
     frame = shapely.Polygon(_box(width, length).exterior, holes=[_box(*inner).exterior])
@@ -34,20 +47,31 @@ def hollow_rectangle(
 
 
 def circle(diameter: float) -> Section:
-    """A disc [m]."""
+    """Return a disc of the diameter [m]."""
     return section_of_discs(_size("diameter", diameter) / 2.0)
 
 
 def annulus(diameter: float, *, inner: float) -> Section:
-    """A disc with a concentric hole; inner: diameter of the hole [m]."""
+    """Return a disc with a concentric hole.
+
+    Parameters
+    ----------
+    diameter : of the disc [m]
+    inner : diameter of the hole [m]
+    """
     _refuse_larger(_size("inner diameter", inner), _size("diameter", diameter), "diameter")
     return section_of_discs(diameter / 2.0, inner=inner / 2.0)
 
 
 def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: Direction) -> Section:
-    """A region of one or several parts, concave or with holes, rocking in a direction (x, y) of its plane.
+    """Return a region of one or several parts, concave or with holes, rocking in a direction of its plane.
 
     The compressed edge is the extreme fibre in that direction. Between two vertices the width is linear.
+
+    Parameters
+    ----------
+    region : in x and y [m]
+    direction : (x, y), of any length
 
     Raises
     ------
@@ -72,7 +96,7 @@ def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: Direct
 
 
 def _widths(edges: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Knots [m + 1], widths [m, 2] and sides [m, 3] of a region, see `section_of_pieces`.
+    """Return knots [m + 1], widths [m, 2] and sides [m, 3] of a region, see `section_of_pieces`.
 
     edges : both ends (depth, offset) of each edge of its border, the region on its right in these axes [n, 2, 2] [m]
 
@@ -97,33 +121,33 @@ def _widths(edges: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 def _knots(depths: FloatArray) -> tuple[FloatArray, IntArray]:
-    """Distinct depths, increasing, and which of them each is; those apart by rounding only are one."""
+    """Return the distinct depths, increasing, and the index of each; depths that differ by rounding are one."""
     values, at = np.unique(depths, return_inverse=True)
     apart = np.append(True, np.diff(values) > ROUNDING * values[-1])
     return values[apart], (np.cumsum(apart) - 1)[at].reshape(depths.shape)
 
 
 def _box(width: float, length: float) -> shapely.Polygon:
-    """A rectangle about the origin."""
+    """Return a rectangle centred on the origin."""
     x, y = _size("width", width) / 2.0, _size("length", length) / 2.0
     return shapely.box(-x, -y, x, y)
 
 
 def _size(what: str, value: float) -> float:
-    """The value, or raise."""
+    """Return the value, or raise GeometryError if it is not a size."""
     if not (np.isfinite(value) and value > 0.0):
         raise GeometryError(f"section: its {what} is {value:g} m; give a positive finite number")
     return float(value)
 
 
 def _refuse_larger(inner: float, outer: float, what: str) -> None:
-    """Raise where a hole leaves nothing."""
+    """Raise GeometryError for a hole that leaves nothing."""
     if inner >= outer:
         raise GeometryError(f"section: the {what} of its hole, {inner:g} m, is not less than its own, {outer:g} m")
 
 
 def _refuse_void(region: shapely.Polygon | shapely.MultiPolygon) -> None:
-    """Raise where the region is none."""
+    """Raise GeometryError for a region without area, or that crosses itself."""
     if not np.isfinite(shapely.get_coordinates(region)).all():
         raise GeometryError("section: a corner is not two finite numbers")
     if not region.is_valid:
@@ -137,9 +161,9 @@ def _refuse_void(region: shapely.Polygon | shapely.MultiPolygon) -> None:
 
 
 def _unit(direction: Direction) -> FloatArray:
-    """The unit vector [2] of a direction of any length, or raise."""
+    """Return the unit vector [2] of a direction of any length, or raise GeometryError."""
     vector = np.asarray(direction, dtype=np.float64)
     if vector.shape != (2,) or not np.isfinite(vector).all() or not vector.any():
         raise GeometryError(f"section: its direction is {list(direction)}; give two finite numbers, not both zero")
-    vector = vector / np.abs(vector).max()  # first, so that neither tiny nor huge numbers lose the norm
+    vector = vector / np.abs(vector).max()  # first, so that the norm of tiny or huge numbers keeps its digits
     return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)

@@ -1,9 +1,14 @@
 """Loads of a mechanism: as stated, as found on the geometry, and in the plane of motion."""
 
-from assess.loads.bearing import Overburden, Support, shares, support
-from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
-from assess.loads.load import Force, Load, PointMass, Tie
-from assess.loads.thrust import CONSTRUCTIONS, Construction, arch_thrust, uniform_lever_arm
+from typing import TYPE_CHECKING
+
+from assess.late import late_names
+
+if TYPE_CHECKING:
+    from assess.loads.bearing import Overburden, Support, shares, support
+    from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
+    from assess.loads.load import Force, Load, PointMass, Tie
+    from assess.loads.thrust import CONSTRUCTIONS, Construction, arch_thrust, uniform_lever_arm
 
 __all__ = [
     "CONSTRUCTIONS",
@@ -25,3 +30,11 @@ __all__ = [
     "support",
     "uniform_lever_arm",
 ]
+
+_HOMES = {
+    "assess.loads.bearing": ("Overburden", "Support", "shares", "support"),
+    "assess.loads.definitions": ("BodyLoad", "ForceLoad", "LoadDefinition", "MassLoad", "OverburdenLoad", "TieLoad"),
+    "assess.loads.load": ("Force", "Load", "PointMass", "Tie"),
+    "assess.loads.thrust": ("CONSTRUCTIONS", "Construction", "arch_thrust", "uniform_lever_arm"),
+}
+__getattr__, __dir__ = late_names(__name__, _HOMES)

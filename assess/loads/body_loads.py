@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.contact import find_contact
-from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_with
+from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_volume
 from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
@@ -41,14 +41,14 @@ class Surroundings:
 
 
 @dataclass(frozen=True)
-class FoundLoads:
+class LoadSet:
     """The loads that bodies bring, and warnings about them.
 
     follows : of each load, whether its block follows from where it is
     """
 
     loads: tuple[Load, ...]
-    doubts: tuple[str, ...]
+    warnings: tuple[str, ...]
     follows: tuple[bool, ...] = ()
 
 
@@ -79,14 +79,14 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Meeting:
+class BlockContact:
     """Where a body meets the block and others, None if the user states all of it; and warnings."""
 
     found: Support | None
-    doubts: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
-Meet = Callable[[BodyLoad, Solid | None, Surroundings], Meeting]
+FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
 
 
 @dataclass(frozen=True)
@@ -95,20 +95,32 @@ class Part:
 
     share: float
     source: str
-    doubts: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
-def find_meeting(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
-    """Find where a body meets the block and what else carries it, whichever way the motion goes; with warnings.
+def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
+    """Find where a body meets the block and what else carries it, whichever way the motion goes.
 
-    Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
+    Parameters
+    ----------
+    load : the body as a load
+    body : its solid; None without geometry
+    around : the block, and what stands around it
+
+    Returns
+    -------
+    The contacts, None if the user states all that follows from them, and warnings
+
+    Raises
+    ------
+    GeometryError : the body touches nothing of the block, or has no geometry where it needs one
     """
     given = load.at is not None and load.bearing is not None
     found = find_support(load, body, given=given, around=around)
     if found is not None:
         return beside_the_block(found, around=around)
     if body is None or given:
-        return Meeting(None)
+        return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
     why = BELOW_THE_CUT if below else nearest(body, block=around.block)
     raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
@@ -121,19 +133,25 @@ def body_loads(
     body: Solid | None,
     mass: float,
     around: Surroundings,
-    meet: Meet = find_meeting,
-) -> FoundLoads:
+    find: FindContact = find_block_contact,
+) -> LoadSet:
     """Return the point mass of a body, and the force of its thrust if it has one.
 
-    block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
-    meet : finds where it meets the block
+    Parameters
+    ----------
+    load : the body as a load
+    block : number of the block that it loads
+    body : its solid; None without geometry
+    mass : of the whole body as given or by its volume [kg]
+    around : the block, and what stands around it
+    find : finds where it meets the block
 
     Raises
     ------
     GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
     """
-    met_by = meet(load, body, around)
-    found = met_by.found
+    meeting = find(load, body, around)
+    found = meeting.found
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
     at = place_of(load, found, along=around.along)
@@ -151,12 +169,18 @@ def body_loads(
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
-    return FoundLoads((carried, *pushed), name_load(load, (*met_by.doubts, *part.doubts)))
+    return LoadSet((carried, *pushed), name_load(load, (*meeting.warnings, *part.warnings)))
 
 
-def name_load(load: BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
-    """Put the name of the load in front of each warning."""
-    return tuple(f'load "{load.body}": {text}' for text in doubts)
+def name_load(load: BodyLoad, warnings: Iterable[str]) -> tuple[str, ...]:
+    """Put the name of the load in front of each warning.
+
+    Parameters
+    ----------
+    load : the load that they are about
+    warnings : sentences
+    """
+    return tuple(f'load "{load.body}": {text}' for text in warnings)
 
 
 def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
@@ -193,17 +217,17 @@ def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance:
     return Support(found.contact, kept)
 
 
-def beside_the_block(found: Support, *, around: Surroundings) -> Meeting:
+def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
-    kept, doubts = dict(found.others), list[str]()
+    kept, warnings = dict(found.others), list[str]()
     for other in (solid for solid in around.others if solid.name in found.others):
-        part, volume = shared_with(around.block, other)
+        part, volume = shared_volume(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
-            doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
+            warnings.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
         elif part > OVERLAP:
-            doubts.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
-    return Meeting(Support(found.contact, kept), tuple(doubts))
+            warnings.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
+    return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
 def bearing_of(case: Case) -> tuple[bool, str]:
@@ -228,8 +252,8 @@ def part_of(case: Case, *, bearing: bool) -> Part:
         beside = "" if statics is None else f"; by statics {statics:.3g}"
         return Part(case.load.share, f"share {case.load.share:.3g} (given{beside})")
     if not bearing:
-        doubts = ("nothing in the project carries its weight",) if statics is None else ()
-        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", doubts)
+        warnings = ("nothing in the project carries its weight",) if statics is None else ()
+        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", warnings)
     if statics is None or carried is None:
         return alone(case)
     if statics == 0.0:
@@ -242,8 +266,8 @@ def alone(case: Case) -> Part:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
     nothing = "nothing else in the project carries it"
     if case.arch is not None and case.one_foot:
-        doubt = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
-        return Part(0.5, "share 0.5 (its other foot is not in the project)", (doubt,))
+        warning = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
+        return Part(0.5, "share 0.5 (its other foot is not in the project)", (warning,))
     return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
 
 

@@ -6,8 +6,8 @@ A place is [x, y, z], or (distance along the direction, elevation) [m]; so is a 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
-from typing import ClassVar, Literal
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal
 
 from assess.geometry.contact import TOLERANCE
 from assess.loads.load import Until
@@ -121,13 +121,16 @@ class BodyLoad:
 LoadDefinition = MassLoad | ForceLoad | TieLoad | OverburdenLoad | BodyLoad
 
 
-def measured_along(load: LoadDefinition) -> Iterator[str]:
-    """Name what of a load is measured along the direction of motion: places of two numbers, eccentricities."""
-    for field in fields(load):
-        value = getattr(load, field.name)
-        if isinstance(value, tuple) and len(value) == 2 and all(isinstance(number, float) for number in value):
-            yield field.name
-    if isinstance(load, OverburdenLoad) and load.eccentricity:
+def direction_keys(load: Any) -> Iterator[str]:
+    """Name what of a load is measured along the direction of motion: points of two numbers, eccentricities.
+
+    load : one of these, or the table of a project file that has the same names
+    """
+    for key in ("force", "at", "direction", "anchor"):
+        value = getattr(load, key, None)
+        if isinstance(value, tuple) and len(value) == 2:
+            yield key
+    if getattr(load, "eccentricity", None):
         yield "eccentricity"
 
 

@@ -54,7 +54,7 @@ class Force:
 
     @property
     def missing(self) -> tuple[str, ...]:
-        """What it lacks to count as lasting to collapse: the keys of the project file."""
+        """The keys of the project file that are missing before it counts as lasting to collapse."""
         return _absent({"until": self.until, "source": self.evidence})
 
 
@@ -84,18 +84,18 @@ class Tie:
 
     @property
     def tension(self) -> float:
-        """What it pulls with [N]: its pretension, and never more than its strength."""
+        """The force with which it pulls [N]: its pretension, and never more than its strength."""
         return self.pull if self.strength is None else min(self.pull, self.strength)
 
     @property
     def elongation(self) -> float | None:
-        """By how much it lengthens before it breaks [m]; None where that is not known."""
+        """The elongation at which it breaks [m]; None if that is not known."""
         known = self.length is not None and self.fracture_strain is not None
         return (self.length or 0.0) * (self.fracture_strain or 0.0) if known else None
 
     @property
     def missing(self) -> tuple[str, ...]:
-        """What it lacks to count as lasting to collapse: the keys of the project file."""
+        """The keys of the project file that are missing before it counts as lasting to collapse."""
         shown = {key: getattr(self, key) for key in ("until", "strength", "length", "fracture_strain")}
         return _absent({**shown, "source": self.evidence})
 
@@ -126,18 +126,18 @@ def upward(load: Load) -> float:
     return (load.force if isinstance(load, Force) else pull_at_rest(load))[1]
 
 
-def mirrored(load: Load) -> Load:
+def mirror_load(load: Load) -> Load:
     """Return the load as the negative branch sees it."""
-    at = _mirrored(load.at)
+    at = _mirror(load.at)
     if isinstance(load, PointMass):
         return replace(load, at=at)
     if isinstance(load, Force):
-        return replace(load, at=at, force=_mirrored(load.force))
+        return replace(load, at=at, force=_mirror(load.force))
     return replace(
         load,
         at=at,
-        direction=None if load.direction is None else _mirrored(load.direction),
-        anchor=None if load.anchor is None else _mirrored(load.anchor),
+        direction=None if load.direction is None else _mirror(load.direction),
+        anchor=None if load.anchor is None else _mirror(load.anchor),
     )
 
 
@@ -145,5 +145,5 @@ def _absent(shown: dict[str, object]) -> tuple[str, ...]:
     return tuple(key for key, value in shown.items() if value is None or value == "")
 
 
-def _mirrored(vector: Point) -> Point:
+def _mirror(vector: Point) -> Point:
     return (-vector[0], vector[1])

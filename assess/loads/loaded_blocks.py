@@ -43,15 +43,26 @@ class Loaded:
     contact: int
 
 
-Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and sentences on what is doubtful
+Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and warnings
 
 
 def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()) -> Found:
-    """Find the blocks that a body loads: the given one, else all that it bears on, or the one that it pushes against.
+    """Find the blocks that a body loads: the one given, else all that it bears on, or the one that it pushes against.
 
-    taken : the blocks that `loads` puts it on
+    Parameters
+    ----------
+    load : the body as a load
+    body : its solid; None without geometry
+    among : the blocks of the mechanism
+    taken : blocks that other loads of the same body are given on
 
-    Raises GeometryError where neither the contact nor the entry tells, or they contradict each other.
+    Returns
+    -------
+    The blocks, and warnings
+
+    Raises
+    ------
+    GeometryError : neither the contact nor the entry shows it, or they contradict each other
     """
     if len(among.pieces) == 1:
         return (Loaded(load.block or 0, 0),), ()
@@ -66,7 +77,7 @@ def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: C
         return as_given(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
     found = bears if bears and load.bearing is not False else list(contacts)
     if len(found) > 1:
-        refuse_doubtful(load, found, contacts, bears, among=among)
+        refuse_ambiguous(load, found, contacts, bears, among=among)
     return tuple(Loaded(number, number) for number in found), ()
 
 
@@ -110,7 +121,7 @@ def _left_out(number: int) -> str:
     )
 
 
-def refuse_doubtful(
+def refuse_ambiguous(
     load: BodyLoad,
     found: Sequence[int],
     contacts: Mapping[int, Contact],

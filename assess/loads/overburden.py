@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from assess.errors import GeometryError
-from assess.geometry.overlap import SAME_PLACE, shared_with
+from assess.geometry.overlap import SAME_PLACE, shared_volume
 from assess.geometry.piece import Piece
 from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
-from assess.loads.bearing import overburden
+from assess.loads.bearing import Overburden, overburden
 from assess.loads.definitions import LoadDefinition, OverburdenLoad, Through
 from assess.loads.load import Force
 from assess.loads.plane import point_in_plane
@@ -29,9 +29,21 @@ def overburden_of(
     direction: Sequence[float],
     where: str,
 ) -> Force:
-    """Return an overburden as a force on the wall whose upper block is `piece`, or is cut from it.
+    """Return an overburden as a force on the top of a wall.
 
-    Raises GeometryError for a wall without geometry, a body that does not bear on it, or a load beside its top.
+    Parameters
+    ----------
+    number : of the entry among the loads, from 1
+    load : the overburden as stated
+    piece : the upper block of the wall, or the wall that it is cut from
+    solids : of all bodies, by name
+    moving : names of the wall's bodies
+    direction : of the motion, horizontal [3]
+    where : what an error names
+
+    Raises
+    ------
+    GeometryError : the wall has no geometry, a body does not bear on it, or the load is beside its top
     """
     name = name_of(number)
     head = top_edge(piece.body)
@@ -42,17 +54,24 @@ def overburden_of(
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
-    carried = [pressing_solid(body, solids, where=f"{where}: {name}") for body in load.bodies]
-    beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
-    states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
-    others = [solid for solid in beside if solid.name not in states]
-    found = overburden(carried, block=piece.solids, others=others)
+    found, states = weight_of(load, piece, solids, moving, where=f"{where}: {name}")
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
     source = f"weight of {', '.join(load.bodies)} on the wall, {x - middle:+.3g} m from mid-thickness"
     source += f"; not shared with {', '.join(states)}, which stands where the wall does" if states else ""
     return Force(name, (0.0, -found.force), (x, elevation), UPPER, source, until="collapse", evidence=WEIGHT)
+
+
+def weight_of(
+    load: OverburdenLoad, piece: Piece, solids: Mapping[str, Solid | None], moving: Sequence[str], *, where: str
+) -> tuple[Overburden, list[str]]:
+    """Return the weight that bodies put on the wall, and the bodies left out because they are drawn in its place."""
+    carried = [require_solid(body, solids, where=where) for body in load.bodies]
+    beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
+    states = [solid.name for solid in beside if shared_volume(piece.solids, solid)[0] > SAME_PLACE]
+    others = [solid for solid in beside if solid.name not in states]
+    return overburden(carried, block=piece.solids, others=others), states
 
 
 def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> None:
@@ -65,7 +84,7 @@ def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> Non
         )
 
 
-def pressing_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
+def require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
     """Return the solid of a body that presses; raise GeometryError for one without geometry."""
     solid = solids[body]
     if solid is None:

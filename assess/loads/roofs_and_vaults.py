@@ -96,7 +96,7 @@ def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float)
 
 
 def _spread(load: BodyLoad, arch: Arch, *, V: float) -> str:
-    """How the weight lies on the span, and what it would thrust if it were spread evenly over the plan."""
+    """Say how the weight is spread over the span, and the thrust if it were uniform in plan."""
     if load.role == "roof":
         return "rafters: x = L / 4"
     even = arch_thrust(V, lever=uniform_lever_arm(arch.span), rise=arch.rise)
@@ -104,7 +104,7 @@ def _spread(load: BodyLoad, arch: Arch, *, V: float) -> str:
 
 
 def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
-    """Distance of the weight of half a vault from its springing [m]: of the mesh, and of fill spread over the plan."""
+    """Return the lever arm of half a vault's weight about its springing [m]: of the mesh, and of uniform fill."""
     low, high = extent(body, axis=axis)
     own = mean_lever_arm(body, axis=axis) * span / (high - low)
     shell, fill = _vault_masses(load, body)
@@ -112,7 +112,7 @@ def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) 
 
 
 def _vault_masses(load: BodyLoad, body: Solid) -> tuple[float, float]:
-    """Mass of a vault itself, and of what lies on it [kg]."""
+    """Return the mass of a vault itself, and of what lies on it [kg]."""
     area, plan = underside(body)
     shell = body.mass if load.construction is None else area * CONSTRUCTIONS[load.construction].mass_per_area
     return shell, plan * (load.fill or 0.0)

@@ -33,7 +33,7 @@ class Construction:
 
     @property
     def mass_per_area(self) -> float:
-        """Of the vault's surface [kg/m2]."""
+        """The mass of the vault per area of its surface [kg/m2]."""
         return self.thickness * self.density
 
 

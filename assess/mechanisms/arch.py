@@ -1,4 +1,4 @@
-"""Where an arch hinges: of all mechanisms over given joints, the one with the least uplift multiplier.
+"""The hinges of an arch: of all mechanisms over given joints, the one with the least uplift multiplier.
 
 By the kinematic theorem of limit analysis (no sliding, no crushing) every admissible mechanism gives at least the
 multiplier at which the arch starts to move, and the least is that multiplier.
@@ -19,12 +19,12 @@ from spectra.arrays import ComplexArray, FloatArray, IntArray
 
 Joint = tuple[Point, Point]
 
-AT_ONCE = 20_000  # choices of four joints that are looked at together: of 80 voussoirs there are 1.7 million
+AT_ONCE = 20_000  # choices of four joints evaluated together: 80 voussoirs have 1.7 million
 
 
 @dataclass(frozen=True)
 class ArchHinges:
-    """A mechanism of an arch: the joints that hinge, their hinges A to D, and its uplift multiplier [-]."""
+    """A mechanism of an arch: its four joints, their hinges A to D, and its uplift multiplier [-]."""
 
     joints: tuple[int, int, int, int]
     hinges: tuple[Point, Point, Point, Point]
@@ -32,13 +32,14 @@ class ArchHinges:
 
 
 def weakest_hinges(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -> ArchHinges:
-    """The four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
+    """Find the four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
 
     Parameters
     ----------
     voussoirs : from the springing on the left to that on the right
-    joints : before, between and after them, each by its two ends (x, z) [m]; the first ends on one face, the second
-        ones on the other
+    joints : before, between and after them, each by its two ends (x, z) [m]; first ends on one face, second ends on
+        the other
+    name : of the mechanism, for errors
 
     Raises
     ------
@@ -69,7 +70,13 @@ def weakest_hinges(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name:
 
 
 def divide_arch(voussoirs: Sequence[PlanarBody], hinging: ArchHinges) -> tuple[list[PlanarBody], Chain]:
-    """The three blocks between the hinging joints, and their chain."""
+    """Divide an arch into the three blocks between its hinges; return the blocks and their chain.
+
+    Parameters
+    ----------
+    voussoirs : from the springing on the left to that on the right
+    hinging : the joints that open and their hinges
+    """
     spans = list(pairwise(hinging.joints))
     bodies = [join_planar(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
     numbers = [next((n for n, (a, b) in enumerate(spans) if a <= i < b), None) for i in range(len(voussoirs))]
@@ -78,12 +85,12 @@ def divide_arch(voussoirs: Sequence[PlanarBody], hinging: ArchHinges) -> tuple[l
 
 
 def block_of(body: PlanarBody) -> Block:
-    """The body without its geometry."""
+    """Return the mass, centroid and inertia of a body."""
     return Block(body.mass, body.centroid, body.inertia)
 
 
 def _least(voussoirs: Sequence[Block], ends: ComplexArray, *, face: int) -> tuple[float, int, tuple[int, ...]]:
-    """The least multiplier with the first hinge on `face`, that face, and the first four joints that have it."""
+    """Return the least multiplier with the first hinge on `face`, that face, and the first four joints that have it."""
     least, found = np.inf, tuple(range(4))
     choices = combinations(range(len(ends)), 4)
     while len(chosen := np.array(list(islice(choices, AT_ONCE)))):
@@ -95,9 +102,9 @@ def _least(voussoirs: Sequence[Block], ends: ComplexArray, *, face: int) -> tupl
 
 
 def _multipliers(voussoirs: Sequence[Block], ends: ComplexArray, chosen: IntArray, *, face: int) -> FloatArray:
-    """Uplift multiplier of each choice of four joints [k, 4], the first hinge on `face`.
+    """Return the uplift multiplier of each choice of four joints [k, 4], the first hinge on `face`.
 
-    inf where it cannot move that way, or is not driven by a push along +x; -inf where it falls by its own weight.
+    inf if it cannot move that way, or is not driven by a push along +x; -inf if it falls under its own weight.
     """
     hinges = np.stack([ends[chosen[:, n], (face + n) % 2] for n in range(4)], axis=1)
     others = np.stack([ends[chosen[:, n], (face + n + 1) % 2] for n in range(4)], axis=1)
@@ -123,14 +130,14 @@ def _multipliers(voussoirs: Sequence[Block], ends: ComplexArray, chosen: IntArra
 
 
 def _sums(voussoirs: Sequence[Block], chosen: IntArray) -> tuple[FloatArray, ComplexArray]:
-    """Mass and first moment (x + iz) of the three blocks between the joints of each choice [k, 3]."""
+    """Return mass and first moment (x + iz) of the three blocks between the joints of each choice [k, 3]."""
     mass = np.concatenate([[0.0], np.cumsum([part.mass for part in voussoirs])])
     moment = np.concatenate([[0.0], np.cumsum([part.mass * complex(*part.centroid) for part in voussoirs])])
     return np.diff(mass[chosen], axis=1), np.diff(moment[chosen], axis=1)
 
 
 def _ahead(voussoirs: Sequence[Block], ends: ComplexArray) -> ComplexArray:
-    """A vector across each joint from the voussoir before it to the one after [joints]."""
+    """Return a vector across each joint from the voussoir before it to the one after [joints]."""
     centres = np.array([complex(*part.centroid) for part in voussoirs])
     middles = ends.mean(axis=1)
     before = np.concatenate([[2 * middles[0] - centres[0]], centres])

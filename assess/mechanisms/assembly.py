@@ -1,4 +1,4 @@
-"""The last step that all kinds of mechanism share: what their impacts keep."""
+"""The steps that all kinds of mechanism share: checks, restitution, and joints under the hinges."""
 
 from __future__ import annotations
 
@@ -32,11 +32,23 @@ def assemble(
     label: str,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
     outlines: tuple[Outline, ...],
-    notices: Iterable[str] = (),
+    warnings: Iterable[str] = (),
 ) -> Mechanism:
-    """The mechanism of the chains of one kind, with its coefficients of restitution resolved.
+    """Assemble a mechanism from its chains, with its coefficients of restitution.
 
-    Raises MechanismError for a chain that cannot move or already falls, and for a restitution that is not for it.
+    Parameters
+    ----------
+    name, kind : as in the project file
+    positive, negative : the chain of each branch in its own sign; negative None for one-sided rocking
+    label : for reports; empty: the name
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
+    outlines : of each block in the plane of motion
+    warnings : sentences on what was given
+
+    Raises
+    ------
+    MechanismError : a chain that cannot move or already falls, or a rule of restitution that does not apply
     """
     chains = {"": positive} if negative is None else {"": positive, "'": negative}
     for chain in chains.values():
@@ -55,7 +67,7 @@ def assemble(
         restitution_source=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        notices=(*notices, *pulling, *sorted({kept.notice, back.notice} - {""})),
+        warnings=(*warnings, *pulling, *sorted({kept.notice, back.notice} - {""})),
         stopped=_stopped(kept, back),
         rebounds=kept.range,
     )
@@ -68,12 +80,21 @@ def add_joints(
     *,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
 ) -> Mechanism:
-    """A rigid mechanism put on joints, one or None for each hinge of each branch, in that branch's own sign.
+    """Put a rigid mechanism on joints.
 
-    Its impacts are those of the blocks turning about fixed hinges, a_SF inside the edges (thesis 6.60, 6.67, 6.72):
-    they keep the same share of the energy.
+    Its impacts are those of blocks rotating about fixed hinges, a_SF inside the edges (thesis 6.60, 6.67, 6.72): they
+    keep the same share of the energy.
 
-    Raises MechanismError or InterfaceError where a joint cannot carry what presses on it.
+    Parameters
+    ----------
+    mechanism : on rigid hinges
+    positive, negative : the joint under each hinge of each branch, in its own sign; None where the hinge stays rigid
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
+
+    Raises
+    ------
+    MechanismError, InterfaceError : a joint that cannot carry the force on it
     """
     name, kind = mechanism.name, mechanism.kind
     front = replace(mechanism.positive, joints=bearing_joints(mechanism.positive, positive))
@@ -84,7 +105,7 @@ def add_joints(
     )
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
     rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
-    others = [notice for notice in mechanism.notices if notice not in {each.notice for each in rigid}]
+    others = [notice for notice in mechanism.warnings if notice not in {each.notice for each in rigid}]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
     return replace(
@@ -93,21 +114,21 @@ def add_joints(
         negative=back,
         restitution=(kept.value, returned.value),
         restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
-        notices=(*others, *sorted({kept.notice, returned.notice} - {""})),
+        warnings=(*others, *sorted({kept.notice, returned.notice} - {""})),
         stopped=_stopped(kept, returned),
         rebounds=kept.range,
     )
 
 
 def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
-    """Coefficients found about fixed hinges, for the inertia with which the branches begin: the same shares of energy.
+    """Convert coefficients about fixed hinges to the inertia with which the branches begin, at equal shares of energy.
 
-    On joints in full contact both branches begin about the same point, so none can be above 1.
+    On joints in full contact both branches begin about the same point, so that none can exceed 1.
     """
     if back is None:
         return found
     works = [chain.solve_equilibrium(np.zeros(1)).work for chain in (front, back)]
-    leaning = [work for work in works if work.restoring[0] < 0.0]  # both branches begin where this one stands
+    leaning = [work for work in works if work.restoring[0] < 0.0]  # both branches begin at its equilibrium
     own = [(leaning if len(leaning) == 1 else [work])[0].inertia[0] for work in works]
     fixed = [virtual_work(chain.fixed_hinge_chain, np.zeros(1)).inertia[0] for chain in (front, back)]
     faster = float(np.sqrt(own[0] / own[1] * fixed[1] / fixed[0]))
@@ -115,7 +136,7 @@ def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: Flexible
 
 
 def _times(kept: Restitution, factor: float) -> Restitution:
-    """A coefficient by a formula times a factor; what is said of one above 1 holds only where it stays above."""
+    """Return a coefficient times a factor, without the warning for values above 1 if it is no longer above."""
     if kept.source == "given":
         return kept
     value = kept.value * factor
@@ -123,7 +144,7 @@ def _times(kept: Restitution, factor: float) -> Restitution:
 
 
 def bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
-    """The joints without that at the top of a wall where no load comes through it."""
+    """Return the joints, without the one at the top of a wall if no load comes through it."""
     return (*joints[:2], None) if len(chain.blocks) == 2 and not top_loads(chain) else joints
 
 
@@ -135,7 +156,7 @@ def find_restitutions(
     kind: str,
     name: str,
 ) -> Impacts:
-    """The coefficients of the impacts that end the positive and the negative branch."""
+    """Return the coefficients of the impacts that end the positive and the negative branch."""
     kept = find_restitution(choices[0], ending=positive, starting=negative, kind=kind, name=name)
     if negative is None:
         return kept, kept
@@ -143,11 +164,12 @@ def find_restitutions(
 
 
 def _stopped(positive: Restitution, negative: Restitution) -> float | None:
-    """The least of the negative coefficients, None where both impacts leave a velocity."""
+    """Return the least of the negative coefficients, None if both impacts leave a velocity."""
     return min((each.stopped for each in (positive, negative) if each.stopped is not None), default=None)
 
 
 def _sources(positive: Restitution, negative: Restitution) -> str:
+    """Return the source of both coefficients in a phrase."""
     if positive.source == negative.source:
         return positive.source
     return f"positive: {positive.source}; negative: {negative.source}"

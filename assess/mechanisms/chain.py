@@ -1,4 +1,4 @@
-"""A planar chain of rigid blocks with one degree of freedom: what it is made of. How it moves is in motion.py."""
+"""A planar chain of rigid blocks with one degree of freedom: its parts. Its motion is in motion.py."""
 
 from __future__ import annotations
 
@@ -8,14 +8,13 @@ from itertools import pairwise
 from math import hypot
 
 from assess.errors import MechanismError
-from assess.loads.load import Load, PointMass
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Load, PointMass, mirror_load
 from assess.mechanisms.joint import Joint
 
 Point = tuple[float, float]
 
-HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; what lies beyond the last block is in motion.py
-ROUNDING = 1e-9  # m: coordinates are no better than this
+HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; the far end is described in motion.py
+ROUNDING = 1e-9  # m: accuracy of coordinates
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
 APART = 1e4  # ratio of the largest distance between hinges to the least; beyond, rounding moves the corners of the loop
 
@@ -29,16 +28,16 @@ class Block:
     inertia: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Chain:
     """Blocks from the base on, the hinges they turn about, and loads.
 
     One block has the hinge A at its base and a free end. Two blocks have A, B between them and C at the top, which
     slides on the vertical. Three blocks have A, B, C and D, which is fixed as A is.
 
-    joints : what lies under each hinge, None where it is rigid; empty where all are
-    parts : what the blocks are welded of, each with the number of its block, or None where it stands still; needed
-        only for an impact between chains that divide the same masonry in different ways
+    joints : the joint under each hinge, None for a rigid hinge; empty if all are rigid
+    parts : the parts of the blocks, each with the number of its block, None for a part at rest; needed only for an
+        impact between chains that divide the same masonry in different ways
     """
 
     blocks: tuple[Block, ...]
@@ -47,6 +46,13 @@ class Chain:
     parts: tuple[tuple[Block, int | None], ...] = ()
     joints: tuple[Joint | None, ...] = ()
 
+    def __repr__(self) -> str:
+        hinges = ", ".join(
+            f"{letter} ({x:.4g}, {z:.4g})" for letter, (x, z) in zip(hinge_names(self), self.hinges, strict=True)
+        )
+        blocks, loads = len(self.blocks), len(self.loads)
+        return f"Chain({blocks} block{'s'[: blocks != 1]}, hinges {hinges} m, {loads} load{'s'[: loads != 1]})"
+
     @property
     def mass(self) -> float:
         """Total moved mass, bearing or not [kg]."""
@@ -54,13 +60,33 @@ class Chain:
         return sum(block.mass for block in self.blocks) + carried
 
 
+@dataclass(frozen=True, eq=False)
+class ChainPair:
+    """The chains of both directions of a mechanism with the restitution of their impacts: all that its motion needs.
+
+    name : of the mechanism, for errors
+    positive, negative : the chain of each branch, in that branch's own sign; negative None for one-sided rocking
+    restitution : of the impacts that end the positive and the negative branch [-]
+    """
+
+    name: str
+    positive: Chain
+    negative: Chain | None
+    restitution: tuple[float, float]
+
+    @property
+    def has_joints(self) -> bool:
+        """Whether a hinge presses on a joint that deforms or crushes."""
+        return any(joint is not None for joint in self.positive.joints)
+
+
 def hinge_names(chain: Chain) -> str:
-    """The letters of the hinges, A at the base."""
+    """Return the letters of the hinges, A at the base."""
     return "ABCD"[: len(chain.hinges)]
 
 
 def mirror_point(point: Point) -> Point:
-    """The point reflected in the vertical through the origin."""
+    """Reflect a point in the vertical through the origin."""
     return (-point[0], point[1])
 
 
@@ -70,11 +96,18 @@ def mirror_chain(
     loads: Sequence[Load] = (),
     joints: Sequence[Joint | None] = (),
 ) -> Chain:
-    """The chain of the negative branch in its own sign, from blocks, hinges, loads and joints as they stand."""
+    """Return the chain of the negative branch in its own sign.
+
+    Parameters
+    ----------
+    blocks, loads : as in the building
+    hinges : of negative rotation, as in the building [m]
+    joints : under these hinges, None for a rigid one
+    """
     return Chain(
         tuple(Block(block.mass, mirror_point(block.centroid), block.inertia) for block in blocks),
         tuple(mirror_point(hinge) for hinge in hinges),
-        tuple(mirrored_load(load) for load in loads),
+        tuple(mirror_load(load) for load in loads),
         joints=tuple(joint and replace(joint, inward=mirror_point(joint.inward)) for joint in joints),
     )
 
@@ -112,21 +145,21 @@ def require_movable(chain: Chain, *, name: str) -> None:
 
 
 def format_point(point: Point) -> str:
-    """A point as errors print it."""
+    """Return a point as errors print it."""
     return f"({format_metres(point[0])}, {format_metres(point[1])}) m"
 
 
 def format_metres(length: float) -> str:
-    """A coordinate [m] to four figures, rounding about 0 as 0."""
+    """Return a coordinate [m] to four figures; 0 for rounding about 0."""
     return f"{0.0 if abs(length) < ROUNDING else length:.4g}"
 
 
 def _rise(a: Point, b: Point) -> float:
-    """Sine of the slope of the line a b."""
+    """Return the sine of the slope of the line a b."""
     return (b[1] - a[1]) / hypot(b[0] - a[0], b[1] - a[1])
 
 
 def _bend(a: Point, b: Point, c: Point) -> float:
-    """Sine of the angle between a b and b c."""
+    """Return the sine of the angle between a b and b c."""
     (ux, uz), (vx, vz) = (b[0] - a[0], b[1] - a[1]), (c[0] - b[0], c[1] - b[1])
     return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))

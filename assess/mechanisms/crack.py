@@ -1,4 +1,4 @@
-"""Where a wall that is held at its base and at its top cracks between: eq. 3.27, its general form, and by search."""
+"""The crack of a wall held at its base and its top: eq. 3.27, its general form, and a search."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from scipy.optimize import minimize_scalar
 from assess.errors import CrackError
 
 STATIONS = 41  # of the search, before it is refined
-MARGIN = 0.02  # of the height: no crack is looked for nearer to base or top
-FINE = 1e-6  # of the height: how near the search comes
+MARGIN = 0.02  # of the height: least distance of a crack from base or top
+FINE = 1e-6  # of the height: accuracy of the search
 ARM = 0.5  # of the thickness: lever arm of the tensile block at the crack, in eq. 3.27
 
 
 def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) -> float:
-    """Height of the crack over the height of the wall for the least uplift multiplier of a plain rectangular wall.
+    """Return the height of the crack over that of a plain rectangular wall, for the least uplift multiplier.
 
     h_c / h = sqrt(a) / (sqrt(a) + sqrt(c)) with a = 1 + n + arm t and c = (1 - xi) n + arm t. With the load at
     mid-thickness (xi = 1/2) and arm = 1/2 it is thesis eq. 3.27 (Sorrentino et al. 2008).
@@ -31,7 +31,7 @@ def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) 
 
     Raises
     ------
-    CrackError : neither load nor tension holds the wall, so that the crack would be at the top
+    CrackError : there is neither load nor tension, so that the crack would be at the top
     """
     a, c = 1.0 + load + arm * tension, (1.0 - place) * load + arm * tension
     if c <= 0.0:
@@ -44,11 +44,18 @@ def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) 
 def find_least(
     multiplier: Callable[[float], float], *, low: float, high: float, jumps: Sequence[float] = (), apart: float = 0.0
 ) -> float:
-    """The elevation [m] between those of base and top at which `multiplier` of the cracked wall is least.
+    """Find the elevation of the crack at which the multiplier of a wall is least [m].
 
-    jumps : elevations at which it jumps [m]; it is not looked for within `apart` of them [m]
+    Parameters
+    ----------
+    multiplier : of the wall cracked at an elevation [m] -> [-]
+    low, high : elevations of base and top [m]
+    jumps : elevations at which the multiplier jumps [m]
+    apart : least distance of the crack from a jump [m]
 
-    Raises CrackError where it is least at the end, for then there is no crack between.
+    Raises
+    ------
+    CrackError : the multiplier is least at an end, so that no crack between controls
     """
     ends = (low + MARGIN * (high - low), high - MARGIN * (high - low))
     parts = list(split_range(ends, jumps, apart=apart))
@@ -71,7 +78,7 @@ def find_least(
 
 
 def split_range(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
-    """The parts of a range between jumps, without what is nearer than `apart` to one."""
+    """Split a range at jumps, leaving out what is nearer than `apart` to one."""
     start = ends[0]
     for jump in sorted(each for each in set(jumps) if ends[0] < each + apart and each - apart < ends[1]):
         if jump - apart > start:

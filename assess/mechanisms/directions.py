@@ -1,4 +1,4 @@
-"""What resists the rotation of a mechanism towards each horizontal direction."""
+"""The resistance of a mechanism against rotation towards each horizontal direction."""
 
 from __future__ import annotations
 
@@ -7,15 +7,17 @@ from math import atan2, cos, degrees, radians, sin
 
 import numpy as np
 
+from assess.short_repr import ShortRepr
+
 FLAT = 1.01  # multipliers up to this many times the least are nearly as weak
 STEPS = 3600  # of the circle on which they are counted
 
 Vector = tuple[float, float, float]
 
 
-@dataclass(frozen=True)
-class Directions:
-    """What resists rotation towards each direction of a circle.
+@dataclass(frozen=True, repr=False)
+class Directions(ShortRepr):
+    """The resistance against rotation towards each direction of a circle.
 
     Attributes
     ----------
@@ -33,12 +35,12 @@ class Directions:
 
     @property
     def variation(self) -> float:
-        """1 - least / largest multiplier [-]: 0 for a body that is the same from all sides."""
+        """1 - least / largest multiplier [-]: 0 for a body that is equal from all sides."""
         return 1.0 - min(self.multiplier) / max(self.multiplier)
 
     @property
     def flat(self) -> float:
-        """How much of the circle [deg] is within one percent of the least multiplier, linear between the angles."""
+        """Range of angles within one percent of the least multiplier, interpolated linearly [deg]."""
         circle = np.arange(STEPS) * (360.0 / STEPS)
         around = np.interp(circle, self.angle, self.multiplier, period=360.0)
         return float(np.count_nonzero(around <= FLAT * min(self.multiplier)) * (360.0 / STEPS))
@@ -52,9 +54,9 @@ class Candidate:
     ----------
     angle : from +x towards +y [deg]
     multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
-        None where it cannot rock towards it, and d0* also where the multiplier alone rules it out
+        None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
     touching : the bodies that stop it
-    why : why it cannot rock towards it, empty where it can
+    why : the reason why it cannot rock this way, empty if it can
     """
 
     angle: float
@@ -65,15 +67,15 @@ class Candidate:
 
     @property
     def way(self) -> Vector:
-        """As a unit vector."""
+        """The direction as a unit vector."""
         return towards(self.angle)
 
 
 def angle_of(direction: Vector) -> float:
-    """The angle [deg] of a horizontal vector from +x towards +y, from 0 to 360."""
+    """Return the angle of a horizontal vector from +x towards +y, from 0 to 360 [deg]."""
     return round(degrees(atan2(direction[1], direction[0])), 12) % 360.0
 
 
 def towards(angle: float) -> Vector:
-    """The horizontal unit vector at `angle` [deg] from +x towards +y."""
+    """Return the horizontal unit vector at `angle` [deg] from +x towards +y."""
     return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)

@@ -1,4 +1,4 @@
-"""When a force or tie ends, and when a floor loses its seat, as a mechanism moves: rotations of its leading block.
+"""The rotations of a mechanism at which a force or tie ends, or a floor loses its seat.
 
 Displacements are those of the load's own point from rest, by the motion of the blocks about their hinges.
 """
@@ -20,12 +20,12 @@ STATIONS = 2001  # of a scan from rest to the geometric limit
 
 
 def scan_rotations(chain: Chain) -> FloatArray:
-    """Rotations from rest to the geometric limit at which a chain is looked at [n] [rad]."""
+    """Return the rotations of a scan from rest to the geometric limit of a chain [n] [rad]."""
     return np.linspace(0.0, limit(chain) * (1.0 - FLAT), STATIONS)
 
 
 def end_of(chain: Chain, action: Action) -> float:
-    """Rotation [rad] up to which a force or tie is shown to be there; 0 where nothing is shown, inf where it lasts."""
+    """Return the rotation up to which a force or tie is shown to act [rad]; 0 if nothing is shown, inf if it lasts."""
     broken = breaking_rotation(chain, action) if isinstance(action, Tie) else inf
     if isinstance(action.until, float | int):
         return min(broken, rotation_reaching(chain, action, float(action.until), _moved))
@@ -33,14 +33,14 @@ def end_of(chain: Chain, action: Action) -> float:
 
 
 def breaking_rotation(chain: Chain, tie: Tie) -> float:
-    """Rotation [rad] at which a tie has lengthened by its fracture strain; inf where it never does or none is known."""
+    """Return the rotation at which a tie reaches its fracture strain [rad]; inf if never, or if none is known."""
     if tie.elongation is None:
         return inf
     return rotation_reaching(chain, tie, tie.elongation, lambda path: _lengthened(tie, path))
 
 
 def unseating_rotation(chain: Chain, mass: PointMass) -> float:
-    """Rotation [rad] at which the point of a load has moved sideways by its seat; inf where it never does."""
+    """Return the rotation at which the point of a load has moved horizontally by its seat [rad]; inf if never."""
     if mass.seat is None:
         return inf
     return rotation_reaching(chain, mass, mass.seat, lambda path: np.abs(path.x - path.x[0]))
@@ -49,7 +49,7 @@ def unseating_rotation(chain: Chain, mass: PointMass) -> float:
 def rotation_reaching(
     chain: Chain, load: Action | PointMass, amount: float, measure: Callable[[Path], FloatArray]
 ) -> float:
-    """First rotation [rad] at which a measure of the path of a load reaches an amount [m]; inf where it never does.
+    """Return the first rotation at which a measure of the path of a load reaches an amount [m]; inf if never [rad].
 
     measure : path over rotations that begin at rest [n] -> [n] [m]
     """
@@ -69,18 +69,25 @@ def rotation_reaching(
 
 
 def displacement_at(chain: Chain, load: Action, rotation: float) -> float:
-    """Displacement of the point of a load from rest to a rotation [m]."""
+    """Return the displacement of the point of a load from rest [m].
+
+    Parameters
+    ----------
+    chain : the chain that carries the load
+    load : a force or tie
+    rotation : of the leading block [rad]
+    """
     path = trace_point(move(chain, np.array([0.0, rotation])), block=load.block, at=load.at)
     return float(_moved(path)[1])
 
 
 def _moved(path: Path) -> FloatArray:
-    """Displacement from rest [n] [m]."""
+    """Return the displacement from rest [n] [m]."""
     return np.asarray(np.hypot(path.x - path.x[0], path.z - path.z[0]))
 
 
 def _lengthened(tie: Tie, path: Path) -> FloatArray:
-    """Elongation of a tie from rest [n] [m]: of its distance to the anchor, or against its direction."""
+    """Return the elongation of a tie from rest [n] [m]: of its distance to the anchor, or against its direction."""
     if tie.anchor is not None:
         far = np.hypot(tie.anchor[0] - path.x, tie.anchor[1] - path.z)
         return np.asarray(far - far[0])

@@ -1,4 +1,4 @@
-"""A single block known by its rocking parameters alone, so that published tables can be assessed too."""
+"""A single block defined by its rocking parameters alone, so that published tables can be assessed too."""
 
 from __future__ import annotations
 
@@ -24,10 +24,23 @@ def equivalent_block(
     elevation: float = 0.0,
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
 ) -> Mechanism:
-    """An exact single block of frequency parameter `p` [1/s], slenderness `uplift` [rad] and `radius` [m].
+    """Make a single block from its rocking parameters.
 
-    Its inertia about the hinge is M g R / p^2. It is symmetric and stands with its base centred on the origin;
-    drawn as the rectangle with the same slenderness and radius.
+    Its inertia about the hinge is M g R / p^2. It is symmetric, with its base centred on the origin, and drawn as the
+    rectangle with the same slenderness and radius.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    p : frequency parameter [1/s]
+    uplift : slenderness [rad]
+    radius : from hinge to centroid [m]
+    mass : [kg]
+    label : for reports; empty: the name
+    sides : "one" or "two"
+    elevation : of the base [m]
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
     """
     half, height = radius * sin(uplift), radius * cos(uplift)
     block = Block(mass, (0.0, elevation + height), mass * g * radius / p**2 - mass * radius**2)
@@ -44,5 +57,5 @@ def equivalent_block(
         label=label,
         restitution=restitution,
         outlines=((outline,),),
-        notices=(impossible,) if k < 1.0 else (),
+        warnings=(impossible,) if k < 1.0 else (),
     )

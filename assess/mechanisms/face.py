@@ -1,4 +1,4 @@
-"""The faces that meet at a hinge, as friction sees them."""
+"""The faces that meet at a hinge, for checks of sliding."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ LEVEL = (0.0, 1.0)
 
 @dataclass(frozen=True)
 class Face:
-    """Which way the faces at a hinge look, and how rough they are.
+    """The orientation and friction of the faces at a hinge.
 
     normal : unit vector (x, z) in the sign of the branch, to the block that presses
-    found : whether the geometry has such faces; they are taken level where not
-    friction : coefficient [-], None where it is not known; remedy : what the project would have to say
+    found : whether the geometry has such faces; if not, they are taken as horizontal
+    friction : coefficient [-], None if not known; remedy : what to add to the project
     """
 
     normal: tuple[float, float] = LEVEL

@@ -31,6 +31,7 @@ from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.joint import PAIRS, Joint, Pair
 from assess.mechanisms.motion import close_loop, move, solve_turnings, trace_point
 from assess.mechanisms.virtual_work import Work, generalised_moment, virtual_work
+from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
 
 Contacts = tuple[Contact | None, ...]
@@ -45,8 +46,8 @@ LEVEL = 1e-15  # rad: a joint that has turned by less has not, but for rounding
 PLASTIC = 1.0  # rad: any rotation, for a rigid joint with a strength
 
 
-@dataclass(frozen=True)
-class Configuration:
+@dataclass(frozen=True, repr=False)
+class Configuration(ShortRepr):
     """Where the blocks stand at n rotations.
 
     turn : exp(-i theta) of each block [blocks, n]; angle : theta [blocks, n] [rad]
@@ -58,8 +59,8 @@ class Configuration:
     corner: ComplexArray
 
 
-@dataclass(frozen=True)
-class JointEquilibrium:
+@dataclass(frozen=True, repr=False)
+class JointEquilibrium(ShortRepr):
     """The joints in equilibrium at n rotations.
 
     configuration; normal_force : on each joint [hinges, n] [N]; contacts : None for a rigid joint
@@ -72,8 +73,8 @@ class JointEquilibrium:
     closure: FloatArray
 
 
-@dataclass(frozen=True)
-class EquilibriumState:
+@dataclass(frozen=True, repr=False)
+class EquilibriumState(ShortRepr):
     """A chain held at n rotations.
 
     work : the sums of virtual work; relative : rotation psi of each joint [hinges, n] [rad]
@@ -86,8 +87,8 @@ class EquilibriumState:
     contacts: Contacts
 
 
-@dataclass(frozen=True)
-class BlockVelocities:
+@dataclass(frozen=True, repr=False)
+class BlockVelocities(ShortRepr):
     """Velocities of the blocks: of a point of each [blocks, n] [m] and its rate of turning [blocks, n]."""
 
     points: ComplexArray
@@ -99,8 +100,8 @@ class BlockVelocities:
         return np.asarray(self.velocity[block] - 1j * self.rate[block] * (trace_point - self.points[block]))
 
 
-@dataclass(frozen=True)
-class FlexibleChain:
+@dataclass(frozen=True, repr=False)
+class FlexibleChain(ShortRepr):
     """A chain with its joints, to be asked at many rotations; name : of the mechanism, for errors."""
 
     chain: Chain

@@ -1,7 +1,7 @@
-"""From a mechanism on flexible joints to its oscillator: rest, and a table for each branch that counts from there.
+"""From a mechanism on flexible joints to its oscillator: equilibrium, and a table for each branch counted from there.
 
-A joint in full contact answers to any rotation, so the restoring moment of a symmetric mechanism begins at zero and
-passes through rest smoothly. Under an eccentric load the mechanism stands at a rotation phi_e of one of its branches;
+A joint in full contact deforms under any rotation, so the restoring moment of a symmetric mechanism begins at zero and
+passes through rest smoothly. Under an eccentric load the mechanism rests at a rotation phi_e of one of its branches;
 the branch on the other side then begins with the way back from phi_e to zero, seen in its own sign:
 
     other branch:  rotation 0 ... phi_e   the first chain from phi_e back to 0, moments and lifts with the other sign
@@ -15,35 +15,34 @@ from dataclasses import replace
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Chain, mirror_point
+from assess.mechanisms.chain import Chain, ChainPair, mirror_point
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.side import FINE, ZERO, Side, columns_of, make_side
 from assess.mechanisms.stages import Moments, Stages, signature, single_stage, zero_moments
 from assess.oscillator import Branch, Oscillator
 
 
-def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
-    """The mechanism on its joints as the dynamics and the codes see it, with the stages of its two chains.
+def flexible_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
+    """Return the oscillator of chains on their joints, with the stages of each.
 
-    Raises MechanismError where it finds no stable rest, or never overturns.
+    Raises MechanismError if the mechanism finds no stable rest, or never overturns.
     """
-    name, (first, second) = mechanism.name, mechanism.restitution
+    name, (first, second) = pair.name, pair.restitution
     positive = make_side(front, name=name, restitution=first)
-    if mechanism.negative is None:
-        return Oscillator(branch_from_rest(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
+    if pair.negative is None:
+        return Oscillator(branch_from_rest(positive, None), None, pair.positive.mass, equilibrium=positive.lean)
     alike = same_stages(front, back) and first == second
     negative = positive if alike else make_side(back, name=name, restitution=second)
-    if not share_rest(mechanism.positive, mechanism.negative) or front[0].absent != back[0].absent:
+    if not share_rest(pair.positive, pair.negative) or front[0].absent != back[0].absent:
         return Oscillator(
             positive=branch_from_rest(positive, None),
             negative=branch_from_rest(negative, None),
-            mass=mechanism.positive.mass,
+            mass=pair.positive.mass,
             equilibrium=positive.lean,
             equilibrium_negative=negative.lean,
         )
-    if positive.pushed and negative.pushed:
+    if positive.leans and negative.leans:
         raise MechanismError(
             f'mechanism "{name}": it is pushed off its rest both ways, by {-positive.work.restoring[0]:.4g} and '
             f"{-negative.work.restoring[0]:.4g} N m: a hinge inside the edge of its contact does that, as pressure is "
@@ -52,16 +51,16 @@ def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Os
     return Oscillator(
         positive=branch_from_rest(positive, negative),
         negative=branch_from_rest(negative, positive),
-        mass=mechanism.positive.mass,
+        mass=pair.positive.mass,
         equilibrium=positive.lean - negative.lean,
         equilibrium_negative=negative.lean - positive.lean,
     )
 
 
 def share_rest(positive: Chain, negative: Chain) -> bool:
-    """Whether both directions turn on the same joints, and so stand at one rotation.
+    """Return whether both directions use the same joints, and so share one equilibrium.
 
-    An arch opens other joints each way: each direction then counts from where its own joints have settled.
+    An arch opens other joints each way: each direction then counts from the equilibrium of its own joints.
     """
     if positive.parts:
         return positive.parts == tuple(
@@ -71,16 +70,16 @@ def share_rest(positive: Chain, negative: Chain) -> bool:
 
 
 def flexible_moments(chain: Chain, *, name: str) -> Moments:
-    """The moments of the actions on a chain, each as its joints move."""
+    """Return the moments of the actions on a chain, each as its joints move."""
     flexible = FlexibleChain(chain, name)
     scan = np.unique(make_side(single_stage(chain), name=name, restitution=1.0).rotation)
     return Moments(scan, lambda rotation: flexible.moments(rotation) + zero_moments(chain))
 
 
 def branch_from_rest(side: Side, other: Side | None) -> Branch:
-    """The branch of one side, which counts from where the mechanism stands.
+    """Return the branch of one side, counted from the equilibrium of the mechanism.
 
-    Raises MechanismError where the moment never falls to zero.
+    Raises MechanismError if the moment never falls to zero.
     """
     shift = side.lean
     overturning = side.fall(lambda work: work.restoring)
@@ -121,19 +120,19 @@ def branch_from_rest(side: Side, other: Side | None) -> Branch:
 
 
 def same_stages(one: Stages, other: Stages) -> bool:
-    """Whether two sides, each in its own sign, are alike to the last digit."""
+    """Return whether two sides, each in its own sign, are equal to the last digit."""
     return same_chain(one[0].chain, other[0].chain) and signature(one) == signature(other)
 
 
 def same_chain(one: Chain, other: Chain) -> bool:
-    """Whether two chains, each in its own sign, are alike to the last digit."""
+    """Return whether two chains, each in its own sign, are equal to the last digit."""
     return (one.blocks, one.hinges, one.loads) == (other.blocks, other.hinges, other.loads) and (
         [_numbers(joint) for joint in one.joints] == [_numbers(joint) for joint in other.joints]
     )
 
 
 def _numbers(joint: Joint | None) -> tuple[object, ...] | None:
-    """All that a joint is made of, as values that compare."""
+    """Return the parts of a joint as values that compare."""
     if joint is None:
         return None
     section = joint.section

@@ -26,11 +26,25 @@ def four_hinge(
     sides: Sides = "two",
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    notices: tuple[str, ...] = (),
+    warnings: tuple[str, ...] = (),
 ) -> Mechanism:
-    """The mechanism of three bodies A-B, B-C and C-D, and for negative rotation about hinges of its own.
+    """Make the mechanism of three bodies A-B, B-C and C-D; negative rotation has hinges of its own.
 
-    Raises MechanismError where hinges of negative rotation are missing, or given for one-sided rocking.
+    Parameters
+    ----------
+    name : of the mechanism
+    bodies : three, from A to D
+    hinges, hinges_negative : A to D (x, z) of positive and of negative rotation [m]
+    label : for reports; empty: the name
+    sides : "one" or "two"
+    loads : on the blocks
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
+    warnings : sentences on what was given
+
+    Raises
+    ------
+    MechanismError : hinges of negative rotation are missing, or given for one-sided rocking
     """
     if (sides == "two") != (hinges_negative is not None):
         remedy = "give hinges_negative = { A, B, C, D }" if sides == "two" else "remove hinges_negative"
@@ -45,8 +59,8 @@ def four_hinge(
         label=label,
         restitution=restitution,
         outlines=outlines,
-        notices=(
-            *notices,
+        warnings=(
+            *warnings,
             *loose_hinges(hinges, outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),

@@ -1,4 +1,4 @@
-"""The forces at the hinges of a mechanism when it starts to rock; only equilibrium of its blocks."""
+"""The forces at the hinges of a mechanism at incipient motion, by equilibrium of its blocks."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.statics import IncipientMotion, force_at_rest, incipient_motion
 
-ON_TOP = 1e-6  # of a wall's height: a load this near its top stands on it
+ON_TOP = 1e-6  # of a wall's height: a load this near its top rests on it
 
 
 def hinge_forces(mechanism: Mechanism) -> tuple[HingeForces, ...]:
-    """Every hinge of both branches; none where the blocks have no faces (an equivalent block)."""
+    """Return the forces of every hinge of both branches; empty if the blocks have no faces (an equivalent block)."""
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     return tuple(
         forces
@@ -28,7 +28,7 @@ def hinge_forces(mechanism: Mechanism) -> tuple[HingeForces, ...]:
 
 
 def chain_at_start(chain: Chain, *, name: str) -> Chain:
-    """The chain about the hinges it starts on: on joints a_SF inside the edges, or at the edges if it cannot there."""
+    """Return the chain about its hinges at incipient motion: on joints a_SF inside the edges, else at the edges."""
     if not any(chain.joints):
         return chain
     fixed = FlexibleChain(chain, name).fixed_hinge_chain
@@ -36,7 +36,7 @@ def chain_at_start(chain: Chain, *, name: str) -> Chain:
 
 
 def of_chain(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[HingeForces]:
-    """The hinges of one branch in its own sign."""
+    """Return the forces of the hinges of one branch in its own sign."""
     found, mark, single = incipient_motion(chain), "" if positive else "'", len(chain.blocks) == 1
     made = []
     for number, (letter, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
@@ -64,9 +64,9 @@ def of_chain(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[H
 
 
 def force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) -> Vector:
-    """The force (x, z) [N] on the block that presses at a hinge.
+    """Return the force (x, z) on the block that presses at a hinge [N].
 
-    At the top of a wall V is what stands there, for the support itself passes on nothing vertical.
+    At the top of a wall V is the load there, because the support itself has no vertical reaction.
     """
     x, z = found.forces[number].tolist()
     if at_top(chain, number):
@@ -75,17 +75,17 @@ def force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) -
 
 
 def at_top(chain: Chain, number: int) -> bool:
-    """Whether a hinge is the support at the top of a wall."""
+    """Return whether a hinge is the support at the top of a wall."""
     return len(chain.blocks) == number == 2
 
 
 def on_top(load: Load, chain: Chain) -> bool:
-    """Whether a load stands on the top of a wall."""
+    """Return whether a load rests on the top of a wall."""
     top, height = chain.hinges[2][1], chain.hinges[2][1] - chain.hinges[0][1]
     return load.block == 1 and isclose(load.at[1], top, rel_tol=0.0, abs_tol=ON_TOP * height)
 
 
 def pressure(force: Vector, normal: Vector) -> Pressure:
-    """A force (x, z) on the block that presses [N], square to the faces and along them."""
+    """Resolve a force (x, z) on the block that presses [N] into parts normal to the faces and along them."""
     (x, z), (n_x, n_z) = force, normal
     return Pressure(x * n_x + z * n_z, x * n_z - z * n_x)

@@ -1,7 +1,7 @@
-"""What the impact that ends a branch leaves of the velocity, for every kind of mechanism.
+"""The restitution of the impact that ends a branch, for every kind of mechanism.
 
-At rest the blocks of both branches stand in one place, and each branch is a field of velocities: (x', z', theta') of
-every block for a unit rate of phi. The rules differ in what they take to be kept from one field to the other.
+At rest the blocks of both branches coincide, and each branch is a field of velocities: (x', z', theta') of every block
+for a unit rate of phi. The rules differ in what is conserved from one field to the other.
 """
 
 from __future__ import annotations
@@ -19,28 +19,29 @@ from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.restitution import Restitution, housner, sorrentino
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None
-"""A number, a rule by its name, or None: "momentum" where a load moves with the mechanism, else the thesis' rule."""
+"""A number, a rule by its name, or None: "momentum" if a load moves with the mechanism, else the rule of the thesis."""
 Rule = Callable[[Chain, Chain], Restitution]
 Rebound = Callable[[Chain], Restitution]
 
 HOUSNER = "Housner 1963, thesis eq. 3.44"
 MOMENTUM = "momentum kept over the mechanism"
 ABOUT_BASE = "angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"
-NOTABLE = 0.03  # a difference between two coefficients that is printed with its reason
-REBOUNDS = (1.0, 0.5, 1.5)  # times the rebound of 3.45: what histories are run with, its own value first
-SAME = 5e-4  # coefficients this near are one as they are printed
+NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
+REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
+SAME = 5e-4  # coefficients this close are printed alike
 
 
-@dataclass(frozen=True)
-class VelocityField:
-    """Velocities at rest for a unit rate of phi, as the branch sees them; one row for each block, then each mass.
+@dataclass(frozen=True, repr=False)
+class VelocityField(ShortRepr):
+    """Velocities at rest for a unit rate of phi in the sign of the branch; one row for each block, then each mass.
 
-    mass, along, up : what moves horizontally and vertically, x' and z' [rows] [kg, kg, m, m]; turning : theta' [rows];
-    inertia : about each centroid [rows] [kg m2]; x, z : places [rows] [m]
+    shaken, borne : mass that moves horizontally and vertically [rows] [kg]; along, up : x' and z' [rows] [m]
+    turning : theta' [rows] [-]; inertia : about each centroid [rows] [kg m2]; x, z : places [rows] [m]
     """
 
     shaken: FloatArray
@@ -54,9 +55,9 @@ class VelocityField:
 
 
 def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
-    """The field of velocities with which `chain` leaves or reaches its rest.
+    """Return the velocities with which a chain leaves or reaches its rest.
 
-    sliding : bearing masses slide on their seats and pass on no horizontal momentum
+    sliding : bearing masses slide on their seats and transfer no horizontal momentum
     """
     motion = move(chain, np.zeros(1))
     parts = chain.parts or tuple((block, number) for number, block in enumerate(chain.blocks))
@@ -76,9 +77,9 @@ def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
 
 
 def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
-    """The kinetic product of two fields [kg m2], the second mirrored back to the sign of the first.
+    """Return the kinetic product of two fields [kg m2], the second mirrored back to the sign of the first.
 
-    Of a field with itself, un-mirrored, it is the inertia I of the branch.
+    The product of a field with itself, not mirrored, is the inertia I of the branch.
     """
     along = np.sum(ending.shaken * ending.along * -starting.along)
     up = np.sum(ending.borne * ending.up * starting.up)
@@ -86,30 +87,30 @@ def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
 
 
 def inertia_at_rest(moving: VelocityField) -> float:
-    """I of the branch at rest [kg m2]."""
+    """Return I of the branch at rest [kg m2]."""
     squares = moving.shaken * moving.along**2 + moving.borne * moving.up**2 + moving.inertia * moving.turning**2
     return float(np.sum(squares))
 
 
 def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
-    """Angular momentum about the point (x, z) of the field's own frame, clockwise [kg m2]."""
+    """Return the angular momentum about a point (x, z) in the frame of the field, clockwise [kg m2]."""
     arms = (moving.z - z) * moving.shaken * moving.along - (moving.x - x) * moving.borne * moving.up
     return float(np.sum(arms + moving.inertia * moving.turning))
 
 
 def conserve_momentum(ending: Chain, starting: Chain) -> Restitution:
-    """The impulses at the new hinges do no work on the new motion: projection of the old field onto the new one.
+    """Conserve momentum: the impulses at the new hinges do no work on the new motion, so project the old field onto it.
 
-    For one block that is the angular momentum about the new hinge. No impact by this rule adds energy.
+    For one block this is the angular momentum about the new hinge. No impact by this rule adds energy.
     """
     new = velocity_field(starting)
     return Restitution(-kinetic_product(velocity_field(ending), new) / inertia_at_rest(new), MOMENTUM)
 
 
 def conserve_about_base(ending: Chain, starting: Chain) -> Restitution:
-    """The angular momentum of the whole about the new base hinge is kept (3.46, there for two plain rectangles).
+    """Conserve the angular momentum of the whole about the new base hinge (3.46, there for two plain rectangles).
 
-    That leaves out the impulse of the support at the top.
+    This neglects the impulse of the support at the top.
     """
     old, new = velocity_field(ending), velocity_field(starting)
     x, z = starting.hinges[0]
@@ -117,12 +118,12 @@ def conserve_about_base(ending: Chain, starting: Chain) -> Restitution:
 
 
 def housner_rule(ending: Chain, starting: Chain) -> Restitution:
-    """3.44, for a block whose two hinges are alike."""
+    """Apply 3.44, for a block with two like hinges."""
     return Restitution(housner(plain_block(ending)), HOUSNER)
 
 
 def single_block_rule(ending: Chain, starting: Chain) -> Restitution:
-    """3.44 where the two hinges are alike; elsewhere it would even add energy (tested), so there the law behind it."""
+    """Apply 3.44 for two like hinges; for others it could add energy (tested), so conserve momentum instead."""
     first, second = plain_block(ending), plain_block(starting)
     alike = isclose(first.slenderness, second.slenderness, rel_tol=1e-9) and isclose(
         first.radius, second.radius, rel_tol=1e-9
@@ -131,7 +132,7 @@ def single_block_rule(ending: Chain, starting: Chain) -> Restitution:
 
 
 def sorrentino_rebound(chain: Chain) -> Restitution:
-    """One-sided rocking of a block before a wall (3.45); a formula that gives no rebound counts as 0, with a notice."""
+    """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
     signed = sorrentino(plain_block(chain))
     source = f"Sorrentino et al. 2011, thesis eq. 3.45: {signed:+.3f}"
     if signed >= 0:
@@ -141,7 +142,7 @@ def sorrentino_rebound(chain: Chain) -> Restitution:
 
 
 def no_rebound(chain: Chain) -> Restitution:
-    """One-sided rocking of a chain: no formula is published, so it does not rebound unless a number is given."""
+    """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
     notice = "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one as a number"
     return Restitution(0.0, "no rebound", notice)
 
@@ -162,18 +163,26 @@ ONE_SIDED: Mapping[str, Mapping[Named, Rebound]] = {
 
 
 def moving_masses(*chains: Chain) -> tuple[str, ...]:
-    """The names of the loads that move with the mechanism, bearing or not."""
+    """Return the names of the loads that move with the mechanism, bearing or not."""
     return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
 
 
 def find_restitution(
     choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, kind: str, name: str
 ) -> Restitution:
-    """The coefficient of the impact that ends one branch; `starting` is None for one-sided rocking.
+    """Find the coefficient of the impact that ends one branch.
 
-    A negative one means that the mechanism stops at the impact: 0, with the value found as `stopped`.
+    A negative value means that the mechanism stops at the impact: 0, with the value found as `stopped`.
 
-    Raises MechanismError for a rule that is not for this kind, or a named one that adds energy.
+    Parameters
+    ----------
+    choice : a number, a rule by its name, or None for the default
+    ending, starting : the chains of the branches before and after the impact; starting None for one-sided rocking
+    kind, name : of the mechanism
+
+    Raises
+    ------
+    MechanismError : a rule that does not apply to this kind, or a named one that adds energy
     """
     if isinstance(choice, int | float):
         return Restitution(choice, "given", _flattering(choice, ending=ending, starting=starting))
@@ -195,7 +204,7 @@ def find_restitution(
 
 
 def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
-    """That a given restitution takes more energy at each impact than momentum does; empty where it does not."""
+    """Return a warning if a given restitution takes more energy at each impact than momentum does, else ""."""
     by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
     if starting is None or given >= by_momentum - NOTABLE:
         return ""
@@ -206,7 +215,7 @@ def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
 
 
 def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
-    """Momentum where a load moves with the mechanism, else the thesis' rule unless that would add energy."""
+    """Return momentum if a load moves with the mechanism, else the rule of the thesis unless it would add energy."""
     if moving_masses(ending, starting):
         return "momentum"
     kept = TWO_SIDED[kind]["thesis"](ending, starting)
@@ -214,7 +223,7 @@ def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
 
 
 def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> str:
-    """What the other rule would give, and what is left where loads slide on their seats; empty where it is the same."""
+    """Return a phrase on the other rule, and on loads that slide on their seats; empty if the value is the same."""
     other: Named = "thesis" if rule == "momentum" else "momentum"
     value = TWO_SIDED[kind][other](ending, starting).value
     text = f'; "{other}" would give {value:.3f}' if abs(value - kept.value) > SAME else ""
@@ -228,7 +237,7 @@ def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Ch
 
 
 def _stopped(kept: Restitution) -> Restitution:
-    """The coefficient of a mechanism that an impact brings to rest: the law would throw it back."""
+    """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
     notice = (
         f"restitution {kept.value:.3g} ({kept.source}): a mechanism this squat stops at its first impact; 0 is taken, "
         "and histories are not answered: for those give restitution as a number in [0, 1]"
@@ -237,7 +246,7 @@ def _stopped(kept: Restitution) -> Restitution:
 
 
 def _noticed(kept: Restitution, *, ending: Chain, starting: Chain) -> Restitution:
-    """The same with what is unusual of it: above 1, or well above that of the blocks without their loads."""
+    """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
     if kept.value > 1.0:
         return replace(kept, notice=_faster(kept, ending=ending, starting=starting))
     loads = moving_masses(ending, starting)
@@ -254,12 +263,12 @@ def _noticed(kept: Restitution, *, ending: Chain, starting: Chain) -> Restitutio
 
 
 def without_masses(chain: Chain) -> Chain:
-    """The chain without the loads that move with it."""
+    """Return the chain without the loads that move with it."""
     return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
 
 
 def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
-    """Why a coefficient is above 1 without a gain of energy."""
+    """Return a warning that explains a coefficient above 1 without a gain of energy."""
     share = inertia_at_rest(velocity_field(starting)) / inertia_at_rest(velocity_field(ending))
     return (
         f"restitution {kept.value:.4g} is above 1 though energy is lost: the hinges of the two directions differ, and "
@@ -269,13 +278,14 @@ def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
 
 
 def _gains(kept: Restitution, *, ending: Chain, starting: Chain) -> bool:
-    """Whether an impact would add energy."""
+    """Return whether an impact would add energy."""
     return kept.value > 0.0 and kept.value**2 * inertia_at_rest(velocity_field(starting)) > inertia_at_rest(
         velocity_field(ending)
     ) * (1 + 1e-9)
 
 
 def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str) -> None:
+    """Raise MechanismError for a coefficient that would add energy."""
     if _gains(kept, ending=ending, starting=starting):
         raise MechanismError(
             f'mechanism "{name}": restitution {kept.value:.3g} ({kept.source}) would add energy at the '

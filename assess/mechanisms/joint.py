@@ -1,4 +1,4 @@
-"""What lies under a hinge of a chain: the faces that press on each other, and how stiff and strong they are."""
+"""The joint under a hinge of a chain: the faces in contact, their stiffness and strength."""
 
 from __future__ import annotations
 

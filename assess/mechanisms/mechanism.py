@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
 from typing import Literal
 
 from assess.geometry.outline import Outline
-from assess.mechanisms.chain import Chain
+from assess.mechanisms.actions import ChainActions, find_actions
+from assess.mechanisms.chain import Chain, ChainPair
 from assess.mechanisms.directions import Candidate, Directions, Vector
 from assess.mechanisms.face import Face
 from assess.mechanisms.joint import Joint
+from assess.mechanisms.oscillation import oscillator_at_start
+from assess.mechanisms.variants import Variants, find_variants
 from assess.messages.message import Message
+from assess.oscillator import Oscillator
 
 Sides = Literal["one", "two"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Mechanism:
     """One way in which masonry can collapse.
 
@@ -34,7 +39,7 @@ class Mechanism:
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
-    notices : sentences the engineer must read (a rule that did not hold)
+    warnings : sentences the engineer must read, such as a rule that did not hold
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
     directions : the resistance towards each direction where the weakest of a circle was sought, else None
     direction : of positive rotation, a horizontal vector; None for an equivalent block
@@ -53,7 +58,7 @@ class Mechanism:
     restitution_source: str
     elevation: float
     outlines: tuple[Outline, ...]
-    notices: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
     stopped: float | None = None
@@ -63,9 +68,32 @@ class Mechanism:
     beside: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
 
+    def __repr__(self) -> str:
+        return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"
+
+    @property
+    def pair(self) -> ChainPair:
+        """The chains of both directions with their restitution."""
+        return ChainPair(self.name, self.positive, self.negative, self.restitution)
+
+    @cached_property
+    def oscillator(self) -> Oscillator:
+        """The mechanism as the dynamics and the codes see it, with every action that is there at rest."""
+        return oscillator_at_start(self.pair)
+
+    @cached_property
+    def actions(self) -> tuple[ChainActions, ...]:
+        """The forces and ties on each chain, the positive one first."""
+        return find_actions(self.pair, self.oscillator)
+
+    @cached_property
+    def variants(self) -> Variants:
+        """The oscillators of the mechanism as it starts, as its actions end, and as it collapses."""
+        return find_variants(self.pair, self.oscillator, self.actions)
+
     @property
     def rise(self) -> float:
-        """Of the support at the far end over the base hinge [m]; 0 where the far end is free."""
+        """Height of the far support above the base hinge [m]; 0 where the far end is free."""
         hinges = self.positive.hinges
         return hinges[-1][1] - hinges[0][1]
 

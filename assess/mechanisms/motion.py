@@ -1,4 +1,4 @@
-"""How a chain moves: places, and their first and second derivatives with respect to the rotation, all exact.
+"""The motion of a chain: places, and their exact first and second derivatives with respect to the rotation.
 
 Signs, for the branch of positive rotation (a negative branch is a chain mirrored in z, with hinges of its own):
 
@@ -36,14 +36,15 @@ from itertools import pairwise
 import numpy as np
 
 from assess.mechanisms.chain import Chain, Point
+from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
 
-FLAT = 1e-6  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
-TOUCH = 1e-12  # of a cosine: a portal of two equal columns just touches its flat place, which rounding may hide
+FLAT = 1e-6  # of the geometric limit, at which the rates of a loop grow without bound: a loop stays this far from it
+TOUCH = 1e-12  # of a cosine: a portal of two equal columns just reaches its flat position, which rounding may hide
 
 
-@dataclass(frozen=True)
-class Motion:
+@dataclass(frozen=True, repr=False)
+class Motion(ShortRepr):
     """A chain at rotations of its leading block.
 
     rotation : phi [n] [rad]
@@ -58,8 +59,8 @@ class Motion:
     hinges: ComplexArray
 
 
-@dataclass(frozen=True)
-class Path:
+@dataclass(frozen=True, repr=False)
+class Path(ShortRepr):
     """A point over rotation [n]: place x, z [m], and its first and second derivatives with respect to phi [m]."""
 
     x: FloatArray
@@ -71,7 +72,13 @@ class Path:
 
 
 def move(chain: Chain, rotation: FloatArray) -> Motion:
-    """The chain turned to `rotation` [n] [rad], which must stay below `limit(chain)`."""
+    """Rotate a chain.
+
+    Parameters
+    ----------
+    chain : at rest
+    rotation : of its leading block, below `limit(chain)` [n] [rad]
+    """
     hinges = np.array([complex(*hinge) for hinge in chain.hinges])
     arms = np.diff(hinges)[:, None]
     lead = np.exp(-1j * rotation)
@@ -86,7 +93,14 @@ def move(chain: Chain, rotation: FloatArray) -> Motion:
 
 
 def trace_point(motion: Motion, *, block: int, at: Point) -> Path:
-    """The path of the point `at` (x, z) [m] of block number `block`, 0 at the base."""
+    """Return the path of a point of a block.
+
+    Parameters
+    ----------
+    motion : of the chain
+    block : its number, 0 at the base
+    at : the point (x, z) at rest [m]
+    """
     turn = np.exp(-1j * motion.angle)
     here = np.full(motion.rotation.size, motion.hinges[0])
     first, second = np.zeros_like(here), np.zeros_like(here)
@@ -100,7 +114,7 @@ def trace_point(motion: Motion, *, block: int, at: Point) -> Path:
 
 
 def limit(chain: Chain) -> float:
-    """The rotation at which the loop is stretched or folded flat and can go no further, at most pi [rad]."""
+    """Return the rotation at which the loop is stretched or folded flat and can move no further, at most pi [rad]."""
     hinges = [complex(*hinge) for hinge in chain.hinges]
     if len(chain.blocks) == 1:
         return np.pi
@@ -125,9 +139,9 @@ def limit(chain: Chain) -> float:
 
 
 def close_loop(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) -> ComplexArray:
-    """The arms of two or three blocks turned so that they close the loop [blocks, n] [m].
+    """Rotate the arms of two or three blocks so that they close the loop [blocks, n] [m].
 
-    arms : from hinge to hinge at rest [blocks, n or 1]; lead : the first one as it stands [n]; span : from the first
+    arms : from hinge to hinge at rest [blocks, n or 1]; lead : the first one, rotated [n]; span : from the first
     hinge to the last one [n or 1]; of two blocks, on a slider, its horizontal part counts.
     """
     close = _slide if len(arms) == 2 else _close
@@ -135,15 +149,15 @@ def close_loop(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) ->
 
 
 def solve_turnings(turned: ComplexArray, load: ComplexArray) -> FloatArray:
-    """The turnings [blocks - 1, n] of all blocks but the first whose sum(arm turning) is the load [n].
+    """Solve sum(arm turning) = load [n] for the turnings of all blocks but the first [blocks - 1, n].
 
-    Of two blocks, on a slider, it is only its horizontal part, the imaginary one, since -i turns an arm.
+    Two blocks, on a slider, satisfy only its horizontal part, the imaginary one, since -i rotates an arm.
     """
     return (_slider_share if len(turned) == 2 else _pinned_share)(turned, load)
 
 
 def _slide(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
-    """The second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
+    """Return the second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
     level = chord.real
     return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.maximum(np.abs(arms[1]) ** 2 - level**2, 0.0)))[
         None, :
@@ -151,7 +165,7 @@ def _slide(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
 
 
 def _close(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
-    """The second and third arms [2, n] of a pinned chain: the corner C of the triangle over the chord from B to D."""
+    """Return the second and third arm [2, n] of a pinned chain: the triangle B C D over the chord from B to D."""
     b, c = np.abs(arms[1]), np.abs(arms[2])
     length = np.abs(chord)
     along = (length**2 + b**2 - c**2) / (2 * length)
@@ -161,15 +175,16 @@ def _close(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
 
 
 def _slider_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
-    """The turning [1, n] of the second block that makes the horizontal part of sum(arm turning) that of `load` [n]."""
+    """Return the turning [1, n] of the second block on a slider, from the horizontal part of `load` [n]."""
     return np.asarray(load.imag / arms[1].imag, dtype=np.float64)[None, :]
 
 
 def _pinned_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
-    """The turnings [2, n] of the second and third block with arm 2 turning 2 + arm 3 turning 3 = `load` [n]."""
+    """Solve arm 2 turning 2 + arm 3 turning 3 = `load` [n] for the turnings of the second and third block [2, n]."""
     turnings = np.array([_cross(load, arms[2]), _cross(arms[1], load)])
     return np.asarray(turnings / _cross(arms[1], arms[2]), dtype=np.float64)
 
 
 def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    """Return the cross product of two vectors."""
     return np.asarray((np.conj(a) * b).imag)

@@ -10,9 +10,9 @@ from assess.oscillator import SingleBlock
 
 
 def plain_block(chain: Chain) -> SingleBlock:
-    """Mass, radius, slenderness and inertia about the hinge of a chain of one block with its bearing masses.
+    """Return mass, radius, slenderness and hinge inertia of a chain of one block with its bearing masses.
 
-    This is what 3.44 and 3.45 know of it: masses that are not bearing, and given forces, have no part in them.
+    These enter 3.44 and 3.45; non-bearing masses and applied forces are ignored.
     """
     (block,), (hinge,) = chain.blocks, chain.hinges
     carried = [load for load in chain.loads if isinstance(load, PointMass) and load.bearing]

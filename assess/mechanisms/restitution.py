@@ -1,4 +1,4 @@
-"""What an impact leaves of a block's angular velocity: one function per published formula."""
+"""Coefficients of restitution of a block: one function for each published formula."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from assess.oscillator import SingleBlock
 
 @dataclass(frozen=True)
 class Restitution:
-    """A coefficient [-], at least 0, where it comes from, and a notice when the rule did not hold ("" otherwise).
+    """A coefficient [-], at least 0, its source, and a warning if the rule does not apply ("" otherwise).
 
-    stopped : the negative value that the rule gave, where the impact brings the mechanism to rest; None elsewhere
-    range : what a value so uncertain is multiplied by in histories, of which the worst counts
+    stopped : the negative value by the rule, if the impact brings the mechanism to rest; else None
+    range : factors on an uncertain value in histories, of which the worst counts
     """
 
     value: float
@@ -24,12 +24,18 @@ class Restitution:
 
 
 def housner(block: SingleBlock) -> float:
-    """Two-sided rocking: angular momentum about the new hinge is kept (Housner 1963; thesis eq. 3.44)."""
+    """Return the coefficient of two-sided rocking: angular momentum about the new hinge is conserved.
+
+    Housner 1963; thesis eq. 3.44.
+    """
     M, R, alpha, I_O = block.mass, block.radius, block.slenderness, block.inertia
     return 1 - 2 * M * R**2 / I_O * sin(alpha) ** 2
 
 
 def sorrentino(block: SingleBlock) -> float:
-    """One-sided rocking, signed: below zero the block rebounds (Sorrentino et al. 2011; thesis eq. 3.45)."""
+    """Return the signed coefficient of one-sided rocking: below zero the block rebounds.
+
+    Sorrentino et al. 2011; thesis eq. 3.45.
+    """
     M, R, alpha, I_O = block.mass, block.radius, block.slenderness, block.inertia
     return housner(block) ** 2 * (1 - 2 * M * R**2 / I_O * cos(alpha) ** 2)

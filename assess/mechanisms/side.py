@@ -1,4 +1,4 @@
-"""One side of a mechanism on its joints: the nodes of its table, what holds it at each, where it stands and falls."""
+"""One side of a mechanism on its joints: the nodes of its table, its equilibrium at each, its rest and its fall."""
 
 from __future__ import annotations
 
@@ -18,25 +18,26 @@ from assess.mechanisms.stages import Stages
 from assess.mechanisms.table import NODES, REACH, staged_branch
 from assess.mechanisms.virtual_work import Work
 from assess.oscillator import Branch
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
 COARSE = 1.0 / 128.0  # largest step, of the table's length
 FIRST = 6  # steps up to the first change of regime
-ZERO = 1e-9  # of the rigid restoring moment at rest: less is none
-NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked for again
+ZERO = 1e-9  # of the rigid restoring moment at rest: less is zero
+NEAR = 1e-4  # of a root found on the table: distance at which the moment is evaluated again
 JUST = 1e-6  # of the table's length: a rotation that has just begun
 FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
-SAME = 1e-9  # of the largest of them: places that move by less are found
+SAME = 1e-9  # of the largest of them: places that move by less have converged
 CORRECTIONS = 4  # of the places where joints open and crush, or moments are zero
-FOUND = 1e-7  # of a root: after a step as short, what is left goes with its square
+FOUND = 1e-7  # of a root: after so short a step the error goes with its square
 
 
-@dataclass(frozen=True)
-class Side:
-    """A chain on its joints, and the same with rigid ones.
+@dataclass(frozen=True, repr=False)
+class Side(ShortRepr):
+    """A chain on its joints, and its branch on rigid ones.
 
-    starts : rotations [rad] from which each of the chains holds, the first from rest; where actions end there are more
+    starts : rotations [rad] from which each of the chains applies, the first from rest; more than one if actions end
     """
 
     chains: tuple[FlexibleChain, ...]
@@ -50,7 +51,7 @@ class Side:
 
     @cached_property
     def end(self) -> float:
-        """Of the table, which holds phi_ov and phi_cr of the rigid chain [rad]."""
+        """End of the table, beyond phi_ov and phi_cr of the rigid chain [rad]."""
         reach, farthest = limit(self.flexible.chain) * (1.0 - FLAT), max(self.rigid.overturning, self.rigid.critical)
         return min(max(REACH * self.rigid.overturning, 1.05 * farthest), 0.5 * (farthest + reach))
 
@@ -60,9 +61,9 @@ class Side:
         return (*(start for start in self.starts[1:] if start < self.end), self.end)
 
     def changes(self, number: int) -> list[float]:
-        """Rotations [rad] at which joints of a chain, by its number, open or begin to crush, in order.
+        """Return the rotations [rad] at which joints of a chain, by its number, open or begin to crush, in order.
 
-        At first by their forces and rates at rest, then corrected by those at the rotations found.
+        First from their forces and rates at rest, then corrected by those at the rotations found.
         """
         chain, start, stop = self.chains[number], self.starts[number], self.stops[number]
         joints = [(number, joint) for number, joint in enumerate(chain.joints) if joint is not None]
@@ -82,7 +83,7 @@ class Side:
 
     @cached_property
     def pieces(self) -> tuple[FloatArray, ...]:
-        """Nodes [n] [rad] of each chain: fine where joints open and crush, with two where that begins, for the kink."""
+        """Nodes of each chain [n] [rad]: fine where joints open and crush, two at each kink."""
         return tuple(self._nodes(number) for number in range(len(self.stops)))
 
     @cached_property
@@ -96,6 +97,7 @@ class Side:
         return np.repeat(np.arange(len(self.pieces)), [piece.size for piece in self.pieces])
 
     def _nodes(self, number: int) -> FloatArray:
+        """Return the nodes of a chain, by its number."""
         start, stop, changes = self.starts[number], self.stops[number], self.changes(number)
         ends = [start, *changes, stop]
         if number:
@@ -105,7 +107,7 @@ class Side:
         return np.concatenate([self._piece(*between, least=ends[1]) for between in pairwise(ends)])
 
     def _piece(self, start: float, end: float, *, least: float) -> FloatArray:
-        """Nodes from one change of regime to the next; least: the first change of all."""
+        """Return the nodes from one change of regime to the next; least: the first change of all."""
         nodes = [start]
         while nodes[-1] < end:
             step = FINE * nodes[-1] if nodes[-1] >= least else least / FIRST
@@ -122,8 +124,9 @@ class Side:
         return self.work_at(self.rotation, self.number)
 
     def work_at(self, rotation: FloatArray, number: IntArray) -> Work:
-        """The same at rotations [n] [rad], of which equal ones of one chain get equal sums, to the last digit: no jump.
+        """Return the sums of virtual work at rotations [n] [rad].
 
+        Equal rotations of one chain have equal sums, to the last digit, so that there is no jump between them.
         number : of the chain at each [n]
         """
         rows = np.empty((len(fields(Work)), rotation.size))
@@ -135,27 +138,27 @@ class Side:
         return Work(*rows)
 
     def chain_at(self, rotation: float, *, then: Literal["left", "right"]) -> int:
-        """The number of the chain at a rotation [rad]; where one ends and another begins, the first or the second."""
+        """Return the number of the chain at a rotation [rad]; at a change of chains, the first or the second."""
         return max(int(np.searchsorted(self.starts[: len(self.stops)], rotation, side=then)) - 1, 0)
 
     @cached_property
-    def pushed(self) -> bool:
-        """Whether its loads push it this way at rest."""
+    def leans(self) -> bool:
+        """Whether its loads rotate it this way at rest."""
         return bool(self.work.restoring[0] < -ZERO * self.rigid.restoring[0])
 
     @cached_property
     def lean(self) -> float:
-        """Where it stands when its loads push it this way [rad]; 0 where they do not.
+        """Equilibrium rotation under loads that rotate it this way [rad]; 0 if they do not.
 
-        Raises MechanismError where it finds no stand.
+        Raises MechanismError if there is no equilibrium.
         """
         start, then = self.work.restoring[:2]
-        if start <= ZERO * self.rigid.restoring[0] and not self.pushed and then < 0.0:
+        if start <= ZERO * self.rigid.restoring[0] and not self.leans and then < 0.0:
             raise MechanismError(
                 f'mechanism "{self.flexible.name}": it falls by itself: its joints are too soft to hold it upright; '
                 "give them more stiffness or area, or check loads"
             )
-        if not self.pushed:
+        if not self.leans:
             return 0.0
         found = self.fall(lambda work: -work.restoring)
         if found is None:
@@ -166,13 +169,13 @@ class Side:
         return found
 
     def fall(self, value: Callable[[Work], FloatArray]) -> float | None:
-        """The first rotation where a sum goes from + to - [rad]; None where it never does."""
+        """Return the first rotation at which a sum goes from + to - [rad]; None if it never does."""
         values = value(self.work)
         falling = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
         if not falling.size:
             return None
         first = int(falling[0])
-        if self.number[first] != self.number[first + 1]:  # it falls where something ends
+        if self.number[first] != self.number[first + 1]:  # it falls at the end of a stage
             return float(self.rotation[first])
         here = self.number == self.number[first]
         near = _crossing(self.rotation[here], values[here], first - int(np.flatnonzero(here)[0]))
@@ -186,7 +189,7 @@ class Side:
         return near
 
     def columns(self, *, back_from: float | None = None) -> FloatArray:
-        """A table [6, n] by rotation, or from a rotation back to zero, counted from there with the other sign."""
+        """Return the table [6, n] over rotation, or that from a rotation back to zero in the other sign."""
         rotation, work = self.rotation, self.work
         if back_from is not None:
             kept = rotation < (1.0 - 0.5 * FINE) * back_from
@@ -200,7 +203,7 @@ class Side:
 
 
 def make_side(stages: Stages, *, name: str, restitution: float) -> Side:
-    """One side of a mechanism."""
+    """Make one side of a mechanism from its stages."""
     rigid = tuple(replace(stage, chain=replace(stage.chain, joints=())) for stage in stages)
     return Side(
         chains=tuple(FlexibleChain(stage.chain, name) for stage in stages),
@@ -210,12 +213,12 @@ def make_side(stages: Stages, *, name: str, restitution: float) -> Side:
 
 
 def columns_of(rotation: FloatArray, work: Work) -> FloatArray:
-    """Rows of numbers as a branch has them [6, n], from the sums at rotations [n]."""
+    """Return the columns of a branch [6, n] from the sums at rotations [n]."""
     return np.array([rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift])
 
 
 def _crossing(rotation: FloatArray, values: FloatArray, k: int) -> float:
-    """Where falling values pass zero after node k: by the cubic, rotation over values, through the nodes around."""
+    """Return where falling values pass zero after node k, by the cubic of rotation over values through four nodes."""
     first = min(max(k - 1, 0), rotation.size - 4)
     x, y = rotation[first : first + 4], values[first : first + 4]
     if np.all(np.diff(y) < 0.0):

@@ -25,11 +25,25 @@ def single_block(
     hinge_negative: Point | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    notices: tuple[str, ...] = (),
+    warnings: tuple[str, ...] = (),
 ) -> Mechanism:
-    """The mechanism of `body` turning about `hinge` (positive) and `hinge_negative`, default the edges of its base.
+    """Make the mechanism of one body rocking about the edges of its base.
 
-    Raises MechanismError without a base, for a base of no width and for a block that is already falling.
+    Parameters
+    ----------
+    name : of the mechanism
+    body : in the plane of motion
+    label : for reports; empty: the name
+    sides : "one" or "two"
+    hinge, hinge_negative : (x, z) of positive and of negative rotation [m]; absent: the edges of the base
+    loads : on the block
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
+    warnings : sentences on what was given
+
+    Raises
+    ------
+    MechanismError : no base, a base of no width, or a block that is already falling
     """
     if sides == "one" and hinge_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
@@ -49,12 +63,12 @@ def single_block(
         label=label,
         restitution=restitution,
         outlines=(body.outline,),
-        notices=(*_off_base(body, hinge, "A"), *_off_base(body, hinge_negative, "A'"), *notices),
+        warnings=(*_off_base(body, hinge, "A"), *_off_base(body, hinge_negative, "A'"), *warnings),
     )
 
 
 def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
-    """Raise MechanismError unless the block with what it carries stands: its centroid above its hinge and behind it."""
+    """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
     block = plain_block(chain)
     behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
     if height <= 0:
@@ -70,7 +84,7 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
 
 
 def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
-    """A sentence where a given hinge does not lie on the body's base."""
+    """Return a warning if a given hinge does not lie on the base of the body."""
     if hinge is None or body.base is None:
         return []
     low, high = body.base
@@ -86,6 +100,7 @@ def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
 
 
 def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
+    """Return the edge of the base about which the body rocks."""
     if body.base is None:
         raise MechanismError(
             f'mechanism "{name}": its body has no geometry, so its base is not known; '

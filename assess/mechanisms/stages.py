@@ -1,7 +1,7 @@
-"""A chain as its forces and ties come to an end: which of them act on it from which rotation on.
+"""The stages of a chain whose forces and ties end: which of them act from which rotation on.
 
-One that drives never leaves, whatever is known of it; one that resists is there up to its end only. So one that has
-ended contributes max(M, 0) at each rotation, M its generalised moment.
+An action that drives never ends, whatever is known of it; one that resists acts up to its end only. So an action that
+has ended contributes max(M, 0) at each rotation, M its generalised moment.
 """
 
 from __future__ import annotations
@@ -20,15 +20,16 @@ from assess.mechanisms.ends import STATIONS
 from assess.mechanisms.flexible import top_loads
 from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.virtual_work import generalised_moment
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
-NONE = 1e-12  # of the size of an action times that of its chain: less is no moment
-AT_REST = 1e-9  # of a scan: what begins so near to rest begins there
+NONE = 1e-12  # of the size of an action times that of its chain: a smaller moment is zero
+AT_REST = 1e-9  # of a scan: a stage that begins this near rest begins at rest
 
 
 @dataclass(frozen=True)
 class Stage:
-    """A chain from a rotation on: start [rad]; chain : without the actions that are absent, by their number."""
+    """A chain from the rotation `start` [rad] on, without the actions that are absent, by their number."""
 
     start: float
     chain: Chain
@@ -39,12 +40,12 @@ Stages = tuple[Stage, ...]
 Signature = tuple[tuple[float, tuple[int, ...]], ...]
 
 
-@dataclass(frozen=True)
-class Moments:
+@dataclass(frozen=True, repr=False)
+class Moments(ShortRepr):
     """The generalised moment of every action of a chain; positive drives.
 
-    scan : rotations from rest on at which it is looked at [n] [rad]
-    of : at rotations from rest on, each action's, rounding included in favour of driving [n] -> [actions, n] [N m]
+    scan : rotations from rest on [n] [rad]
+    of : moments of all actions at rotations, with rounding counted as driving [n] [rad] -> [actions, n] [N m]
     """
 
     scan: FloatArray
@@ -52,16 +53,16 @@ class Moments:
 
 
 def actions_of(chain: Chain) -> tuple[Action, ...]:
-    """The forces and ties on a chain."""
+    """Return the forces and ties on a chain."""
     return tuple(load for load in chain.loads if not isinstance(load, PointMass))
 
 
 def rigid_moments(chain: Chain, *, end: float) -> Moments:
-    """The moments of the actions as the blocks turn about their hinges, up to a rotation [rad]."""
+    """Return the moments of the actions as the blocks rotate about their hinges, up to the rotation `end` [rad]."""
     actions = actions_of(chain)
 
     def of(rotation: FloatArray) -> FloatArray:
-        motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: it tells whether a tie is slack
+        motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: whether a tie is slack depends on it
         works = [generalised_moment(each, trace_point(motion, block=each.block, at=each.at)) for each in actions]
         return np.array(works).reshape(len(actions), -1)[:, 1:] + zero_moments(chain)
 
@@ -69,7 +70,7 @@ def rigid_moments(chain: Chain, *, end: float) -> Moments:
 
 
 def zero_moments(chain: Chain) -> FloatArray:
-    """The moment of each action that is none [actions, 1] [N m]."""
+    """Return the moment of each action that counts as zero [actions, 1] [N m]."""
     actions = actions_of(chain)
     points = np.array([*chain.hinges, *(block.centroid for block in chain.blocks), *(each.at for each in actions)])
     forces = [hypot(*each.force) if isinstance(each, Force) else each.tension for each in actions]
@@ -77,19 +78,19 @@ def zero_moments(chain: Chain) -> FloatArray:
 
 
 def single_stage(chain: Chain) -> Stages:
-    """The chain with every action at every rotation."""
+    """Return the chain with every action at every rotation."""
     return (Stage(0.0, chain),)
 
 
 def signature(found: Stages) -> Signature:
-    """What tells stages of one chain apart."""
+    """Return what distinguishes stages of one chain."""
     return tuple((stage.start, stage.absent) for stage in found)
 
 
 def divide_into_stages(chain: Chain, ends: Sequence[float], moments: Moments) -> Stages:
-    """The chain with each action up to its end [rad] where it resists, and everywhere where it drives.
+    """Divide the motion of a chain into stages: each action resists up to its end [rad] and drives everywhere.
 
-    ends : of each of `actions_of(chain)`, 0 where it never resists, inf where it always does
+    ends : of each of `actions_of(chain)`: 0 if it never resists, inf if it always does
     """
     if not ends:
         return single_stage(chain)
@@ -113,7 +114,7 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: Moments) ->
 
 
 def remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
-    """The chain without some of its actions, by their number; a joint at its top without any load is rigid."""
+    """Remove actions from a chain, by their number; a joint at its top without load becomes rigid."""
     if not absent:
         return chain
     actions = actions_of(chain)
@@ -125,7 +126,7 @@ def remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
 
 
 def _turnings(number: int, moment: FloatArray, moments: Moments, *, after: float) -> set[float]:
-    """Rotations [rad] after one at which the moment of an action changes from driving to resisting, or back."""
+    """Return the rotations after one at which the moment of an action changes its sign [rad]."""
     scan = moments.scan
     changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
 

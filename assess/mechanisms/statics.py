@@ -1,4 +1,4 @@
-"""The forces that hinges pass on when a mechanism is about to move: equilibrium of every block, no virtual work."""
+"""The forces of hinges at incipient motion, by equilibrium of every block, without virtual work."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from scipy.constants import g
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.motion import move, trace_point
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 
-@dataclass(frozen=True)
-class IncipientMotion:
-    """A chain on the verge of moving, under horizontal forces of `multiplier` times all weights along the direction.
+@dataclass(frozen=True, repr=False)
+class IncipientMotion(ShortRepr):
+    """A chain at incipient motion, under horizontal forces of `multiplier` times all weights along the direction.
 
     forces : (x, z) of each hinge on the block above it [hinges, 2] [N]; of D on the ground
     """
@@ -26,7 +27,7 @@ class IncipientMotion:
 
 
 def incipient_motion(chain: Chain) -> IncipientMotion:
-    """Horizontal and vertical force and moment of every block in balance: as many equations as unknowns."""
+    """Solve the equilibrium of every block at incipient motion: as many equations as unknowns."""
     count, hinges = len(chain.blocks), len(chain.hinges)
     rows, right = np.zeros((3 * count, 2 * hinges + 1)), np.zeros(3 * count)
     for number in range(count):
@@ -38,7 +39,7 @@ def incipient_motion(chain: Chain) -> IncipientMotion:
         own = slice(3 * number, 3 * number + 3)
         rows[own, -1] += _moment_arms(at) @ (shaken, 0.0)
         right[own] -= _moment_arms(at) @ force
-    known = [2 * hinges - 1] if count == 2 else []  # C slides: it passes on no vertical force
+    known = [2 * hinges - 1] if count == 2 else []  # C slides: it has no vertical reaction
     free = [column for column in range(2 * hinges + 1) if column not in known]
     solved = np.zeros(2 * hinges + 1)
     solved[free] = np.linalg.solve(rows[:, free], right)
@@ -46,15 +47,15 @@ def incipient_motion(chain: Chain) -> IncipientMotion:
 
 
 def force_at_rest(chain: Chain) -> Point:
-    """The force (x, z) of the hinge on a single block at rest [N]."""
+    """Return the force (x, z) of the hinge on a single block at rest [N]."""
     x, z = (-sum(force[i] for _, _, force, _ in _loads(chain)) + 0.0 for i in (0, 1))
     return (x, z)
 
 
 def compressions(chain: Chain) -> tuple[float, ...]:
-    """The vertical force [N] with which each hinge presses the blocks it joins together; negative where it pulls.
+    """Return the vertical compression between the blocks that each hinge joins [N]; negative for tension.
 
-    Of two blocks the one with the higher centroid stands on the other; the ground carries both A and D.
+    Of two blocks the one with the higher centroid rests on the other; the ground carries both A and D.
     """
     ground = float("-inf")
     heights = [ground, *(block.centroid[1] for block in chain.blocks), ground]
@@ -63,12 +64,12 @@ def compressions(chain: Chain) -> tuple[float, ...]:
 
 
 def _moment_arms(at: Point) -> FloatArray:
-    """What a force (x, z) at a point adds to (x, z, clockwise moment about the origin) [3, 2]."""
+    """Return the matrix from a force (x, z) at a point to (x, z, clockwise moment about the origin) [3, 2]."""
     return np.array([[1.0, 0.0], [0.0, 1.0], [at[1], -at[0]]])
 
 
 def _loads(chain: Chain) -> list[tuple[int, Point, Point, float]]:
-    """Of everything that acts: block, place, force at rest, and the horizontal force of a multiplier of one [N]."""
+    """List all weights and loads: block, place, force at rest, and horizontal force for a multiplier of one [N]."""
     acting = [(n, b.centroid, (0.0, -b.mass * g), b.mass * g) for n, b in enumerate(chain.blocks)]
     for load in chain.loads:
         if isinstance(load, PointMass):
@@ -81,7 +82,7 @@ def _loads(chain: Chain) -> list[tuple[int, Point, Point, float]]:
 
 
 def _pull(tie: Tie, chain: Chain) -> Point:
-    """The force of a tie at rest (x, z) [N]; none where it slackens."""
+    """Return the force of a tie at rest (x, z) [N]; zero if it slackens."""
     along, up = pull_at_rest(tie)
     leaving = trace_point(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
     shortens = along * leaving.dx[0] + up * leaving.dz[0] > 0.0

@@ -23,7 +23,7 @@ FEWEST = 4  # nodes of a piece between two changes: a cubic
 
 
 def first_fall(values: FloatArray, rotation: FloatArray, value_at: Callable[[float, int], float]) -> float | None:
-    """The first rotation [rad] where `values` [n] over `rotation` [n] go from + to -; None where they never do.
+    """Return the first rotation [rad] at which `values` [n] over `rotation` [n] go from + to -; None if never.
 
     value_at : of a rotation between a node, by its number, and the next
     """
@@ -31,22 +31,30 @@ def first_fall(values: FloatArray, rotation: FloatArray, value_at: Callable[[flo
     if not falling.size:
         return None
     first = int(falling[0])
-    if rotation[first] == rotation[first + 1]:  # it falls where something ends
+    if rotation[first] == rotation[first + 1]:  # it falls at the end of a stage
         return float(rotation[first])
     found = brentq(lambda phi: value_at(phi, first), rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14)
     return float(found)
 
 
 def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
-    """The table of one chain, from rest to REACH times its overturning rotation, and at least to phi_cr.
+    """Tabulate one chain, from rest to REACH times its overturning rotation, and at least to phi_cr.
 
-    Raises MechanismError for a chain that falls by itself, or that never overturns before it can turn no further.
+    Parameters
+    ----------
+    chain : on rigid hinges
+    restitution : of the impact that ends the branch [-]
+    name : of the mechanism, for errors
+
+    Raises
+    ------
+    MechanismError : a chain that falls by itself, or reaches its geometric limit before it overturns
     """
     return staged_branch(single_stage(chain), restitution=restitution, name=name)
 
 
 def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
-    """The same of a chain whose actions come to an end: a jump is two nodes at one rotation."""
+    """Tabulate a chain whose actions end: a jump is two nodes at one rotation."""
     chain = stages[0].chain
     require_stable(chain, name=name)
     reach = limit(chain) * (1.0 - FLAT)
@@ -55,7 +63,9 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     _require_numbers(scanned, reach, name=name)
 
     def at(phi: float, node: int) -> Work:
-        return virtual_work(stages[number[node]].chain, np.array([0.0, phi]))  # rest first: it tells a slack tie
+        return virtual_work(
+            stages[number[node]].chain, np.array([0.0, phi])
+        )  # rest first: whether a tie is slack depends on it
 
     overturning = first_fall(scanned.restoring, scan, lambda phi, node: float(at(phi, node).restoring[1]))
     critical = first_fall(scanned.weight, scan, lambda phi, node: float(at(phi, node).weight[1]))
@@ -77,7 +87,7 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
 
 
 def _require_numbers(work: Work, end: float, *, name: str) -> None:
-    """Raise MechanismError where a sum up to a rotation `end` [rad] is no number."""
+    """Raise MechanismError if a sum up to the rotation `end` [rad] is not finite."""
     if not (np.isfinite(end) and all(np.isfinite(getattr(work, each.name)).all() for each in fields(Work))):
         raise MechanismError(
             f'mechanism "{name}": its hinges, blocks and loads are so far apart, or of so unlike sizes, that nothing '
@@ -86,7 +96,7 @@ def _require_numbers(work: Work, end: float, *, name: str) -> None:
 
 
 def nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:
-    """About `count` rotations from 0 to `end` [n] [rad], with two where a stage ends, and the stage of each [n]."""
+    """Return about `count` rotations from 0 to `end` [rad], two at the end of a stage, and the stage of each [n]."""
     starts = [stage.start for stage in stages if stage.start < end]
     if len(starts) == 1:
         return np.linspace(0.0, end, count), np.zeros(count, dtype=np.int64)
@@ -99,11 +109,11 @@ def nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]
 
 
 def integrate_work(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
-    """The sums of virtual work at rotations [n], each by the stage of its number [n]."""
+    """Return the sums of virtual work at rotations [n], each by the stage of its number [n]."""
     found = []
     for stage in np.unique(number):
         here = rotation[number == stage]
         work = virtual_work(stages[stage].chain, here if here[0] == 0.0 else np.concatenate([[0.0], here]))
-        skip = 0 if here[0] == 0.0 else 1  # rest first: it tells whether a tie is slack
+        skip = 0 if here[0] == 0.0 else 1  # rest first: whether a tie is slack depends on it
         found.append([getattr(work, each.name)[skip:] for each in fields(Work)])
     return Work(*(np.concatenate(column) for column in zip(*found, strict=True)))

@@ -1,4 +1,4 @@
-"""A wall held at its base and at its top that opens at a crack between (thesis 3.2.3).
+"""A wall held at its base and its top that opens at a crack between them (thesis 3.2.3).
 
 For positive rotation the lower block turns about the edge of its base in the direction of motion and the upper one back
 about the edge of the crack behind; the top slides on the vertical at its edge in the direction of motion:
@@ -36,11 +36,26 @@ def two_block(
     hinges_negative: Hinges | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    notices: tuple[str, ...] = (),
+    warnings: tuple[str, ...] = (),
 ) -> Mechanism:
-    """The mechanism of `upper` on `lower`; hinges A, B, C default to the edges of base, crack and top.
+    """Make the mechanism of a wall of two bodies, held at its base and its top.
 
-    Raises MechanismError for a body without geometry where an edge is asked for, and for hinges out of order.
+    Parameters
+    ----------
+    name : of the mechanism
+    lower, upper : the bodies below and above the crack
+    label : for reports; empty: the name
+    sides : "one" or "two"
+    hinges, hinges_negative : A, B, C (x, z) of positive and of negative rotation [m]; absent: the edges of base, crack
+        and top
+    loads : on the blocks
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
+    warnings : sentences on what was given
+
+    Raises
+    ------
+    MechanismError : a body without geometry whose edge is needed, or hinges out of order
     """
     if sides == "one" and hinges_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
@@ -61,8 +76,8 @@ def two_block(
         label=label,
         restitution=restitution,
         outlines=outlines,
-        notices=(
-            *notices,
+        warnings=(
+            *warnings,
             *loads_across_crack(loads, front[1][1]),
             *loose_hinges(hinges or (), outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
@@ -71,7 +86,7 @@ def two_block(
 
 
 def edges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
-    """Hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
+    """Return hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
     head = top_edge(upper)
     if lower.base is None or upper.base is None or head is None:
         raise MechanismError(
@@ -82,6 +97,7 @@ def edges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hi
 
 
 def _require_order(hinges: Hinges, *, name: str) -> None:
+    """Raise MechanismError unless hinges A, B and C rise in this order."""
     a, b, c = hinges
     if not a[1] < b[1] < c[1]:
         raise MechanismError(

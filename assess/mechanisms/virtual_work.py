@@ -14,6 +14,7 @@ from assess.errors import FallingError, MechanismError
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, trace_point
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 FACES = {
@@ -21,11 +22,11 @@ FACES = {
     2: "A and C lie on the face ahead, B on the one behind",
     3: "as a portal sways, A and D lie on the faces ahead of its posts, B and C on those behind",
 }
-"""By the number of blocks, where hinges lie for the blocks to rise as they turn; ahead is where the branch goes."""
+"""Faces on which hinges must lie for the blocks to rise, by the number of blocks; ahead is the way of the branch."""
 
 
-@dataclass(frozen=True)
-class Work:
+@dataclass(frozen=True, repr=False)
+class Work(ShortRepr):
     """The sums of virtual work at rotations [n]: I, dV/dphi, M of the given forces, B, sum m x'^2, C."""
 
     inertia: FloatArray
@@ -42,10 +43,15 @@ class Work:
 
 
 def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
-    """The sums over blocks and loads at `rotation` [n] [rad].
+    """Return the sums of virtual work over blocks and loads.
 
-    A mass that is not bearing adds horizontal inertia to I, B and sum m x'^2 only (the thesis' 3.21 leaves it out of
-    I, though it moves with the wall).
+    A non-bearing mass adds horizontal inertia to I, B and sum m x'^2 only (thesis 3.21 leaves it out of I, though it
+    moves with the wall).
+
+    Parameters
+    ----------
+    chain : on rigid hinges
+    rotation : of its leading block [n] [rad]
     """
     motion = move(chain, rotation)
     inertia, moment, excitation, participation, lift = (np.zeros_like(rotation) for _ in range(5))
@@ -66,7 +72,7 @@ def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
 
 
 def generalised_moment(load: Force | Tie, moved: Path) -> FloatArray:
-    """Generalised moment F.r' [n] [N m] of a force or tie; positive overturns."""
+    """Return the generalised moment F.r' of a force or tie [n] [N m]; positive overturns."""
     if isinstance(load, Force):
         return load.force[0] * moved.dx + load.force[1] * moved.dz
     if load.anchor is None:
@@ -75,12 +81,12 @@ def generalised_moment(load: Force | Tie, moved: Path) -> FloatArray:
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
         work = load.tension * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
-    slack = not load.both and work[0] > 0.0  # the point moves the way the tie pulls: it shortens
+    slack = not load.both and work[0] > 0.0  # the point moves along the pull of the tie: the tie shortens
     return np.zeros_like(work) if slack else np.asarray(work)
 
 
 def require_stable(chain: Chain, *, name: str) -> None:
-    """Raise MechanismError for a chain that falls by itself, or that no push along the direction would start."""
+    """Raise MechanismError for a chain that falls by itself, or that a push along the direction does not start."""
     rest = virtual_work(chain, np.zeros(1))
     if rest.restoring[0] <= 0.0:
         raise FallingError(
@@ -95,7 +101,7 @@ def require_stable(chain: Chain, *, name: str) -> None:
 
 
 def _blamed(chain: Chain, rest: Work) -> str:
-    """What makes a chain fall: the forces that overturn it, or where there are none the faces its hinges lie on."""
+    """Name what makes a chain fall: the forces that overturn it, or else the faces on which its hinges lie."""
     moments = {load: _moment(load, chain) for load in chain.loads if not isinstance(load, PointMass)}
     forces = sorted((load for load, moment in moments.items() if moment > 0.0), key=lambda load: -moments[load])
     if not forces:
@@ -105,12 +111,12 @@ def _blamed(chain: Chain, rest: Work) -> str:
 
 
 def _moment(load: Force | Tie, chain: Chain) -> float:
-    """Generalised moment of a force or tie at rest [N m]; positive overturns."""
+    """Return the generalised moment of a force or tie at rest [N m]; positive overturns."""
     return float(generalised_moment(load, trace_point(move(chain, np.zeros(1)), block=load.block, at=load.at))[0])
 
 
 def _described(load: Force | Tie) -> str:
-    """A force or tie by its name, its parts at rest, and how it was found."""
+    """Describe a force or tie by its name, its components at rest, and its source."""
     along, up = load.force if isinstance(load, Force) else pull_at_rest(load)
     found = f" ({load.source})" if load.source else ""
     return f'load "{load.name}" with H = {abs(along) / 1e3:.4g} kN, V = {up / 1e3:+.4g} kN up{found}'

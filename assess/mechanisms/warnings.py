@@ -1,4 +1,4 @@
-"""What an engineer should look at again in a chain that can move all the same."""
+"""Warnings on a chain that can move, but should be reviewed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches
 
 
 def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[str]:
-    """A sentence for each hinge, numbered from the base, that does not touch a block it joins."""
+    """Yield a warning for each hinge, counted from the base, that does not touch a block it joins."""
     areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
     for number, (letter, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
         for block in (number - 1, number):
@@ -27,7 +27,7 @@ def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: 
 
 
 def loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[str]:
-    """A sentence for each load of a wall of two blocks that lies on the other side of the crack than its block."""
+    """Yield a warning for each load of a wall of two blocks across the crack from its block."""
     for load in loads:
         side = int(load.at[1] >= elevation)
         if load.block != side:
@@ -38,7 +38,7 @@ def loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[str]
 
 
 def supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[str]:
-    """A sentence for each hinge on the ground that would have to hold its block down when the chain starts to move."""
+    """Yield a warning for each hinge on the ground that would be in tension at incipient motion."""
     for letter, force in zip(hinge_names(chain), compressions(chain), strict=True):
         if letter in "AD" and force < 0.0:
             yield (

@@ -1,4 +1,4 @@
-"""What is told to the engineer: a key, how serious it is, where, the values, and the English sentence made from them.
+"""Messages to the engineer: a key, a severity, a location, values, and the English sentence made from them.
 
 Nothing is decided by reading the sentence: code compares keys.
 """
@@ -38,7 +38,7 @@ DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in UNITS.it
 
 
 class Severity(StrEnum):
-    """How serious a message is: an error makes an answer impossible, a warning bears on it, a note informs."""
+    """The severity of a message: an error prevents an answer, a warning affects it, a note informs."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -75,26 +75,52 @@ class Message(ShortRepr):
 def message(
     key: str, values: Mapping[str, Value] | None = None, *, severity: Severity = Severity.NOTE, where: str = ""
 ) -> Message:
-    """Make the message of a key of `TEXTS`; raises KeyError for an unknown key or a missing value."""
+    """Make the message of a key of `TEXTS`.
+
+    Parameters
+    ----------
+    key : of `TEXTS`
+    values : numbers and texts that its sentence names
+    severity : error, warning or note
+    where : the key of the project file, or the mechanism, that it concerns
+
+    Raises
+    ------
+    KeyError : the key is unknown or a value is missing
+    """
     given = dict(values or {})
     return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
 
 
 def text_of(said: Message | str) -> str:
-    """The English sentence of a message; a text as it is."""
+    """Return the English sentence of a message; a text is returned unchanged."""
     return said if isinstance(said, str) else said.text
 
 
 def whole_number(number: int) -> Quantity:
-    """A whole number as a value."""
+    """Return a whole number as a value of a message."""
     return Quantity(float(number), "ratio", 12)
 
 
 def warning(key: str, where: str, **values: Value) -> Message:
-    """The warning of a key of `TEXTS`."""
+    """Make the warning of a key of `TEXTS`.
+
+    Parameters
+    ----------
+    key : of `TEXTS`
+    where : what it concerns
+    values : that its sentence names
+    """
     return message(key, values, severity=Severity.WARNING, where=where)
 
 
 def note(key: str, where: str, **values: Value) -> Message:
-    """The note of a key of `TEXTS`: it informs and bears on no verdict."""
+    """Make the note of a key of `TEXTS`, which affects no verdict.
+
+    Parameters
+    ----------
+    key : of `TEXTS`
+    where : what it concerns
+    values : that its sentence names
+    """
     return message(key, values, where=where)

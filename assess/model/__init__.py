@@ -1,21 +1,26 @@
 """The parts of a building and where they can fail: bodies, walls and their cracks, arches, joints, directions."""
 
-from assess.model.assembly import Built, mechanism_of
-from assess.model.body import Bodies, Body, Material, PointValues
-from assess.model.definitions import (
-    CutAngle,
-    CutPlane,
-    Definition,
-    EquivalentBlock,
-    FourHinge,
-    RadialJoints,
-    Restitution,
-    SingleBlock,
-    TwoBlock,
-)
-from assess.model.gaps import gaps_of
-from assess.model.overlaps import overlaps_of
-from assess.model.walls import Crack, crack
+from typing import TYPE_CHECKING
+
+from assess.late import late_names
+
+if TYPE_CHECKING:
+    from assess.model.assembly import Built, mechanism_of
+    from assess.model.body import Bodies, Body, Material, PointValues
+    from assess.model.definitions import (
+        CutAngle,
+        CutPlane,
+        Definition,
+        EquivalentBlock,
+        FourHinge,
+        RadialJoints,
+        Restitution,
+        SingleBlock,
+        TwoBlock,
+    )
+    from assess.model.gaps import gaps_of
+    from assess.model.overlaps import overlaps_of
+    from assess.model.walls import Crack, crack
 
 __all__ = [
     "Bodies",
@@ -38,3 +43,23 @@ __all__ = [
     "mechanism_of",
     "overlaps_of",
 ]
+
+_HOMES = {
+    "assess.model.assembly": ("Built", "mechanism_of"),
+    "assess.model.body": ("Bodies", "Body", "Material", "PointValues"),
+    "assess.model.definitions": (
+        "CutAngle",
+        "CutPlane",
+        "Definition",
+        "EquivalentBlock",
+        "FourHinge",
+        "RadialJoints",
+        "Restitution",
+        "SingleBlock",
+        "TwoBlock",
+    ),
+    "assess.model.gaps": ("gaps_of",),
+    "assess.model.overlaps": ("overlaps_of",),
+    "assess.model.walls": ("Crack", "crack"),
+}
+__getattr__, __dir__ = late_names(__name__, _HOMES)

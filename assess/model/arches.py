@@ -25,8 +25,8 @@ from spectra.arrays import FloatArray
 Line = tuple[Point, Point]
 
 APART = 1e-6  # of the longest joint: points this near are one
-BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
-SKEW = 0.35  # rad: a joint farther off square to the arch is told
+BEYOND = 0.1  # of the arch: more than this beyond its end joints gets a warning
+SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
 
 
 def arch_mechanism(
@@ -40,13 +40,13 @@ def arch_mechanism(
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
     pieces, joints = voussoirs_of(piece, lines_of(definition), definition.towards, where=f'mechanism "{name}"')
-    doubts = tuple(joint_warnings(pieces, joints))
+    warnings = tuple(joint_warnings(pieces, joints))
     try:
         made = arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
     except MechanismError as error:
         start = f'mechanism "{name}": '
-        raise MechanismError(start + "; ".join((*doubts, str(error).removeprefix(start)))) from None
-    return replace(made, notices=(*doubts, *made.notices)), pieces
+        raise MechanismError(start + "; ".join((*warnings, str(error).removeprefix(start)))) from None
+    return replace(made, warnings=(*warnings, *made.warnings)), pieces
 
 
 def arch_at_weakest_hinges(
@@ -56,15 +56,15 @@ def arch_at_weakest_hinges(
     plain = [block_of(body) for body in voussoirs]
     front = weakest_hinges(plain, joints, name=name)
     _, positive = divide_arch(voussoirs, front)
-    negative, notices = None, [hinges_text(front, "positive", len(joints), flip=False)]
+    negative, warnings = None, [hinges_text(front, "positive", len(joints), flip=False)]
     if sides == "two":
         turned = [replace(block, centroid=mirror_point(block.centroid)) for block in plain[::-1]]
         back = weakest_hinges(turned, [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]], name=name)
         a, b, c, d = (mirror_point(hinge) for hinge in back.hinges)
         negative = mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
-        notices.append(hinges_text(back, "negative", len(joints), flip=True))
+        warnings.append(hinges_text(back, "negative", len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
-    return assemble(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+    return assemble(name, "four-hinge", positive, negative, outlines=outlines, warnings=warnings, **common)
 
 
 def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:

@@ -43,9 +43,9 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
     if isinstance(definition, EquivalentBlock):
         return Built(of_parameters(name, definition), None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
-    told = place_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
-    told = replace(told, faces=faces_of(told, definition, members, bodies), direction=definition.towards)
-    return Built(told, scene_of(members, definition.towards))
+    jointed = place_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
+    faces = faces_of(jointed, definition, members, bodies)
+    return Built(replace(jointed, faces=faces, direction=definition.towards), scene_of(members, definition.towards))
 
 
 def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
@@ -66,14 +66,14 @@ def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
 def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> MechanismPieces:
     """Build the mechanism on rigid hinges, before it is placed on its joints."""
     try:
-        pieces, told = cut_into_blocks(name, definition, bodies)
-        found_loads = loads_of(name, definition, pieces, bodies)
-        require_as_found(told, found_loads.loads)
-        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=found_loads.loads)
+        pieces, crack = cut_into_blocks(name, definition, bodies)
+        load_set = loads_of(name, definition, pieces, bodies)
+        require_as_found(crack, load_set.loads)
+        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=load_set.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
-    notices = mechanism.notices if told is None else (*told.notices, *mechanism.notices)
-    return replace(mechanism, notices=(*notices, *found_loads.doubts)), members
+    warnings = mechanism.warnings if crack is None else (*crack.warnings, *mechanism.warnings)
+    return replace(mechanism, warnings=(*warnings, *load_set.warnings)), members
 
 
 def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
@@ -81,7 +81,7 @@ def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Seq
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
         return pieces, None
-    front = hinges_of(definition.given_hinges, definition)
+    front = hinges_of(definition.hinge_points, definition)
     found = crack_of(definition, pieces[0], bodies, lambda: loads_of(name, definition, pieces, bodies), front=front)
     return blocks_at(found.elevation, name, definition, pieces[0]), found
 
@@ -95,14 +95,14 @@ def of_one_block(
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
     """Build a single block that rocks about the edges of its base."""
-    front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
+    front, back = hinges_of(definition.hinge_points, definition), hinges_of(definition.hinges_negative, definition)
     mechanism = single_block(
         name,
         pieces[0].body,
         hinge=front[0] if front else None,
         hinge_negative=back[0] if back else None,
         loads=loads,
-        notices=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
+        warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
         **common(definition),
     )
     return mechanism, pieces
@@ -117,9 +117,9 @@ def of_two_blocks(
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
     """Build a wall held at its base and its top, of two bodies or of one that cracks."""
-    front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
+    front, back = hinges_of(definition.hinge_points, definition), hinges_of(definition.hinges_negative, definition)
     lower, upper = pieces
-    doubts = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
+    warnings = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
     mechanism = two_block(
         name,
         lower.body,
@@ -127,7 +127,7 @@ def of_two_blocks(
         hinges=front,
         hinges_negative=back,
         loads=loads,
-        notices=tuple(dict.fromkeys(doubts)),
+        warnings=tuple(dict.fromkeys(warnings)),
         **common(definition),
     )
     return mechanism, pieces
@@ -147,7 +147,7 @@ def of_four_hinges(
     mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
-        hinges=hinges_of(definition.given_hinges, definition),
+        hinges=hinges_of(definition.hinge_points, definition),
         hinges_negative=hinges_of(definition.hinges_negative, definition),
         loads=loads,
         **common(definition),

@@ -44,7 +44,7 @@ class Body:
 
     @property
     def mass(self) -> float:
-        """Of its solid, or as given [kg]."""
+        """The mass of its solid, or as given [kg]."""
         if self.solid is not None:
             return self.solid.mass
         assert self.values is not None

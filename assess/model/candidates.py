@@ -20,12 +20,12 @@ from assess.geometry.planar import lowest_corners
 from assess.loads.plane import point_in_plane
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Vector
-from assess.mechanisms.lasting import collapse_branch
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.variants import collapse_branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.model.assembly import on_rigid_hinges
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, CutAngle, Restitution, SingleBlock, TwoBlock
+from assess.model.definitions import Chained, CutAngle, Restitution, SingleBlock, Turnable, TwoBlock
 from assess.model.directions import S, block_above_cut, block_by_direction, normals_of, solids_of_blocks, turn_towards
 from assess.model.obstacles import Obstacle, bodies_that_stop, obstacles_of
 from assess.oscillator import displacement
@@ -50,7 +50,7 @@ class Look:
     """
 
     name: str
-    definition: SingleBlock | TwoBlock
+    definition: Turnable
     bodies: Bodies
     foot: FloatArray
     obstacles: tuple[Obstacle, ...]
@@ -63,7 +63,7 @@ class Look:
         return f"mechanisms.{self.name}"
 
 
-def look_around(name: str, definition: SingleBlock | TwoBlock, bodies: Bodies) -> Look:
+def look_around(name: str, definition: Turnable, bodies: Bodies) -> Look:
     """Find the candidate directions of a mechanism and the bodies beside it."""
     standing, bare = solids_of_blocks(name, definition, bodies), plain(definition)
     if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
@@ -134,7 +134,7 @@ def evaluate(angle: float, look: Look) -> Candidate:
 
 def on_side(look: Look, way: Vector) -> bool:
     """Return whether a hinge given in space lies on the side of the base towards `way`; true if none is given."""
-    hinges = look.definition.given_hinges
+    hinges = look.definition.hinge_points
     if hinges is None or len(hinges[0]) == 2:
         return True
     reach = look.foot @ np.array(way)

@@ -67,7 +67,7 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
 
 
 def _numbers(data: Any, where: str) -> Iterator[str]:
-    """Each number that is not finite, and each that must be positive and is not; a strength may be infinite."""
+    """Yield each number that is not finite, and each that must be positive and is not; a strength may be infinite."""
     for field in fields(data):
         value, key = getattr(data, field.name), f"{where}{field.name}"
         if is_dataclass(value) and not isinstance(value, type):

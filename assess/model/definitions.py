@@ -5,14 +5,14 @@ Each becomes a mechanism by `assess.model.assembly`. A hinge is [x, y, z], or (d
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from assess.interfaces.definition import Interface
-from assess.loads.definitions import LoadDefinition, Place, measured_along
+from assess.loads.definitions import LoadDefinition, Place, direction_keys
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Sides
 from spectra.arrays import FloatArray
@@ -105,7 +105,7 @@ class Chained:
         return self.sides != "one"
 
     @property
-    def given_hinges(self) -> tuple[Place, ...] | None:
+    def hinge_points(self) -> tuple[Place, ...] | None:
         """The hinges of positive rotation where they are given as points."""
         return None if self.hinges == "minimum" else self.hinges
 
@@ -115,7 +115,9 @@ class Chained:
 
     def keys_along(self) -> Iterator[tuple[str | int, ...]]:
         """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
-        yield from keys_along_direction(self)
+        yield from keys_along_direction(
+            self, hinges={"hinges": self.hinge_points, "hinges_negative": self.hinges_negative}
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,16 +166,25 @@ class EquivalentBlock:
     elevation: float = 0.0
 
 
-Definition = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
+Turnable = SingleBlock | TwoBlock
+"""The kinds whose weakest direction is sought if none is given; a four-hinge mechanism is drawn in its plane."""
+BlockMechanism = Turnable | FourHinge
+Definition = BlockMechanism | EquivalentBlock
 
 
-def keys_along_direction(chained: Any) -> Iterator[tuple[str | int, ...]]:
-    """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0."""
+def keys_along_direction(
+    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
+) -> Iterator[tuple[str | int, ...]]:
+    """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0.
+
+    Parameters
+    ----------
+    chained : a definition, or the table of a project file that has the same names
+    hinges : its given hinges by key, from A on
+    """
     for place, load in enumerate(chained.loads):
-        yield from (("loads", place, name) for name in measured_along(load))
-    for key in ("hinges", "hinges_negative"):
-        given = getattr(chained, key)
-        if given is not None and given != "minimum":
-            yield from ((key, letter) for letter, at in zip("ABCD", given, strict=False) if len(at) == 2)
+        yield from (("loads", place, name) for name in direction_keys(load))
+    for key, given in hinges.items():
+        yield from ((key, letter) for letter, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
     if getattr(chained, "joints", None) is not None:
         yield ("joints",)

@@ -14,20 +14,19 @@ from assess.geometry.footprint import edge_normals
 from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body_without_outline
 from assess.geometry.solid import Solid
-from assess.loads.body_loads import Meeting, Surroundings, find_meeting
+from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
 from assess.loads.definitions import BodyLoad
 from assess.mechanisms.directions import Directions, Vector, towards
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.model.assembly import Built, mechanism_of, of_one_block
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, CutAngle, FourHinge, SingleBlock, TwoBlock
+from assess.model.definitions import BlockMechanism, Chained, CutAngle, SingleBlock
 from assess.model.loading import loads_of
 from assess.model.pieces import ASKEW, LEVEL, as_one, cut_of
-from assess.oscillator import linearise, multiplier
+from assess.oscillator import multiplier
 from spectra.arrays import FloatArray
 
-Sought = SingleBlock | TwoBlock | FourHinge
 S = TypeVar("S", bound=Chained)
 
 CORNER = (
@@ -40,14 +39,14 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
+def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
-    told: tuple[str, ...] = ()
+    corner: tuple[str, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
         block = block_above_cut(name, definition, standing)
         found = directions(block_by_direction(name, definition, block, bodies), angles(normals_of(block.foot)))
-        told = (CORNER,) if is_sloping(block.foot) else ()
+        corner = (CORNER,) if has_slope(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = directions(
@@ -55,8 +54,8 @@ def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
             angles(edge_normals(plan)),
         )
     built = mechanism_of(name, turn_towards(definition, towards(found.weakest)), bodies)
-    kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
-    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *told)))
+    kept = (text for text in built.mechanism.warnings if text != ASKEW)  # every direction has been looked at
+    return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
 
 def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
@@ -84,7 +83,7 @@ def angles(normals: FloatArray) -> tuple[float, ...]:
     return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
 
 
-def is_sloping(foot: FloatArray) -> bool:
+def has_slope(foot: FloatArray) -> bool:
     """Return whether the corners [k, 3] of a base lie at different elevations."""
     return float(np.ptp(foot[:, 2])) > LEVEL
 
@@ -96,7 +95,7 @@ def normals_of(foot: FloatArray) -> FloatArray:
     """
     normals = edge_normals(foot)
     beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
-    return np.unique(np.concatenate(beside) % 360.0) if is_sloping(foot) else normals
+    return np.unique(np.concatenate(beside) % 360.0) if has_slope(foot) else normals
 
 
 @dataclass(frozen=True)
@@ -124,11 +123,11 @@ def block_by_direction(
     name: str, definition: SingleBlock, standing: Standing, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
     """Return a function of the direction that builds the single block; it is cut once and its loads are found once."""
-    known: dict[str, Meeting] = {}
+    known: dict[str, BlockContact] = {}
 
-    def meet(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+    def find(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
         if load.body not in known:
-            known[load.body] = find_meeting(load, body, around)
+            known[load.body] = find_block_contact(load, body, around)
         return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
@@ -136,8 +135,8 @@ def block_by_direction(
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = turn_towards(definition, direction)
-        found_loads = loads_of(name, faced, pieces, bodies, meet=meet)
-        return of_one_block(name, faced, pieces, bodies, loads=found_loads.loads)[0]
+        load_set = loads_of(name, faced, pieces, bodies, find=find)
+        return of_one_block(name, faced, pieces, bodies, loads=load_set.loads)[0]
 
     return block
 
@@ -163,7 +162,7 @@ def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequenc
             leading = branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
         except AssessError as error:
             raise type(error)(f'{error} (direction = "sweep", here {angle:.6g} deg from +x)') from None
-        rows.append((float(multiplier(leading)[0]), linearise(leading).p, leading.overturning))
+        rows.append((float(multiplier(leading)[0]), leading.linearised.p, leading.overturning))
     multipliers, p, overturning = zip(*rows, strict=True)
     weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
     return Directions(tuple(around), multipliers, p, overturning, weakest)

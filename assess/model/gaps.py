@@ -22,7 +22,12 @@ Gap = dict[str, Value]
 def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
     """Warn of each gap in a block of several bodies, and between blocks that a hinge joins.
 
-    Bodies are looked at whole, also where a cut leaves their foot behind.
+    Bodies are compared whole, even if a cut leaves their base behind.
+
+    Parameters
+    ----------
+    definitions : mechanisms by name
+    bodies : of the building, by name
     """
     for name, definition in definitions.items():
         chained = definition.blocks if isinstance(definition, Chained) else ()
@@ -44,7 +49,7 @@ def solids_of_block(block: Sequence[str], bodies: Bodies) -> list[Solid]:
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
     """Find each gap that would have to be closed for the bodies of a block to touch one another."""
     pairs = list(combinations(range(len(block)), 2))
-    joined = [(i, j) for i, j in pairs if are_touching(block[i], block[j])]
+    joined = [(i, j) for i, j in pairs if in_contact(block[i], block[j])]
     while len(block) > 1:
         group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
         across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
@@ -58,13 +63,13 @@ def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
 def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
     """Find the gap between two blocks with a hinge between them that touch nowhere."""
     pairs = list(product(one, other))
-    if not pairs or any(are_touching(*pair) for pair in pairs):
+    if not pairs or any(in_contact(*pair) for pair in pairs):
         return
     distances = [shortest_distance(*pair) for pair in pairs]
     yield gap_values(*pairs[int(np.argmin(distances))], min(distances))
 
 
-def are_touching(one: Solid, other: Solid) -> bool:
+def in_contact(one: Solid, other: Solid) -> bool:
     """Return whether two bodies are closer than the thickness of a joint."""
     return shortest_distance(one, other, limit=TOLERANCE) < TOLERANCE
 

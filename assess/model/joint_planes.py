@@ -169,7 +169,7 @@ def joint_plane_between(
 def _neighbours(
     number: int, pieces: Sequence[Piece], blocks: int
 ) -> Iterator[tuple[tuple[Solid, ...], tuple[Solid, ...]]]:
-    """The solids that press and those that hold the face at a hinge; of an arch all neighbours may."""
+    """Return the solids that press and those that hold the face at a hinge; of an arch all neighbours may."""
     face, pressing = PAIRS[blocks][number]
     assert face is not None
     if len(pieces) == blocks:
@@ -212,7 +212,7 @@ def as_multi(region: shapely.Geometry) -> shapely.MultiPolygon:
 
 
 def _faces(solid: Solid) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Corners [k, 3, 3] [m], outward unit normals [k, 3] and areas [k] [m2] of the triangles of a solid."""
+    """Return corners [k, 3, 3] [m], outward unit normals [k, 3] and areas [k] [m2] of the triangles of a solid."""
     corners = solid.vertices[solid.triangles]
     area, normal = areas_and_normals(corners)
     kept = area > 0.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
@@ -27,9 +27,9 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.through_joint import THROUGH_TOP, through_joint, under_loads
 from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
-from assess.model.joint_planes import DOWN, UP, Vector, View, find_joint_plane
+from assess.model.joint_planes import DOWN, UP, JointPlane, Vector, View, find_joint_plane
 
-NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
+NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge gets a warning
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 
@@ -47,14 +47,15 @@ def place_on_joints(
     """
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     interfaces = [definition.interface_at(letter) for letter in hinge_names(mechanism.positive)]
-    doubts: list[str] = []
-    joints = [
-        tuple(
-            joint_at(number, chain, mechanism.name, definition, interface, pieces, bodies, sign=sign, doubts=doubts)
+    found = [
+        [
+            joint_at(Seat(number, chain, mechanism.name, definition, interface, tuple(pieces), sign), bodies)
             for number, interface in enumerate(interfaces)
-        )
+        ]
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
+    warnings = [text for side in found for _, texts in side for text in texts]
+    joints = [tuple(joint for joint, _ in side) for side in found]
     through = through_of(definition.loads)
     moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
     joints = [under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
@@ -62,11 +63,11 @@ def place_on_joints(
     if not any(joint for side in joints for joint in side):
         return loaded
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
-        doubts.append(THROUGH_TOP)
-    doubts += contact_offset_warnings(mechanism, joints)
-    found = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
-    notices = dict.fromkeys((*found.notices, *doubts, *eccentricity_warnings(found)))
-    return replace(found, notices=tuple(notices))
+        warnings.append(THROUGH_TOP)
+    warnings += contact_offset_warnings(mechanism, joints)
+    made = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
+    warnings = [*made.warnings, *warnings, *eccentricity_warnings(made)]
+    return replace(made, warnings=tuple(dict.fromkeys(warnings)))
 
 
 def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
@@ -85,50 +86,89 @@ def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Join
         )
 
 
-def joint_at(
-    number: int,
-    chain: Chain,
-    name: str,
-    definition: Chained,
-    interface: Interface,
-    pieces: Sequence[Piece],
-    bodies: Bodies,
-    *,
-    sign: float,
-    doubts: list[str],
-) -> Joint | None:
-    """Return the joint under one hinge of a chain in its own sign; None if it is rigid or carries nothing.
+@dataclass(frozen=True)
+class Seat:
+    """A hinge of one branch, and what it presses on.
 
-    sign : -1 for the branch that is mirrored; doubts : sentences are added to it
+    number : of the hinge; name : of the mechanism; sign : -1 for the branch that is mirrored
     """
-    letter = hinge_names(chain)[number]
-    what = f"interface {letter}" + "'" * (sign < 0)
-    where = f'mechanism "{name}", {what}'
-    law = law_of(interface, material_of(definition, bodies), where=where)
+
+    number: int
+    chain: Chain
+    name: str
+    definition: Chained
+    interface: Interface
+    pieces: tuple[Piece, ...]
+    sign: float
+
+    @property
+    def label(self) -> str:
+        """The interface, as messages name it."""
+        return f"interface {hinge_names(self.chain)[self.number]}" + "'" * (self.sign < 0)
+
+    @property
+    def where(self) -> str:
+        """The mechanism and the interface, as errors name them."""
+        return f'mechanism "{self.name}", {self.label}'
+
+    @property
+    def hinge(self) -> tuple[float, float]:
+        """The place of the hinge (x, z) [m]."""
+        return self.chain.hinges[self.number]
+
+    @property
+    def view(self) -> View:
+        """The plane of motion of the branch."""
+        return View.of(self.definition.towards, sign=self.sign)
+
+    def plane(self) -> JointPlane:
+        """Find the plane of the joint; raise GeometryError if no faces meet at the hinge."""
+        return find_joint_plane(self.number, self.hinge, self.definition, self.pieces, self.view, where=self.where)
+
+
+def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]:
+    """Return the joint under a hinge, with warnings; None if it is rigid or carries nothing."""
+    interface = seat.interface
+    law = law_of(interface, material_of(seat.definition, bodies), where=seat.where)
     if law is None:
-        return None
-    if interface.model != "rigid" and law.strength == inf and interface.strength is None:
-        doubts.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
-    view = View.of(definition.towards, sign=sign)
-    sense = float(FlexibleChain(chain, name).sense[number])
-    if isinstance(interface.shape, Shape):
-        normal = DOWN if at_top(chain, number) else UP
-        try:
-            normal = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where).normal
-        except GeometryError:
-            doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
-        return Joint(_inward(normal, sense), section_of_shape(interface.shape, view), law, interface.model)
-    bed = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where)
+        return None, ()
+    endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
+    text = f"interface {hinge_names(seat.chain)[seat.number]}: no strength is known, so its joint never crushes"
+    warnings = (f"{text}; give strength",) if endless else ()
+    shape, sense = interface.shape, float(FlexibleChain(seat.chain, seat.name).sense[seat.number])
+    if isinstance(shape, Shape):
+        joint, more = shaped_joint(seat, law, shape, sense=sense)
+    else:
+        joint, more = outlined_joint(seat, law, sense=sense)
+    return joint, (*warnings, *more)
+
+
+def shaped_joint(seat: Seat, law: JointLaw, shape: Shape, *, sense: float) -> tuple[Joint, tuple[str, ...]]:
+    """Return a joint of given sizes in the plane of the faces that meet, level if there are none."""
+    warnings: tuple[str, ...] = ()
+    try:
+        normal = seat.plane().normal
+    except GeometryError:
+        normal = DOWN if at_top(seat.chain, seat.number) else UP
+        warnings = (f"{seat.label}: no faces meet at its hinge, so its joint is taken level",)
+    return Joint(_inward(normal, sense), section_of_shape(shape, seat.view), law, seat.interface.model), warnings
+
+
+def outlined_joint(seat: Seat, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[str, ...]]:
+    """Return the joint of the outline where faces meet; warn if the hinge is not at its edge."""
+    bed, view = seat.plane(), seat.view
     inward = _inward(bed.normal, sense)
     out = heading(bed.plane, -view.world(inward), axis=view.axis)
     found = polygon(bed.region, direction=out)
-    aside = bed.beyond(view.world(chain.hinges[number]), out)
-    if abs(aside) > NEAR * found.depth:
-        doubts.append(
-            f"{what}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
-            f"contact, which is {found.depth:.3g} m deep; pressure is counted from the hinge on"
-        )
-    return Joint(inward, found, law, interface.model)
+    aside = bed.beyond(view.world(seat.hinge), out)
+    joint = Joint(inward, found, law, seat.interface.model)
+    if abs(aside) <= NEAR * found.depth:
+        return joint, ()
+    text = (
+        f"{seat.label}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
+        f"contact, which is {found.depth:.3g} m deep; pressure is counted from the hinge on"
+    )
+    return joint, (text,)
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
@@ -172,7 +212,7 @@ def section_of_shape(shape: Shape, view: View) -> Section:
 
 
 def _inward(normal: Vector, sense: float) -> Vector:
-    """From a hinge to where its joint opens, by the normal of the held face and the sense of turning."""
+    """Return the direction from a hinge to where its joint opens, by the normal of the held face and the sense."""
     return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
 
 
@@ -186,6 +226,6 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
             if joint is None:
                 continue
             found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
-            doubt = out_of_plane_warning(joint.section, found)
-            if doubt:
-                yield f"interface {letter}{mark}: {doubt}"
+            warning = out_of_plane_warning(joint.section, found)
+            if warning:
+                yield f"interface {letter}{mark}: {warning}"

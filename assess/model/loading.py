@@ -1,4 +1,4 @@
-"""The entries of `loads` as the field's loads, and what is doubtful of them."""
+"""The entries of `loads` as the field's loads, and warnings about them."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import numpy as np
 from assess.errors import GeometryError
 from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
-from assess.geometry.overlap import overlaps
+from assess.geometry.overlap import overlap_warnings
 from assess.geometry.piece import Piece
-from assess.loads.body_loads import FoundLoads, Meet, Surroundings, body_loads, find_meeting, name_load
-from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
-from assess.loads.load import Force, Load, PointMass, Tie
+from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact, name_load
+from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
+from assess.loads.load import Force, Load, Point, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks
 from assess.loads.overburden import overburden_of
 from assess.loads.plane import point_in_plane, unit_in_plane
@@ -30,43 +30,59 @@ def loads_of(
     pieces: Sequence[Piece],
     bodies: Bodies,
     *,
-    meet: Meet = find_meeting,
-) -> FoundLoads:
-    """Find the loads of a mechanism; pieces: its blocks, or all in one; meet: finds contacts of bodies.
+    find: FindContact = find_block_contact,
+) -> LoadSet:
+    """Find the loads of a mechanism; pieces: its blocks, or all in one; find: the contacts of bodies.
 
     Raises GeometryError for a body that touches nothing of its block.
     """
-    loads: list[Load] = []
-    doubts: list[str] = []
-    follows: list[bool] = []
     blocks = blocks_of(name, definition, pieces)
-    for number, load in enumerate(definition.loads, start=1):
-        if isinstance(load, OverburdenLoad):
-            loads.append(
-                overburden_of(
-                    number,
-                    load,
-                    piece=pieces[-1],
-                    solids=solids_of(bodies),
-                    moving=definition.bodies,
-                    direction=definition.towards,
-                    where=f'mechanism "{name}"',
-                )
-            )
-            follows.append(False)
-            continue
-        if isinstance(load, BodyLoad):
-            found_loads = of_body(load, blocks, definition, bodies, meet=meet)
-        else:
-            found_loads = FoundLoads((load_of(number, load, definition.towards),), ())
-        loads += found_loads.loads
-        follows += [isinstance(load, BodyLoad) and load.block is None] * len(found_loads.loads)
-        doubts += (*found_loads.doubts, *misplaced_load_warnings(found_loads.loads, blocks))
-        doubts += moving_anchor_warnings(found_loads.loads, [each.body.outline for each in pieces])
+    parts = [
+        entry_of(number, load, blocks, definition, bodies, find=find)
+        for number, load in enumerate(definition.loads, start=1)
+    ]
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
-    doubts += (each.text for each in overlaps(known))
-    return FoundLoads(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
+    warnings = [text for part in parts for text in part.warnings] + [each.text for each in overlap_warnings(known)]
+    return LoadSet(
+        loads=tuple(load for part in parts for load in part.loads),
+        warnings=tuple(dict.fromkeys(warnings)),
+        follows=tuple(each for part in parts for each in part.follows),
+    )
+
+
+def entry_of(
+    number: int,
+    load: LoadDefinition,
+    blocks: Blocks,
+    definition: Chained,
+    bodies: Bodies,
+    *,
+    find: FindContact,
+) -> LoadSet:
+    """Find the loads of one entry of `loads`, its number counted from 1."""
+    if isinstance(load, OverburdenLoad):
+        force = overburden_of(
+            number,
+            load,
+            piece=blocks.pieces[-1],
+            solids=solids_of(bodies),
+            moving=definition.bodies,
+            direction=definition.towards,
+            where=blocks.where,
+        )
+        return LoadSet((force,), (), (False,))
+    if isinstance(load, BodyLoad):
+        part = of_body(load, blocks, definition, bodies, find=find)
+    else:
+        part = LoadSet((load_of(number, load, definition.towards),), ())
+    outlines = [piece.body.outline for piece in blocks.pieces]
+    warnings = (
+        *part.warnings,
+        *misplaced_load_warnings(part.loads, blocks),
+        *moving_anchor_warnings(part.loads, outlines),
+    )
+    return LoadSet(part.loads, warnings, (isinstance(load, BodyLoad) and load.block is None,) * len(part.loads))
 
 
 def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
@@ -76,7 +92,7 @@ def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks
     if parted and foot is not None:
         crack = float(foot[0, 2])
     elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
-        crack = None if (hinges := definition.given_hinges) is None else hinges[1][-1]
+        crack = None if (hinges := definition.hinge_points) is None else hinges[1][-1]
     return Blocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
 
 
@@ -86,28 +102,28 @@ def of_body(
     definition: Chained,
     bodies: Bodies,
     *,
-    meet: Meet,
-) -> FoundLoads:
+    find: FindContact,
+) -> LoadSet:
     """Find what a body puts on each block that it loads; nothing if it rests below the cut.
 
     Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
     """
     body = bodies[load.body].solid
     taken = {each.block for each in definition.loads if isinstance(each, BodyLoad) and each.body == load.body}
-    found, doubts = loaded_blocks(load, body, among=blocks, taken=taken)
-    found_loads = [
+    found, warnings = loaded_blocks(load, body, among=blocks, taken=taken)
+    parts = [
         body_loads(
             load,
             block=each.block,
             body=body,
             mass=bodies[load.body].mass,
             around=surroundings(load, blocks, each.contact, bodies),
-            meet=meet,
+            find=find,
         )
         for each in found
     ]
-    loads = tuple(one for each in found_loads for one in each.loads)
-    return FoundLoads(loads, (*name_load(load, doubts), *(text for each in found_loads for text in each.doubts)))
+    loads = tuple(one for part in parts for one in part.loads)
+    return LoadSet(loads, (*name_load(load, warnings), *(text for part in parts for text in part.warnings)))
 
 
 def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
@@ -131,29 +147,34 @@ def load_of(
         return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     if isinstance(load, TieLoad):
-        anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
-        if anchor == at:
-            raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
-        return Tie(
-            name,
-            load.force,
-            at,
-            way,
-            anchor,
-            both=load.both,
-            block=load.block,
-            until=load.until,
-            strength=load.strength,
-            length=load.length,
-            fracture_strain=load.fracture_strain,
-            evidence=load.evidence,
-        )
+        return tie_of(name, load, at, way, direction)
     if isinstance(load.force, tuple):
         force = load.force
     else:
         assert way is not None  # the schema asks for it
         force = (load.force * way[0], load.force * way[1])
     return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
+
+
+def tie_of(name: str, load: TieLoad, at: Point, way: Point | None, direction: Sequence[float]) -> Tie:
+    """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
+    anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
+    if anchor == at:
+        raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
+    return Tie(
+        name,
+        load.force,
+        at,
+        way,
+        anchor,
+        both=load.both,
+        block=load.block,
+        until=load.until,
+        strength=load.strength,
+        length=load.length,
+        fracture_strain=load.fracture_strain,
+        evidence=load.evidence,
+    )
 
 
 def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:

@@ -59,9 +59,9 @@ def _near(standing: Sequence[Solid], other: Solid) -> bool:
 
 
 def _touched(standing: Sequence[Solid], other: Solid, *, foot: float, head: float) -> Patches:
-    """The upright faces of what moves that a body touches between two elevations [m].
+    """Return the upright faces of what moves that a body touches between two elevations [m].
 
-    A body drawn in the same place, another state of it or simply put at the origin too, is not beside it.
+    A body drawn in the same place, in another state or simply put at the origin too, is not beside it.
     """
     met = [facing_patches(solid, other) for solid in standing]
     area, centroid, normal = (

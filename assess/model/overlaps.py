@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from assess.geometry.overlap import overlaps
+from assess.geometry.overlap import overlap_warnings
 from assess.messages.message import Message
 from assess.model.body import Bodies
 from assess.model.definitions import Chained, Definition
 
 
 def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
-    """Return a warning for each two bodies of a mechanism's blocks that overlap."""
+    """Warn of each two bodies of a mechanism's blocks that overlap.
+
+    Parameters
+    ----------
+    definitions : mechanisms by name
+    bodies : of the building, by name
+    """
     for name, definition in definitions.items():
         names = dict.fromkeys(definition.bodies if isinstance(definition, Chained) else ())
         known = [solid for body in names if (solid := bodies[body].solid) is not None]
-        yield from overlaps(known, where=f"mechanisms.{name}")
+        yield from overlap_warnings(known, where=f"mechanisms.{name}")

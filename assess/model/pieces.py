@@ -36,7 +36,15 @@ UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body 
 def pieces_of(name: str, definition: Chained, bodies: Bodies) -> tuple[Piece, ...]:
     """Return the blocks of a mechanism, base first, each above the cut if there is one.
 
-    Raises GeometryError where the cut misses all of them, or crosses a body without geometry.
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated
+    bodies : of the building, by name
+
+    Raises
+    ------
+    GeometryError : the cut misses all of them, or crosses a body without geometry
     """
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:

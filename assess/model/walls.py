@@ -17,7 +17,7 @@ from assess.geometry.cut import Division, divide, level_plane
 from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
-from assess.loads.body_loads import FoundLoads
+from assess.loads.body_loads import LoadSet
 from assess.loads.definitions import LoadDefinition
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
@@ -39,7 +39,7 @@ class Crack:
     """Where a wall of one body cracks: elevation [m], how it was found, and the loads that it was found with."""
 
     elevation: float
-    notices: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     loads: tuple[Load, ...] | None = None
 
 
@@ -109,7 +109,7 @@ def crack_of(
     definition: TwoBlock,
     whole: Piece,
     bodies: Bodies,
-    loads: Callable[[], FoundLoads],
+    loads: Callable[[], LoadSet],
     *,
     front: Hinges | None,
 ) -> Crack:
@@ -125,10 +125,10 @@ def crack_of(
     if isinstance(crack, float):
         return Crack(crack)
     find = by_formula if crack == "sorrentino" else by_search
-    found_loads = loads()
+    load_set = loads()
     strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0
-    elevation, notice = find(definition, whole, found_loads, strength=strength)
-    return Crack(elevation, (notice,), loads_above(found_loads, elevation))
+    elevation, notice = find(definition, whole, load_set, strength=strength)
+    return Crack(elevation, (notice,), loads_above(load_set, elevation))
 
 
 def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
@@ -142,11 +142,11 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
     return below(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
 
 
-def loads_above(found_loads: FoundLoads, elevation: float) -> tuple[Load, ...]:
+def loads_above(load_set: LoadSet, elevation: float) -> tuple[Load, ...]:
     """Assign the loads of a wall to its blocks, if it cracks at an elevation [m]."""
     return tuple(
         replace(load, block=UPPER if load.at[1] >= elevation else 0) if follows else load
-        for load, follows in zip(found_loads.loads, found_loads.follows, strict=True)
+        for load, follows in zip(load_set.loads, load_set.follows, strict=True)
     )
 
 
@@ -191,7 +191,7 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     )
 
 
-def by_formula(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float) -> tuple[float, str]:
+def by_formula(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, str]:
     """Find the crack by eq. 3.27 with the loads above it: elevation [m] and how it was found.
 
     The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
@@ -199,7 +199,7 @@ def by_formula(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, s
 
     Raises CrackError where none does, or where one puts the crack at the very top.
     """
-    found = list(consistent_cracks(definition, whole, found_loads, strength=strength))
+    found = list(consistent_cracks(definition, whole, load_set, strength=strength))
     if not found:
         raise CrackError(
             'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
@@ -210,17 +210,15 @@ def by_formula(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, s
 
 
 def consistent_cracks(
-    definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float
+    definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
 ) -> Iterator[tuple[float, float, str]]:
     """Find the cracks by eq. 3.27 that agree with the loads above them: uplift multiplier, elevation, and how.
 
     A load within MARGIN of the top stands on it.
     """
-    heights = sorted(
-        {load.at[1] for load, follows in zip(found_loads.loads, found_loads.follows, strict=True) if follows}
-    )
+    heights = sorted({load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows})
     for lowest, next_one in pairwise((-inf, *heights, inf)):
-        loads = loads_above(found_loads, next_one)
+        loads = loads_above(load_set, next_one)
         panel = panel_of(definition, whole, loads, strength=strength)
         on_top = panel.base + (1.0 - MARGIN) * panel.height
         if lowest > on_top:
@@ -260,18 +258,18 @@ def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
     )
 
 
-def by_search(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float) -> tuple[float, str]:
+def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, str]:
     """Find the crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
     sides, out of reach of the contact.
     """
-    panel = panel_of(definition, whole, loads_above(found_loads, -inf), strength=strength)
+    panel = panel_of(definition, whole, loads_above(load_set, -inf), strength=strength)
 
     def multiplier(elevation: float) -> float:
-        return uplift(definition, whole, panel, loads_above(found_loads, elevation), elevation)
+        return uplift(definition, whole, panel, loads_above(load_set, elevation), elevation)
 
-    jumps = [load.at[1] for load, follows in zip(found_loads.loads, found_loads.follows, strict=True) if follows]
+    jumps = [load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows]
     elevation = find_least(
         multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
     )

@@ -32,7 +32,7 @@ from assess.model.candidates import (
     with_displacement,
     worth,
 )
-from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
+from assess.model.definitions import Chained, Definition, EquivalentBlock, Turnable
 from assess.model.directions import S, sweep_directions, turn_towards
 from assess.model.obstacles import AHEAD, bodies_that_stop
 
@@ -41,10 +41,24 @@ LISTED = 4
 
 
 def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """Build the mechanism of a definition, in its weakest direction if none is given."""
-    if isinstance(definition, EquivalentBlock | FourHinge):
-        return mechanism_as_given(name, definition, bodies)
-    if definition.direction == "sweep" or not has_geometry(definition, bodies):
+    """Build the mechanism of a definition, in its weakest direction if none is given.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated
+    bodies : of the building, by name
+
+    Returns
+    -------
+    The mechanism with its candidate directions and messages, and its bodies in space
+
+    Raises
+    ------
+    ProjectError : the direction must be given; the text lists the candidates
+    MechanismError or GeometryError : it cannot rock as described
+    """
+    if not isinstance(definition, Turnable) or definition.direction == "sweep" or not has_geometry(definition, bodies):
         return mechanism_as_given(name, definition, bodies)
     look = look_around(name, definition, bodies)
     if definition.direction is None:
@@ -79,9 +93,9 @@ def in_weakest(look: Look) -> Built:
     behind = () if held else bodies_that_stop(look.obstacles, opposite(found.way))
     definition = with_sides(turn_towards(look.definition, found.way), behind)
     built = mechanism_of(look.name, definition, look.bodies)
-    told = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
-    told += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
-    return with_messages(built, candidates, told, look)
+    messages = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
+    messages += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
+    return with_messages(built, candidates, messages, look)
 
 
 def with_sides(definition: S, behind: Sequence[str]) -> S:
@@ -89,15 +103,15 @@ def with_sides(definition: S, behind: Sequence[str]) -> S:
     return replace(definition, sides=definition.sides or ("one" if behind else "two"))
 
 
-def must_be_given(definition: SingleBlock | TwoBlock) -> Iterator[str]:
+def must_be_given(definition: Turnable) -> Iterator[str]:
     """Say why the direction cannot be found for the user."""
     if definition.sides == "one":
         yield 'with sides = "one" it says which way the mechanism is free'
     for key in definition.keys_along():
-        yield f"{dotted_key(key)} is measured along it"
+        yield f"{format_key(key)} is measured along it"
 
 
-def dotted_key(key: Sequence[str | int]) -> str:
+def format_key(key: Sequence[str | int]) -> str:
     """Write a key of a mechanism as the user does, with entries of lists counted from 1."""
     return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
 
@@ -120,12 +134,12 @@ def in_given(look: Look) -> Built:
     into = bodies_that_stop(look.obstacles, ahead)
     behind = () if into else bodies_that_stop(look.obstacles, opposite(ahead))
     built = mechanism_of(look.name, with_sides(look.definition, behind), look.bodies)
-    told = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
+    messages = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
     if look.definition.hinges is not None or next(look.definition.keys_along(), None) is not None:
-        return with_messages(built, (), told, look)
+        return with_messages(built, (), messages, look)
     candidates = evaluate_all(look)
-    told += weaker_than(built.mechanism, candidates, look)
-    return with_messages(built, candidates, told, look)
+    messages += weaker_than(built.mechanism, candidates, look)
+    return with_messages(built, candidates, messages, look)
 
 
 def direction_warnings(into: Sequence[str], ahead: Vector, look: Look) -> Iterator[Message]:
@@ -189,8 +203,8 @@ def cannot_rock(candidate: Candidate, where: str) -> Message:
     return message("direction-left-out", values, severity=Severity.WARNING, where=where)
 
 
-def with_messages(built: Built, candidates: Sequence[Candidate], told: Sequence[Message], look: Look) -> Built:
+def with_messages(built: Built, candidates: Sequence[Candidate], messages: Sequence[Message], look: Look) -> Built:
     """Return the mechanism with its candidates, the bodies beside it and the messages on them."""
     beside = tuple(obstacle.body for obstacle in look.obstacles)
-    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(told))
+    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(messages))
     return replace(built, mechanism=found)

@@ -17,4 +17,4 @@ def structure_of(building: sections.Building | None) -> Structure:
     """Return what the table [building] says of the structure below a mechanism; its period only where it is given."""
     if building is None:
         return Structure()
-    return fill(Structure, building, period=building.period if building.given("period") else None)
+    return fill(Structure, building, period=building.period if building.has_key("period") else None)

@@ -8,7 +8,7 @@ from typing import Any
 from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, warning
-from assess.project.messages import Key, key_text, look_up
+from assess.project.key_text import Key, key_text, look_up
 from assess.project.usual_units import USUAL
 
 HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit
@@ -26,8 +26,8 @@ MATERIALS: Mapping[str, tuple[str, tuple[tuple[float, float, str], ...]]] = {
 """For each number of a material its dimension and the ranges in SI that no masonry has, each with the unit meant."""
 
 
-def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Message]:
-    """A warning for each plain number of the file that is hardly an earthquake, a wall, or a masonry."""
+def bare_number_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Warn of each plain number of the file that is implausible for an earthquake, a wall or a masonry."""
     yield from _weak(raw)
     for name, body in _tables(raw, "bodies"):
         yield from _of_sizes(("bodies", name), body)
@@ -45,7 +45,7 @@ def _of(table: object) -> Iterable[tuple[str, Any]]:
 
 
 def _of_sizes(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
-    """A warning for each size of a box or profile where one of them is huge, all typed without unit."""
+    """Warn of each size of a box or profile if one of them is huge and all are written without a unit."""
     sizes = {key: (words, size) for key, words, size in _sizes(raw) if _is_number(size)}
     if not any(size > HUGE for _, size in sizes.values()):
         return
@@ -57,7 +57,7 @@ def _of_sizes(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
 
 
 def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[Key, str, Any]]:
-    """The sizes of a body with their keys and what they are."""
+    """Yield the sizes of a body with their keys and names."""
     for name, size in _of(raw.get("box")):
         if name in BUILT:
             yield ("box", name), name, size
@@ -69,7 +69,7 @@ def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[Key, str, Any]]:
 
 
 def _extent(corners: Sequence[Any], axis: int) -> float | None:
-    """How far corners typed without unit reach along an axis."""
+    """Return the extent along an axis of corners written without a unit."""
     along = [corner[axis] for corner in corners if isinstance(corner, list) and len(corner) == 2]
     return max(along) - min(along) if along and all(map(_is_number, along)) else None
 
@@ -84,7 +84,7 @@ def _is_number(value: object) -> bool:
 
 
 def _of_material(material: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
-    """A warning for each number of a material that no masonry has, with the unit that was likely meant."""
+    """Warn of each number of a material that no masonry has, with the unit that was likely meant."""
     for name, (dimension, ranges) in MATERIALS.items():
         value: Any = raw.get(name)
         unit = next((unit for low, high, unit in ranges if _is_number(value) and low <= value < high), "")

@@ -12,7 +12,7 @@ from assess.project import sections
 
 
 def models_of(bodies: Mapping[str, sections.Body], *, known: Models) -> Models:
-    """What the bodies take of model files, each file read once; `known`: what has been read already."""
+    """Read what the bodies take from model files, each file once; `known` has been read already."""
     asked = {name: (body.mesh, body.element) for name, body in bodies.items() if isinstance(body, sections.MeshBody)}
     return {**known, **read_models({name: one for name, one in asked.items() if one not in known})}
 
@@ -20,7 +20,7 @@ def models_of(bodies: Mapping[str, sections.Body], *, known: Models) -> Models:
 def solid_of(
     name: str, body: sections.Body, materials: Mapping[str, sections.Material], models: Models
 ) -> Solid | None:
-    """The solid of a body with geometry, None for direct values."""
+    """Return the solid of a body; None if it has direct values."""
     if isinstance(body, sections.DirectBody):
         return None
     density = materials[body.material].density

@@ -19,17 +19,17 @@ from assess.messages.message import Message, warning
 from assess.model.weakest import mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
-from assess.project.asking import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.bodies import bodies_of, models_of, solid_of
-from assess.project.components import horizontal, left_out
-from assess.project.deciding import facts_of, question_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
-from assess.project.grounding import base_elevation_of, ground_mechanism, ground_of
-from assess.project.messages import shown
-from assess.project.notices import notices_of
+from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
+from assess.project.horizontal_records import horizontal_records, vertical_record_messages
+from assess.project.key_text import value_text
+from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
+from assess.project.question import facts_of, question_of
 from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
+from assess.project.study_messages import project_messages
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
@@ -57,25 +57,32 @@ class Files:
 
 
 def build(project: Project, *, executor: Executor | None = None) -> Study:
-    """The study that `project` describes, with every file it names read; by `executor` where records are many.
+    """Build the study that a project describes, and read every file it names.
 
-    Raises AssessError, SpectrumError or RecordError, each one line with the file, for what cannot be assessed.
+    Parameters
+    ----------
+    project : the project file as read
+    executor : processes that share the reading of many records; None for this process alone
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : it cannot be assessed; one line that names the file
     """
     with locate_errors(str(project.path)):
         return study_of(project, executor=executor)
 
 
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
-    """The same, with errors that do not name the project file."""
+    """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     site = site_in(content)
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, notices = all_records(content.records, project.folder)
+    named, messages = all_records(content.records, project.folder)
     study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
     if content.records.select is not None and spectrum is not None:
-        named, notices = record_set.select_records(
+        named, messages = record_set.select_records(
             content.records,
             content.records.select,
             spectrum=spectrum,
@@ -91,10 +98,10 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         inputs=tuple(inputs_of(project, named.records)),
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
-            *project.doubts,
+            *project.messages,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
-            *notices_of(content, solids, study),
-            *notices,
+            *project_messages(content, solids, study),
+            *messages,
         ),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
@@ -106,13 +113,24 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
 
 
 def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
-    """The study of the mechanisms `names` of a project, without what is said about its file."""
+    """Build the study of some mechanisms of a project, without messages about its file."""
     site, building, synthetic = site_in(content), content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
     built = {name: mechanism_in_direction(name, definitions[name], bodies) for name in chosen}
-    structure = structure_of(content.building)
+    in_place = {
+        name: MechanismInPlace(
+            name=name,
+            definition=definitions[name],
+            built=built[name],
+            bodies=bodies,
+            ground=ground,
+            structure=structure_of(building),
+            base_elevation=base_elevation_of(section),
+        )
+        for name, section in chosen.items()
+    }
     own = files.spectrum
     question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
@@ -129,25 +147,11 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
         grounded={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
         procedures=procedures_of(content),
-        offered=content.offered,
+        offered=content.site_procedures,
         options=options_of(content),
         mechanisms=tuple(each.mechanism for each in built.values()),
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
-        amplified={
-            name: amplify(
-                amplification_method_of(section),
-                MechanismInPlace(
-                    name=name,
-                    definition=definitions[name],
-                    built=built[name],
-                    bodies=bodies,
-                    ground=ground,
-                    structure=structure,
-                    base_elevation=base_elevation_of(section),
-                ),
-            )
-            for name, section in chosen.items()
-        },
+        amplified={name: amplify(amplification_method_of(chosen[name]), one) for name, one in in_place.items()},
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},
@@ -157,21 +161,23 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         hazard=None if site is None else hazard_over_periods(site),
         free_periods=free_periods_of(content),
         knowledge=knowledge_of(content),
-        limit_state=None if site is None else site.declared,
+        limit_state=None if site is None else site.own_limit_state,
     )
 
 
 def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Mapping[str, tuple[str, ...]]) -> Sweep:
-    """The cases of one sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
+    """Build the cases of a sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
     names = dependents(project.content, variation.path, beside=beside)
     if not names:
-        raise ProjectError(f"{variation.where}.key: {shown(variation.key)}: no mechanism depends on it; name another")
+        raise ProjectError(
+            f"{variation.where}.key: {value_text(variation.key)}: no mechanism depends on it; name another"
+        )
     cases = tuple(case_of(variant, project, files, names=names) for variant in variation.variants)
     return Sweep(variation.key, variation.unit, cases)
 
 
 def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[str, ...]) -> Case:
-    """One case of a sweep: the mechanisms `names` with its value."""
+    """Build one case of a sweep."""
     with locate_errors(variant.name):
         study = part_of(variant.content, reread(variant.content, project, files), names=names)
     return Case(variant.value, variant.name, study)
@@ -180,13 +186,13 @@ def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[st
 def alone(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
 ) -> Study:
-    """The study of one mechanism by another content of the project, with some of its bodies replaced."""
+    """Build the study of one mechanism from other content of the project, with some of its bodies replaced."""
     known = reread(content, project, files)
     return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
 
 
 def reread(content: sections.Content, project: Project, files: Files) -> Files:
-    """The files of a case: what a case has not changed is not read again."""
+    """Read the files of a case; what the case has not changed is not read again."""
     whole = project.content
     changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
     models = models_of(changed, known=files.models)
@@ -210,14 +216,14 @@ def same_body(name: str, case: sections.Content, whole: sections.Content) -> boo
 
 
 def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
-    """The levels [m/s2], rising: the site's own PGA, at which the verdict stands, and those given."""
+    """Return the levels given and the site's own PGA, at which the verdict is found, in rising order [m/s2]."""
     if spectrum is None:
         return tuple(sorted(given or ()))
     return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
 def structure_below(section: sections.Building | None) -> Building | None:
-    """The structure below the mechanisms; None where its height is not given."""
+    """Return the structure below the mechanisms; None if its height is not given."""
     if section is None or section.height is None:
         return None
     stated: dict[str, FirstMode] = {
@@ -227,13 +233,13 @@ def structure_below(section: sections.Building | None) -> Building | None:
 
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
-    """The equation of motion asked for, or the default of the kind: linearised for equivalent blocks, else exact."""
+    """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
 
 
 def grid_of(section: sections.Pulses) -> PulseGrid:
-    """The pulses of the envelopes."""
+    """Return the grid of pulses of the envelopes."""
     spaced = np.geomspace if section.frequency.spacing == "log" else np.linspace
     frequency = spaced(section.frequency.start, section.frequency.to, section.frequency.count)
     amplitude = np.linspace(section.amplitude.start, section.amplitude.to, section.amplitude.count)
@@ -241,18 +247,18 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
 
 
 def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
-    """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
+    """Read every horizontal record named, with messages; none are read here if a suite is to be selected."""
     if section.select is not None:
         return RecordSet((), Fitting(EVERYWHERE)), ()
     found = record_set.all_of(section, folder)
-    return replace(found, records=horizontal(found.records)), (
-        *left_out(found.records),
+    return replace(found, records=horizontal_records(found.records)), (
+        *vertical_record_messages(found.records),
         *record_messages(found.records),
     )
 
 
 def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
-    """The project file and every file it names, with their hashes; of those to choose records from the ones chosen."""
+    """Hash the project file and every file it names; if records are selected, only those chosen."""
     yield Input(project.path.name, project.sha256)
     content = project.content
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]

@@ -10,7 +10,7 @@ from assess.loads import definitions as loads
 from assess.model import definitions as model
 from assess.project import sections
 from assess.project.section import Section
-from assess.project.sources import shown_by
+from assess.project.sources import source_of
 
 D = TypeVar("D")
 
@@ -33,7 +33,7 @@ SHOWN = (loads.ForceLoad, loads.TieLoad)
 def definitions_of(content: sections.Content) -> dict[str, model.Definition]:
     """Return the definition of each mechanism of a project, with the evidence of its loads by [report.sources]."""
     return {
-        name: definition_of(section, evidence=shown_by(content, f"mechanisms.{name}.loads"))
+        name: definition_of(section, evidence=source_of(content, f"mechanisms.{name}.loads"))
         for name, section in content.mechanisms.items()
     }
 

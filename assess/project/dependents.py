@@ -12,9 +12,9 @@ from assess.project.sections.loads import BodyLoad, OverburdenLoad
 
 
 def dependents(content: Content, path: Key, *, beside: Mapping[str, tuple[str, ...]] | None = None) -> tuple[str, ...]:
-    """The mechanisms that the value at `path` changes: those that use the body or material, or all of them.
+    """Return the mechanisms that the value at `path` changes: those that use the body or material, or all of them.
 
-    beside : by mechanism, the bodies that touch it and so bear on its direction and sides
+    beside : by mechanism, the bodies that touch it and so affect its direction and sides
     """
     touching = beside or {}
     table, *names = path
@@ -34,7 +34,7 @@ def dependents(content: Content, path: Key, *, beside: Mapping[str, tuple[str, .
 
 
 def _bodies(mechanism: Section, content: Content) -> set[str]:
-    """The bodies whose names stand anywhere in the table of a mechanism: as blocks, floors, overburden."""
+    """Return the bodies named anywhere in the table of a mechanism: as blocks, floors, overburden."""
     return set(_texts(mechanism)) & set(content.bodies)
 
 

@@ -11,9 +11,9 @@ from textwrap import dedent
 
 @cache
 def descriptions(table: type) -> dict[str, str]:
-    """The sentence below each attribute that the class `table` itself names.
+    """Return the sentence below each attribute that the class `table` itself declares.
 
-    Read from the source when a message or the JSON Schema asks, where pydantic would read it at every import (0.1 s).
+    It is read from the source when needed; pydantic would read it at every import (0.1 s).
     """
     found = {}
     (body,) = ast.parse(dedent(inspect.getsource(table))).body

@@ -12,7 +12,7 @@ from typing import Any, get_args
 from pydantic.fields import FieldInfo
 
 from assess.errors import ProjectError
-from assess.project.messages import printable, shown
+from assess.project.key_text import escape_text, value_text
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.units import Kind
@@ -37,12 +37,12 @@ class Place:
 
 
 def places_of(content: Content) -> dict[str, Place]:
-    """Every key of the project, with dots and items of lists counted from 0, defaults included."""
+    """Return every key of the project, with dots and items of lists counted from 0, defaults included."""
     return {".".join(map(str, place.path)): place for place in _places((), content, None)}
 
 
 def _places(path: Key, value: Any, kind: Kind | None) -> Iterator[Place]:
-    """Every key below `path` that may be swept."""
+    """Yield every key below `path` that may be swept."""
     if path in _NOT_SWEPT:
         return
     if path:
@@ -60,7 +60,7 @@ def _places(path: Key, value: Any, kind: Kind | None) -> Iterator[Place]:
 
 
 def _kind(field: FieldInfo) -> Kind | None:
-    """What a key measures, from the metadata of its type; None where that is not one thing."""
+    """Return the quantity that a key holds, from the metadata of its type; None if it is not unique."""
     found = {each for each in field.metadata if isinstance(each, Kind)} | set(_kinds(field.annotation))
     return found.pop() if len(found) == 1 else None
 
@@ -72,32 +72,32 @@ def _kinds(annotation: Any) -> Iterator[Kind]:
 
 
 def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:
-    """The place a sweep names, loads.0 or loads[1]; raises ProjectError where there is none, or no number."""
+    """Return the place that a sweep names; raise ProjectError if it does not exist or holds no number."""
     place = places.get(key) or places.get(count_from_0(key))
     if place is not None and (place.is_number or isinstance(place.value, Section)):
         return place
     what = "unknown key" if place is None else "holds no number"
-    raise ProjectError(f"{where}.key: {shown(key)}: {what}; {_remedy(key, places)}")
+    raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, places)}")
 
 
 def _remedy(key: str, places: Mapping[str, Place]) -> str:
-    """What to write instead of a key that does not exist or holds no number."""
+    """Say what to write instead of a key that does not exist or holds no number."""
     table, _, last = key.rpartition(".")
     above = places.get(table)
     if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
         return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
     near = get_close_matches(key, [name for name, place in places.items() if place.is_number], n=1)
-    remedy = f'did you mean "{printable(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
+    remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
 
 
 def count_from_0(key: str) -> str:
-    """A key whose items of lists are counted from 1 in brackets, as errors print them, with dots."""
+    """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
     return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
 
 def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) -> Any:
-    """A copy of `node` with `value` at `path`; what the file leaves out on the way is taken as it was `resolved`."""
+    """Return a copy of `node` with `value` at `path`; tables absent from the file are filled in from `resolved`."""
     if not path:
         return value
     step, *rest = path
@@ -111,12 +111,12 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
 
 
 def _below(value: Any, step: str | int) -> Any:
-    """One step into what the schema read."""
+    """Take one step down into validated content."""
     return value.entries()[str(step)] if isinstance(value, Section) else value[step]
 
 
 def _plain(value: Any) -> Any:
-    """What was read as a file would say it."""
+    """Write validated content as a file would hold it."""
     if isinstance(value, Section):
         return {key: _plain(item) for key, item in value.entries().items() if item is not None}
     if isinstance(value, Mapping):
@@ -125,7 +125,7 @@ def _plain(value: Any) -> Any:
 
 
 def value_at(content: Content, path: Key) -> Any:
-    """What the schema read at a key."""
+    """Return the validated value at a key."""
     return reduce(_below, path, content)
 
 

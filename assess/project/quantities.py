@@ -89,7 +89,7 @@ JointStiffness = Annotated[float, Field(gt=0), _or_infinite("stiffness"), _descr
 
 
 def _coordinate(value: Any) -> float:
-    """A length that may be no more than rounding about 0, as exported coordinates are."""
+    """Read a length; values near 0 are rounding errors, as in exported coordinates."""
     if isinstance(value, float) and abs(value) < KINDS["length"].least:
         return 0.0
     return key_value(value, KINDS["length"])
@@ -162,7 +162,7 @@ Name = Annotated[StrictStr, AfterValidator(_named)]
 
 
 def unique(what: str) -> Callable[[tuple[T, ...]], tuple[T, ...]]:
-    """A check that a list holds no value twice."""
+    """Return a check that a list holds no value twice."""
 
     def check(values: tuple[T, ...]) -> tuple[T, ...]:
         if len(set(values)) < len(values):
@@ -173,12 +173,12 @@ def unique(what: str) -> Callable[[tuple[T, ...]], tuple[T, ...]]:
 
 
 def _one_unit(kind: str, value: Any) -> Any:
-    """A unit alone, "mm", read as one of it; a number is the size of the unit in SI already."""
+    """Read a unit alone, such as "mm", as one of it; a number is the size of the unit in SI already."""
     return si_value(f"1 {value}" if isinstance(value, str) else value, KINDS[kind])
 
 
 def length_of_unit(text: str) -> float:
-    """The length [m] of a unit like "mm"; raises ValueError for what is none."""
+    """Return the length [m] of a unit such as "mm"; raise ValueError if it is not a unit of length."""
     length = float(_one_unit("length", text))
     if not 0.0 < length < float("inf"):
         raise ValueError("not a unit of length; write one like mm")
@@ -229,7 +229,7 @@ InputFile = Annotated[
 
 
 def _matching(pattern: Any, folder: Path) -> list[Path]:
-    """The files a name or a pattern stands for, sorted; a file or folder of just that name goes before a pattern."""
+    """Return the files that a name or pattern matches, sorted; a file or folder of that exact name comes first."""
     text = _path_text(pattern)
     if (folder / text).is_file() or (folder / text).is_dir():
         return [folder / text]

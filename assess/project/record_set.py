@@ -33,14 +33,14 @@ from spectra.spectrum import Spectrum
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
-    """Every record that [records] names; `folder` is that of the project file."""
+    """Read every record that [records] names; `folder` is that of the project file."""
     found = [record for path in section.files for record in read_with(path, overrides_of(section))]
     records = with_unique_names([replace(one, path=relative_path(Path(one.path), folder)) for one in found])
     return RecordSet(records, Fitting(EVERYWHERE))
 
 
 def overrides_of(section: sections.Records) -> HeaderOverrides:
-    """What [records] says of files that do not say it themselves."""
+    """Return what [records] states for files that do not state it themselves."""
     return HeaderOverrides(section.unit, section.step, section.response)
 
 
@@ -53,9 +53,9 @@ def select_records(
     folder: Path,
     executor: Executor | None = None,
 ) -> tuple[RecordSet, tuple[Message, ...]]:
-    """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file.
+    """Select the suite that [records.select] describes, with messages about it; `folder` is that of the project file.
 
-    executor : of processes, that read where files are many
+    executor : processes that share the reading of many files
     """
     overrides = overrides_of(section)
     offer = candidate_records(section.files, overrides=overrides, flatfile=section.flatfile, executor=executor)
@@ -69,7 +69,7 @@ def select_records(
 
 
 def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
-    """The range given; else 0.2 times the least to 1.2 times the largest equivalent period, where spectra reach [s]."""
+    """Return the range given, else 0.2 times the least to 1.2 times the largest equivalent period [s]."""
     if wanted.periods is not None:
         return wanted.periods
     least, largest = extreme_periods(equivalent_periods(mechanisms))
@@ -78,7 +78,7 @@ def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable
 
 
 def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) -> Criteria:
-    """The table as the library takes it."""
+    """Return the criteria of the selection."""
     filters = Filters(wanted.magnitude, wanted.distance, wanted.vs30, wanted.pga, wanted.duration, wanted.events)
     return Criteria(
         count=wanted.count,

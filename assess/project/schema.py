@@ -22,12 +22,12 @@ from pydantic import ValidationError
 
 from assess.errors import ProjectError
 from assess.messages.message import Message
-from assess.project.bare_numbers import bare_numbers
-from assess.project.messages import one_line, printable, shown
+from assess.project.bare_numbers import bare_number_messages
+from assess.project.key_text import error_line, escape_text, value_text
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
-from assess.project.weight_densities import weight_densities
+from assess.project.weight_densities import weight_density_messages
 from assess.results import Resolved
 from records.paths import relative_path
 
@@ -44,7 +44,7 @@ class Project:
     content : its tables, every quantity an SI float, every path absolute or below `folder`
     path : the project file; sha256 : of its bytes
     variations : its sweeps, each with the content of every case
-    doubts : what looks like a slip in the file as it was written
+    messages : what looks like a slip in the file as it was written
     raw : what the file says, in the newest format, as it was written
     """
 
@@ -52,17 +52,17 @@ class Project:
     path: Path
     sha256: str
     variations: tuple[Variation, ...]
-    doubts: tuple[Message, ...]
+    messages: tuple[Message, ...]
     raw: Mapping[str, Any]
 
     @property
     def folder(self) -> Path:
-        """Where the project file lies; its paths are relative to this."""
+        """The folder of the project file; its paths are relative to this."""
         return self.path.parent
 
 
 def load(path: Path | str) -> Project:
-    """The project in the file `path`, or in `project.toml` of the folder `path`.
+    """Read the project in the file `path`, or in `project.toml` of the folder `path`.
 
     Raises ProjectError for a file that is missing, is not TOML, or breaks the schema.
     """
@@ -73,17 +73,17 @@ def load(path: Path | str) -> Project:
         content = Content.model_validate(raw, context={"folder": file.parent})
         varied = variations(content, raw, file.parent)
     except ValidationError as error:
-        raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
+        raise ProjectError(f"{file}: {error_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    doubts = (*bare_numbers(raw), *weight_densities(content, raw))
-    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, doubts, raw)
+    messages = (*bare_number_messages(raw), *weight_density_messages(content, raw))
+    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, messages, raw)
     _check_sources(project)
     return project
 
 
 def _check_sources(project: Project) -> None:
-    """Every key of [report.sources] is one of the file, or the beginning of one."""
+    """Check that every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
         return
     keys = [key for key in resolve(project) if not key.startswith("report.sources.")]
@@ -91,13 +91,13 @@ def _check_sources(project: Project) -> None:
     for key in project.content.report.sources:
         if key not in starts:
             near = get_close_matches(key, starts, n=1)
-            remedy = f"do you mean {shown(near[0])}?" if near else 'write one like "materials.NAME.density"'
-            raise ProjectError(f"{project.path}: report.sources: {shown(key)}: not a key of this file; {remedy}")
+            remedy = f"do you mean {value_text(near[0])}?" if near else 'write one like "materials.NAME.density"'
+            raise ProjectError(f"{project.path}: report.sources: {value_text(key)}: not a key of this file; {remedy}")
 
 
 def _project_file(path: Path) -> Path:
     if "\0" in str(path):
-        raise ProjectError(f"{shown(str(path))}: not a path; give a project file or its folder")
+        raise ProjectError(f"{value_text(str(path))}: not a path; give a project file or its folder")
     if not path.is_dir():
         return path
     if not (path / FILE_NAME).is_file():
@@ -139,33 +139,33 @@ def _toml(text: str) -> dict[str, Any]:
 
 
 def _toml_reason(message: str, text: str) -> str:
-    """What tomllib found in the text, with the line in front."""
+    """Return what tomllib found in the text, with the line in front."""
     match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)", message, re.DOTALL)
     if match is None:
-        return f"not valid TOML: {printable(message)}"
+        return f"not valid TOML: {escape_text(message)}"
     where = "end of the file" if match[4] else f"line {match[2]}, column {match[3]}"
     if match[1].startswith(("Cannot declare", "Cannot overwrite", "Cannot mutate", "Duplicate inline table key")):
         lines = text.rstrip().split("\n")
         name = _twice(match[1], lines[int(match[2]) - 1 if match[2] else -1])
-        return f"{where}: {printable(name) or 'this key'} stands there twice; give each its own name"
+        return f"{where}: {escape_text(name) or 'this key'} stands there twice; give each its own name"
     comma = match[2] and _DECIMAL_COMMA.search(text.split("\n")[int(match[2]) - 1])
     if comma:
         return f"{where}: {comma[1]}: a decimal comma; write {comma[1].replace(',', '.')}"
-    return f"{where}: not valid TOML: {printable(match[1])}; correct that line"
+    return f"{where}: not valid TOML: {escape_text(match[1])}; correct that line"
 
 
 def _twice(message: str, line: str) -> str:
-    """The key that stands twice, as tomllib names it, or as the line begins; empty where neither tells."""
+    """Return the key given twice, as tomllib names it or as the line begins; empty if neither shows it."""
     named = ".".join(re.findall(r"'([^']*)'", message))
     key = re.match(r"\s*([^=\[\]{}\"']+?)\s*=", line)
     return named or (key[1][:60] if key else "")
 
 
 def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
-    """The content in the newest format, one pure step at a time."""
+    """Convert the content to the newest format, one pure step at a time."""
     given = raw.get("format", FORMAT)
     if not isinstance(given, int) or isinstance(given, bool) or given < 1:
-        raise ProjectError(f"format: {shown(given)}: not a format number; write format = {FORMAT}")
+        raise ProjectError(f"format: {value_text(given)}: not a format number; write format = {FORMAT}")
     if given > FORMAT:
         raise ProjectError(f"format: {given}: newer than this program, which reads up to {FORMAT}; update it")
     for step in range(given, FORMAT):
@@ -174,7 +174,7 @@ def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def resolve(project: Project) -> dict[str, Resolved]:
-    """Every key, written with dots, with its value in SI and whether it was given or is a default.
+    """Return every key, written with dots, with its value in SI and whether it was given or is a default.
 
     Paths are written relative to the project file.
     """
@@ -185,7 +185,7 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
     if isinstance(value, Section):
         names = zip(type(value).model_fields, value.entries().items(), strict=True)
         for name, (written, item) in names:
-            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.given(name), folder)
+            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.has_key(name), folder)
     elif isinstance(value, Mapping):
         for name, item in value.items():
             yield from _resolved(f"{key}.{name}", item, given, folder)
@@ -194,7 +194,7 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
 
 
 def _plain(value: Any, folder: Path) -> Any:
-    """A value as JSON holds it."""
+    """Return a value as JSON holds it."""
     if isinstance(value, Path):
         return relative_path(value, folder)
     if isinstance(value, Section):
@@ -203,6 +203,6 @@ def _plain(value: Any, folder: Path) -> Any:
 
 
 def json_schema() -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of the project file."""
+    """Return the JSON Schema (draft 2020-12) of the project file."""
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Project file of assess"}
     return {**Content.model_json_schema(), **head}

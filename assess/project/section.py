@@ -15,36 +15,34 @@ from assess.project.descriptions import descriptions
 
 
 def wrong(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
-    """An error at `key`, one or more steps below the table that is being read."""
+    """Return an error at `key`, one or more steps below the table that is being read."""
     return PydanticCustomError(
         "project", "{reason}", {"key": (key,) if isinstance(key, str) else key, "reason": reason}
     )
 
 
 def quote_names(names: Mapping[str, Any] | tuple[str, ...]) -> str:
-    """Names in quotes, for a sentence."""
+    """Write names in quotes, for a sentence."""
     return ", ".join(f'"{name}"' for name in names)
 
 
 class Section(BaseModel):
     """One table of the project file.
 
-    `planned` are keys of the interface that this version does not read yet; `elsewhere` are keys of another form of the
-    same table, each with what is wrong about them here.
+    `elsewhere` are keys of another form of the same table, each with what is wrong about it here.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
-    planned: ClassVar[Mapping[str, str]] = {}
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
     def table_keys(cls) -> dict[str, FieldInfo]:
-        """The keys of the table as the file writes them; `from` is the alias of a field, as Python keeps the word."""
+        """Return the keys as the file writes them; `from` is the alias of a field, as Python reserves the word."""
         return {field.alias or name: field for name, field in cls.model_fields.items()}
 
     @classmethod
     def meanings(cls) -> dict[str, str]:
-        """What each key means, as the file writes them: the field's description, or the sentence below it."""
+        """Return what each key means: the field's description, or the sentence below it."""
         below: dict[str, str] = {}
         for table in reversed(cls.__mro__):
             below |= descriptions(table) if issubclass(table, Section) else {}
@@ -73,8 +71,6 @@ class Section(BaseModel):
 
     @classmethod
     def _unknown(cls, key: str) -> str:
-        if key in cls.planned:
-            return f"not supported by this version; {cls.planned[key]}"
         if key in cls.elsewhere:
             return cls.elsewhere[key]
         near = get_close_matches(key, cls.table_keys(), n=1)
@@ -85,9 +81,9 @@ class Section(BaseModel):
         )
 
     def entries(self) -> dict[str, Any]:
-        """Every key of the table with its value, defaults included."""
+        """Return every key of the table with its value, defaults included."""
         return {field.alias or name: getattr(self, name) for name, field in type(self).model_fields.items()}
 
-    def given(self, key: str) -> bool:
-        """Whether the user wrote `key`, rather than its default standing in."""
+    def has_key(self, key: str) -> bool:
+        """Return whether the user wrote `key`, so that its default is not used."""
         return key in self.model_fields_set

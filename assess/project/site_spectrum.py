@@ -10,7 +10,7 @@ from pathlib import Path
 from assess.codes.context import Hazard
 from assess.errors import ProjectError, locate_errors
 from assess.project import sections
-from assess.project.deciding import limit_state_of, use_class_of
+from assess.project.question import limit_state_of, use_class_of
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
@@ -22,7 +22,7 @@ NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
 
 
 def site_of(path: Path) -> sections.Site:
-    """The site of the project at `path`. Raises ProjectError for a project without one."""
+    """Read the site of the project at `path`; raise ProjectError if it has none."""
     project = load(path)
     site = site_in(project.content)
     if site is None:
@@ -31,9 +31,9 @@ def site_of(path: Path) -> sections.Site:
 
 
 def site_in(content: sections.Content) -> sections.Site | None:
-    """The site of a project; of a hazard over return periods with the limit state and the class of use of the project.
+    """Return the site of a project; hazard over return periods gets its limit state and class of use.
 
-    Raises ProjectError where the class of use is missing, or given twice and not alike.
+    Raises ProjectError if the class of use is missing, or given twice with different values.
     """
     site = content.site
     if site is None or not isinstance(site.spectrum, sections.NtcHazardSpectrum):
@@ -46,7 +46,7 @@ def site_in(content: sections.Content) -> sections.Site | None:
 
 
 def spectrum_of(site: sections.Site) -> Spectrum:
-    """The site's horizontal spectrum at its damping, scaled to the PGA the project gives."""
+    """Return the site's horizontal spectrum at its damping, scaled to the PGA given."""
     section = site.spectrum
     if isinstance(section, sections.TableSpectrum):
         spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
@@ -61,9 +61,9 @@ def spectrum_of(site: sections.Site) -> Spectrum:
 
 
 def vertical_of(site: sections.Site) -> Spectrum:
-    """The site's vertical spectrum, with the factor by which `pga` scales the horizontal one.
+    """Return the site's vertical spectrum, with the factor by which `pga` scales the horizontal one.
 
-    Raises SpectrumError for the codes that have none here.
+    Raises SpectrumError for codes without one here.
     """
     with locate_errors("site.spectrum"):
         spectrum = replace(vertical(site.spectrum), damping=site.spectrum.damping)
@@ -72,7 +72,7 @@ def vertical_of(site: sections.Site) -> Spectrum:
 
 @singledispatch
 def horizontal(section: sections.Spectrum) -> Spectrum:
-    """The horizontal spectrum of a table [site.spectrum] at 5 % damping."""
+    """Return the horizontal spectrum of a table [site.spectrum] at 5 % damping."""
     raise NotImplementedError(type(section).__name__)
 
 
@@ -106,7 +106,7 @@ def _(section: NtcSection) -> Spectrum:
 
 @singledispatch
 def vertical(section: sections.Spectrum) -> Spectrum:
-    """The vertical spectrum of a table [site.spectrum] at 5 % damping."""
+    """Return the vertical spectrum of a table [site.spectrum] at 5 % damping."""
     raise SpectrumError(f"code = {section.code} has no vertical spectrum here; ec8, nzs1170.5, ntc2008, ntc2018 have")
 
 
@@ -129,7 +129,7 @@ def _(section: NtcSection) -> Spectrum:
 
 
 def of_ec8(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
-    """The spectrum of EN 1998-1 that `make` gives of a table, horizontal or vertical."""
+    """Return the spectrum of EN 1998-1 that `make` gives, horizontal or vertical."""
     return make(
         a_g=section.a_g,
         ground_type=section.ground_type,
@@ -139,14 +139,14 @@ def of_ec8(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spec
 
 
 def of_nzs(section: sections.Nzs1170Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
-    """The same of NZS 1170.5."""
+    """Return the spectrum of NZS 1170.5 that `make` gives, horizontal or vertical."""
     return make(
         subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
     )
 
 
 def factor_of(section: sections.Nzs1170Spectrum) -> float:
-    """The return period factor R [-], given or from the return period."""
+    """Return the return period factor R [-], given or from the return period."""
     if section.r is not None:
         return section.r
     assert section.return_period is not None  # the schema asks for one of the two
@@ -154,7 +154,7 @@ def factor_of(section: sections.Nzs1170Spectrum) -> float:
 
 
 def hazard_of(section: NtcSection) -> ntc.Hazard:
-    """The hazard given, or that of the limit state."""
+    """Return the hazard given, or that of the limit state."""
     if isinstance(section, sections.NtcSpectrum):
         return ntc.Hazard(section.a_g, section.f_0, section.t_c_star)
     assert section.use_class is not None  # see site_in
@@ -167,7 +167,7 @@ def hazard_of(section: NtcSection) -> ntc.Hazard:
 
 
 def hazard_over_periods(site: sections.Site) -> Hazard | None:
-    """Spectra of the limit states and PGA of each row, scaled as the site's spectrum is; None without such a table.
+    """Return the spectra of the limit states and the PGA of each row, scaled as the site's spectrum; None without rows.
 
     A limit state whose return period lies outside the rows has no spectrum.
     """
@@ -186,7 +186,7 @@ def hazard_over_periods(site: sections.Site) -> Hazard | None:
 
 
 def state_spectrum(section: sections.NtcHazardSpectrum, state: str) -> Spectrum | None:
-    """The spectrum of a limit state; None where the rows do not reach its return period."""
+    """Return the spectrum of a limit state; None if the rows do not reach its return period."""
     assert section.use_class is not None  # see site_in
     life = ntc.reference_life(section.nominal_life, use_class=section.use_class)
     years = ntc.return_period(state, reference_life=life)
@@ -196,17 +196,17 @@ def state_spectrum(section: sections.NtcHazardSpectrum, state: str) -> Spectrum 
 
 
 def rows_of(section: sections.NtcHazardSpectrum) -> list[ntc.Hazard]:
-    """The rows of the hazard."""
+    """Return the rows of the hazard."""
     return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in section.hazard]
 
 
 def place_of(section: NtcSection) -> ntc.Place:
-    """Soil and topography of the site."""
+    """Return soil and topography of the site."""
     return ntc.Place(section.soil, section.topography, section.relief_position)
 
 
 def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
-    """The spectrum with its limit state among the parameters, where the table names one."""
+    """Add the limit state to the parameters of a spectrum, if the table names one."""
     if isinstance(section, sections.NtcSpectrum):
         return spectrum
     state, use_class = section.limit_state or DEFAULT_STATE, section.use_class or ""

@@ -14,7 +14,7 @@ from scipy.constants import g
 from assess.errors import AssessError
 from assess.messages.message import Message
 from assess.project.build import build
-from assess.project.components import horizontal
+from assess.project.horizontal_records import horizontal_records
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.results import GroundMotionResult, RecordResult
@@ -44,7 +44,7 @@ class Suite:
 
     records: tuple[RecordResult, ...]
     motion: GroundMotionResult
-    notices: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,17 @@ class Wanted:
 
 
 def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
-    """The records of a project as it selects and scales them, without artificial ones."""
+    """Return the records of a project as it selects and scales them, without artificial ones.
+
+    Parameters
+    ----------
+    path : of the project
+    executor : processes that share the reading of many records
+
+    Raises
+    ------
+    AssessError : the project names no records
+    """
     study = build(load(path), executor=executor)
     spectrum = require_spectrum(study)
     if not study.records:
@@ -71,8 +81,8 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     motions = motions_of(replace(study, artificial=None), spectrum)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
-    notices = tuple(notice for notice in study.messages if notice.where.startswith("records"))
-    return Suite(results_of(motions, spectrum, study.fitting), found, notices)
+    messages = tuple(each for each in study.messages if each.where.startswith("records"))
+    return Suite(results_of(motions, spectrum, study.fitting), found, messages)
 
 
 def of_target(
@@ -85,7 +95,22 @@ def of_target(
     kept: Path | None,
     executor: Executor | None = None,
 ) -> Suite:
-    """The suite out of files and the catalogues of folders that fits the spectrum of `target`."""
+    """Select the suite that fits the spectrum of a target, out of files and the catalogues of folders.
+
+    Parameters
+    ----------
+    target : a project, or a table of period and acceleration
+    places : files and folders of records
+    wanted : options of the command line
+    overrides : what files do not state themselves
+    flatfile : magnitudes and distances of the recordings
+    kept : file of the catalogue, if it is not in the folder
+    executor : processes that share the reading of many files
+
+    Raises
+    ------
+    AssessError : an option cannot be followed
+    """
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
@@ -102,7 +127,7 @@ def of_target(
 
 
 def criteria_of(wanted: Wanted) -> Criteria:
-    """In SI; AssessError for a word that is not known or a range that falls."""
+    """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
     spans = {**wanted.spans, "scale-limits": wanted.scale_limits}
     for name, span in spans.items():
         if span is not None and (isnan(span[0]) or isnan(span[1])):
@@ -128,11 +153,29 @@ def criteria_of(wanted: Wanted) -> Criteria:
 def write_scaled_files(
     target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
 ) -> tuple[tuple[ScaledRecord, ...], Suite]:
-    """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
+    """Scale every record to the spectrum of a target, or to its ordinate at one period.
+
+    Parameters
+    ----------
+    target : a project, or a table of period and acceleration
+    files : records
+    to : "spectrum", "pga" or "none"
+    at : period [s] at which ordinates are made equal; None for `to`
+    periods : range over which the misfit is measured [s]
+    overrides : what files do not state themselves
+
+    Returns
+    -------
+    The scaled records, and the suite they form
+
+    Raises
+    ------
+    AssessError : an option cannot be followed
+    """
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
     found = record_set.with_unique_names([record for file in files for record in read_with(file, overrides)])
-    records = horizontal(found)
+    records = horizontal_records(found)
     if at is None:
         motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:
@@ -153,7 +196,7 @@ def _check_period(at: float | None) -> None:
 
 
 def spectrum_at(target: Path) -> Spectrum:
-    """The spectrum of a project's site, or of a table in a file that ends in .csv or .txt."""
+    """Return the spectrum of a project's site, or of a table in a .csv or .txt file."""
     if target.suffix.lower() in (".csv", ".txt") and target.is_file():
         return read_table(target)
     if target.is_file() and target.suffix.lower() != ".toml":
@@ -165,7 +208,7 @@ def spectrum_at(target: Path) -> Spectrum:
 
 
 def results_of(motions: Sequence[ScaledRecord], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
-    """The records as results.json has them."""
+    """Return the records as results.json has them."""
     numbers = dict(fitting.nga)
     return tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
 

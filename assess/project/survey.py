@@ -13,8 +13,8 @@ from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.definitions import definition_of
+from assess.project.key_text import key_text
 from assess.project.keys import Key, with_value
-from assess.project.messages import key_text
 from assess.project.schema import Project
 from assess.project.variables import Alone, Subject, at_key, of_loads, thickness, turn_towards
 from assess.study.study import Study, Variable
@@ -46,7 +46,7 @@ def _of(subject: Subject, mechanism: Mechanism, *, tolerance: float) -> Iterator
 
 
 def _hinges(subject: Subject, section: sections.Chained, tolerance: float) -> Iterator[Variable]:
-    """Each given hinge, moved along the direction of motion."""
+    """Yield each given hinge, moved along the direction of motion."""
     for table in ("hinges", "hinges_negative"):
         given = getattr(section, table, None)
         if not isinstance(given, sections.Hinges):
@@ -58,7 +58,7 @@ def _hinges(subject: Subject, section: sections.Chained, tolerance: float) -> It
 
 
 def _moved(subject: Subject, path: Key, place: tuple[float, ...], direction: Sequence[float], shift: float) -> Study:
-    """The study with a hinge moved by `shift` [m] along the direction."""
+    """Return the study with a hinge moved by `shift` [m] along the direction."""
     length = sum(each**2 for each in direction) ** 0.5
     way = (1.0, 0.0) if len(place) == 2 else tuple(each / length for each in direction)
     project, moved = subject.project, [at + shift * each for at, each in zip(place, way, strict=True)]

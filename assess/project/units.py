@@ -17,7 +17,7 @@ from typing import Any
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.typed_quantity import QuantityError, number_and_unit
+from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.usual_units import AMBIGUOUS, DEFINED, USUAL, WEIGHTS, G
 
 _POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
@@ -94,9 +94,9 @@ KINDS: dict[str, Kind] = {
 
 
 def to_si(value: Any, kind: str, *, key: str) -> float:
-    """The SI value of `value`, a number (SI already) or a string with a unit, of the `kind` in KINDS.
+    """Return the SI value of a number (SI already) or a string with a unit, of a `kind` in KINDS.
 
-    Raises ProjectError that names the key, the value, what is wrong and the unit expected.
+    Raises ProjectError with the key, the value, what is wrong and the unit expected.
     """
     try:
         return si_value(value, KINDS[kind])
@@ -105,7 +105,7 @@ def to_si(value: Any, kind: str, *, key: str) -> float:
 
 
 def si_value(value: Any, kind: Kind) -> float:
-    """The SI value of `value`, a number or a string with a unit. Raises QuantityError."""
+    """Return the SI value of a number or a string with a unit; raise QuantityError if it cannot be read."""
     if isinstance(value, str):
         return _finite(_from_text(value, kind), kind)
     if isinstance(value, bool) or not isinstance(value, int | float):
@@ -114,7 +114,7 @@ def si_value(value: Any, kind: Kind) -> float:
 
 
 def key_value(value: Any, kind: Kind) -> float:
-    """The same for a key of the project file, which lies within the range of its kind. Raises QuantityError."""
+    """Return the SI value of a key of the project file, within the range of its kind; else raise QuantityError."""
     number = si_value(value, kind)
     if number and not kind.least <= abs(number) <= kind.most:
         what, unit = (
@@ -148,7 +148,7 @@ def _from_text(text: str, kind: Kind) -> Fraction:
 
 
 def _factor(unit: str, kind: Kind) -> Fraction:
-    """How many SI units of `kind` one `unit` is."""
+    """Return how many SI units of `kind` one `unit` is."""
     if kind.name == "acceleration" and unit in ("g", "gal"):
         return Fraction(str(g)) if unit == "g" else Fraction(1, 100)
     if not unit and kind.unit == "dimensionless":
@@ -179,7 +179,7 @@ def is_weight(value: str, kind: Kind) -> bool:
 
 @cache
 def pint_factor(unit: str, kind: Kind) -> Fraction:
-    """The same by pint, for any unit. Raises QuantityError."""
+    """Return how many SI units one `unit` is by pint, for any unit; raise QuantityError for an unknown one."""
     import pint
 
     try:
@@ -202,7 +202,7 @@ def pint_factor(unit: str, kind: Kind) -> Fraction:
 
 @cache
 def _registry() -> Any:
-    """One pint registry in exact fractions; making it takes half a second."""
+    """Make the pint registry in exact fractions, which takes half a second."""
     import pint
 
     registry: Any = pint.UnitRegistry(non_int_type=Fraction)
@@ -212,7 +212,7 @@ def _registry() -> Any:
 
 
 def _as_pint(unit: str, kind: Kind) -> str:
-    """`m/s2`, `kg·m²` and `5 %` as pint writes them; a prime is a foot, or a minute where an angle is asked."""
+    """Write `m/s2`, `kg·m²` and `5 %` for pint; a prime is a foot, or a minute of an angle."""
     powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
     prime, double = ("arcminute", "arcsecond") if kind.name == "angle" else ("foot", "inch")
     plain = powers.replace("'", prime).replace('"', double)

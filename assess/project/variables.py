@@ -22,8 +22,8 @@ from assess.project import sections
 from assess.project.bodies import bodies_of
 from assess.project.definitions import definition_of
 from assess.project.dependents import dependents
+from assess.project.key_text import key_text
 from assess.project.keys import Key, value_at, with_value
-from assess.project.messages import key_text
 from assess.project.schema import Project
 from assess.project.variations import read_case
 from assess.study.study import Amplified, Study, Unvaried, Variable
@@ -54,7 +54,7 @@ class Subject:
 
     @property
     def name(self) -> str:
-        """Of the mechanism."""
+        """The name of the mechanism."""
         return self.mechanism.name
 
     @property
@@ -64,15 +64,15 @@ class Subject:
 
     @property
     def materials(self) -> tuple[str, ...]:
-        """The materials of its bodies, those that load it included."""
+        """The materials of its bodies, and of those that load it."""
         content = self.project.content
         return tuple(name for name in content.materials if self.name in dependents(content, ("materials", name)))
 
 
 def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -> tuple[Variable | Unvaried, ...]:
-    """Every variable of every mechanism of a study, none where no sensitivity is asked for.
+    """Return every variable of every mechanism of a study; none if no sensitivity is requested.
 
-    alone : the study of one mechanism by another content, with some bodies replaced
+    alone : builds the study of one mechanism from other content, with some bodies replaced
     """
     asked = project.content.analysis.sensitivity
     if asked is None:
@@ -89,7 +89,7 @@ def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -
 
 
 def turn_towards(project: Project, mechanism: Mechanism) -> Project:
-    """The project with the direction and the sides of a mechanism given where they were sought: they are kept."""
+    """Fix the direction and the sides that were found for a mechanism, so that they stay the same."""
     section = project.content.mechanisms[mechanism.name]
     if isinstance(section, sections.EquivalentBlock):
         return project
@@ -102,7 +102,7 @@ def turn_towards(project: Project, mechanism: Mechanism) -> Project:
 
 
 def of_mechanism(subject: Subject, asked: sections.Sensitivity) -> Iterator[Variable | Unvaried]:
-    """The variables of one mechanism, as far as they are asked for."""
+    """Yield the variables of one mechanism that are requested."""
     if asked.thickness is not None and isinstance(subject.section, sections.Chained):
         yield thickness(subject, subject.section, asked.thickness)
     for number in dict.fromkeys(numbers_of(subject)):
@@ -114,7 +114,7 @@ def of_mechanism(subject: Subject, asked: sections.Sensitivity) -> Iterator[Vari
 
 
 def numbers_of(subject: Subject) -> Iterator[Number]:
-    """The numbers of the project file that a mechanism depends on and that are seldom well known."""
+    """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
     section, materials = subject.section, subject.project.content.materials
     if isinstance(section, sections.EquivalentBlock):
         yield Number("uplift", ("mechanisms", subject.name, "uplift"))
@@ -134,7 +134,7 @@ def numbers_of(subject: Subject) -> Iterator[Number]:
 
 
 def of_joints(subject: Subject, section: sections.Chained) -> Iterator[Number]:
-    """Strength and stiffness of the joints, where they stand."""
+    """Yield strength and stiffness of the joints, each at the key that gives it."""
     content = subject.project.content
     bodies = (content.bodies[name] for block in section.blocks for name in block)
     name = next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
@@ -155,7 +155,7 @@ def of_joints(subject: Subject, section: sections.Chained) -> Iterator[Number]:
 
 
 def of_loads(subject: Subject, section: sections.Chained) -> Iterator[Number]:
-    """The loads that are given as numbers; a force by its two components is two of them."""
+    """Yield the loads given as numbers; a force given by two components is two of them."""
     for place, load in enumerate(section.loads):
         path = ("mechanisms", subject.name, "loads", place)
         if isinstance(load, sections.TieLoad):
@@ -169,7 +169,7 @@ def of_loads(subject: Subject, section: sections.Chained) -> Iterator[Number]:
 
 
 def at_key(subject: Subject, number: Number, change: sections.Change) -> Variable | Unvaried:
-    """A number varied at its key."""
+    """Vary a number at its key."""
     base = float(value_at(subject.project.content, number.path))
     return vary_between(
         Variable(
@@ -187,7 +187,7 @@ def at_key(subject: Subject, number: Number, change: sections.Change) -> Variabl
 
 
 def with_number(subject: Subject, path: Key, value: Any) -> Study:
-    """The study of the mechanism with another value at a key of the project."""
+    """Return the study of the mechanism with another value at a key of the project."""
     project = subject.project
     raw = with_value(project.raw, path, value, project.content)
     content = read_case(raw, project.folder, path, value, name=key_text(path))
@@ -195,7 +195,7 @@ def with_number(subject: Subject, path: Key, value: Any) -> Study:
 
 
 def vary_between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
-    """The variable from its base less the change to its base with it."""
+    """Set the range of a variable: its base minus the change to its base plus the change."""
     base = at_base.base
     by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
     if by >= abs(base):
@@ -206,7 +206,7 @@ def vary_between(at_base: Variable, change: sections.Change) -> Variable | Unvar
 
 
 def restitution(subject: Subject, change: sections.Change) -> Variable | Unvaried:
-    """What the impacts keep, of both branches in proportion, at most all of it."""
+    """Vary the restitution of both branches in proportion, up to 1 at most."""
     first, second = subject.mechanism.restitution
     if first == 0.0:
         return Unvaried(subject.name, "restitution", "it is 0: there is no rebound")
@@ -226,7 +226,7 @@ def restitution(subject: Subject, change: sections.Change) -> Variable | Unvarie
 
 
 def thickness(subject: Subject, section: sections.Chained, change: sections.Change) -> Variable | Unvaried:
-    """The size of the blocks along the direction, about the middle of the base, which is the thickness there."""
+    """Vary the size of the blocks along the direction about the middle of the base, whose thickness names it."""
     why = stiff_geometry(subject, section)
     if why:
         return Unvaried(subject.name, "thickness", why)
@@ -242,7 +242,7 @@ def thickness(subject: Subject, section: sections.Chained, change: sections.Chan
 
 
 def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
-    """Why the blocks of a mechanism cannot be made thicker as they are; empty where they can."""
+    """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
     direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
     if direct:
         return f'body "{direct[0]}" has no geometry'
@@ -259,7 +259,7 @@ def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
 
 
 def thicken(subject: Subject, section: sections.Chained, value: float, *, width: float, middle: float) -> Study:
-    """The study of the mechanism with blocks as thick as `value` [m] at a base that is `width` wide."""
+    """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
     bodies = {name: solid for block in section.blocks for name in block if (solid := subject.solids[name]) is not None}
     thick = {
         name: scale_along(solid, direction=definition_of(section).towards, middle=middle, factor=value / width)

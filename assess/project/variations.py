@@ -15,11 +15,11 @@ import numpy as np
 from pydantic import ValidationError
 
 from assess.errors import ProjectError
+from assess.project.key_text import error_line, key_text, value_text
 from assess.project.keys import Given, Key, Place, one_number, place_of, places_of, value_at, with_value
-from assess.project.messages import key_text, one_line, shown
+from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.sections.content import Content
 from assess.project.sections.sweeps import Sweep
-from assess.project.typed_quantity import QuantityError, number_and_unit
 
 
 @dataclass(frozen=True)
@@ -50,9 +50,9 @@ class Variation:
 
 
 def variations(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[Variation, ...]:
-    """Every sweep of the project with the `content` read from the `raw` file in `folder`.
+    """Return every sweep of the project, with the `content` read from the `raw` file in `folder`.
 
-    Raises ProjectError for a key that is unknown or no number, and for the first case that breaks the schema.
+    Raises ProjectError for a key that is unknown or not a number, and for the first case that breaks the schema.
     """
     sweeps = content.analysis.sweeps
     if not sweeps:
@@ -71,7 +71,7 @@ def _variation(
 ) -> Variation:
     variants, units = [], []
     for given in sweep.values or _range(sweep, where=where):
-        name = f"{where}: {sweep.key} = {shown(given)}"
+        name = f"{where}: {sweep.key} = {value_text(given)}"
         read = read_case(with_value(raw, place.path, given, content), folder, place.path, given, name=name)
         number, unit = _typed(given, where=name)
         units.append(unit)
@@ -83,16 +83,16 @@ def _variation(
 
 
 def _range(sweep: Sweep, *, where: str) -> tuple[Given, ...]:
-    """Evenly spaced values in the unit of both ends."""
+    """Return evenly spaced values in the unit of both ends."""
     assert sweep.start is not None  # the schema asks for all three
     assert sweep.to is not None
     assert sweep.count is not None
-    low, unit = _typed(sweep.start, where=f"{where}.from: {shown(sweep.start)}")
-    high, other = _typed(sweep.to, where=f"{where}.to: {shown(sweep.to)}")
+    low, unit = _typed(sweep.start, where=f"{where}.from: {value_text(sweep.start)}")
+    high, other = _typed(sweep.to, where=f"{where}.to: {value_text(sweep.to)}")
     if unit != other:
-        raise ProjectError(f"{where}.to: {shown(sweep.to)}: not in the unit of from; write both in one unit")
+        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: not in the unit of from; write both in one unit")
     if low == high:
-        raise ProjectError(f"{where}.to: {shown(sweep.to)}: the same as from; give another, or values = [ … ]")
+        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: the same as from; give another, or values = [ … ]")
     numbers = [float(f"{number:.12g}") for number in np.linspace(low, high, sweep.count).tolist()]
     if isinstance(sweep.start, int) and isinstance(sweep.to, int) and all(map(float.is_integer, numbers)):
         return tuple(map(int, numbers))
@@ -100,7 +100,7 @@ def _range(sweep: Sweep, *, where: str) -> tuple[Given, ...]:
 
 
 def _typed(value: Given, *, where: str) -> tuple[float, str]:
-    """The number and the unit that the user typed."""
+    """Return the number and the unit that the user wrote."""
     if not isinstance(value, str):
         return float(value), ""
     try:
@@ -112,12 +112,12 @@ def _typed(value: Given, *, where: str) -> tuple[float, str]:
 
 
 def read_case(raw: Mapping[str, Any], folder: Path, path: Key, value: Any, *, name: str) -> Content:
-    """The content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
+    """Read the content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
     try:
         content = Content.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
-        said = f"{key_text(path)}: {shown(value)}: "  # by the name of the case already
-        raise ProjectError(f"{name}: {one_line(error, raw=raw).removeprefix(said)}") from None
+        said = f"{key_text(path)}: {value_text(value)}: "  # by the name of the case already
+        raise ProjectError(f"{name}: {error_line(error, raw=raw).removeprefix(said)}") from None
     if not one_number(value_at(content, path)):
         raise ProjectError(f"{name}: not a number; only numbers can be swept")
     return content

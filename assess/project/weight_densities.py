@@ -6,16 +6,16 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from assess.messages.message import Message, Quantity, note
+from assess.project.key_text import key_text, look_up
 from assess.project.keys import places_of
-from assess.project.messages import key_text, look_up
 from assess.project.sections.content import Content
 from assess.project.units import KINDS, is_weight
 
 DENSITY = KINDS["density"]
 
 
-def weight_densities(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
-    """A note for each density of the `raw` file that is a weight per volume."""
+def weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Note each density of the `raw` file that is a weight per volume."""
     for place in places_of(content).values():
         typed = look_up(raw, place.path)[1] if place.kind == DENSITY else None
         if isinstance(typed, str) and is_weight(typed, DENSITY):

@@ -16,7 +16,7 @@ from assess.amplification.floor_motion import (
 )
 from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.lasting import height_of_support
+from assess.mechanisms.limits import height_of_support
 from assess.messages.message import Quantity, note
 from assess.model.assembly import Built
 from assess.model.body import Bodies
@@ -180,7 +180,7 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
     frequency, effective = given_frequency(asked, structure), given_effective_height(asked, structure)
     assumed: tuple[str, ...] = ()
     if frequency is None or effective is None:
-        found = rayleigh_of(standing)
+        found = rayleigh_mode_of(standing)
         frequency = frequency or (found.frequency, RAYLEIGH)
         effective = effective or (found.effective_height, RAYLEIGH)
         assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
@@ -221,7 +221,7 @@ def given_effective_height(asked: AmplificationChoice, structure: Structure) -> 
     return None
 
 
-def rayleigh_of(standing: MechanismInPlace) -> Rayleigh:
+def rayleigh_mode_of(standing: MechanismInPlace) -> Rayleigh:
     """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
     definition, scene = standing.definition, standing.built.scene
     if not isinstance(definition, SingleBlock) or scene is None:

@@ -34,11 +34,11 @@ def amplification_result(
         factors=tuple(Factor(each.record.id, each.factor) for each in base),
         height_m=amplified.height,
         said=(*amplified.description, *amplified.assumptions),
-        motion=carried_motion_result(motions[most], base[most].record) if filtered else None,
+        motion=base_motion_result(motions[most], base[most].record) if filtered else None,
     )
 
 
-def carried_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
+def base_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
     """Return a motion scaled to the target, at the ground and at the base, sampled as the latter."""
     ground, scale = motion.record, motion.scaling.factor
     period = np.geomspace(SHORTEST_PERIOD, LONGEST_DRAWN, 120)

@@ -12,7 +12,6 @@ from assess.geometry.scene import Scene
 from assess.interfaces.definition import Interface
 from assess.loads.definitions import LoadDefinition, Place
 from assess.mechanisms.impact import RestitutionChoice
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.messages.message import Message, warning
 from assess.model.body import Bodies, Body
@@ -113,9 +112,9 @@ class Block:
         ------
         MechanismError : the mechanism stands only by ties or forces that nobody shows to last
         """
-        found = variants(self.mechanism).collapse
+        found = self.mechanism.variants.collapse
         if found is None:
-            names = ", ".join(variants(self.mechanism).standing_by)
+            names = ", ".join(self.mechanism.variants.depends_on)
             raise MechanismError(
                 f'mechanism "{self.name}": it stands only by {names}, not shown to last up to collapse; give until and '
                 "evidence"
@@ -134,13 +133,13 @@ class Block:
         return (
             *overlaps_of(definitions, self.bodies),
             *gaps_of(definitions, self.bodies),
-            *(warning("mechanism", where, text=text) for text in self.mechanism.notices),
+            *(warning("mechanism", where, text=text) for text in self.mechanism.warnings),
             *self.mechanism.messages,
         )
 
     @cached_property
     def _parameters(self) -> tuple[RockingParameters, RockingParameters | None]:
-        starting = variants(self.mechanism).starting
+        starting = self.mechanism.variants.starting
         rigid, mass = rigid_branches(self.mechanism, starting), starting.mass
         front = oscillator_result(starting.positive, mass=mass, rigid=rigid[0], equilibrium=starting.equilibrium)
         if starting.negative is None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from assess.messages.message import Message, Quantity, warning
-from assess.oscillator import Oscillator, elastic_frequency, linearise
+from assess.oscillator import Oscillator, elastic_frequency
 from assess.study.envelopes import EnvelopeCase
 from assess.study.motions import ScaledRecord
 from assess.study.study import Equation
@@ -45,7 +45,7 @@ def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, 
 
     The linearised equation has no vibration about rest.
     """
-    p = max(linearise(branch).p for branch in oscillator.branches)
+    p = max(branch.linearised.p for branch in oscillator.branches)
     elastic = max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
     if equation == "exact" and FEWEST * elastic > FEWEST_ROCKING * p:
         return 1.0 / (FEWEST * elastic), f"its elastic vibration on the joints, {elastic:.3g} Hz"

@@ -9,10 +9,10 @@ from assess.codes.check import Reason, reason_message
 from assess.codes.context import Context, LocalLimit, Transfer
 from assess.loads.load import PointMass
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.lasting import height_of_support, limits, variants
+from assess.mechanisms.limits import height_of_support, limits
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
-from assess.study.endurance import unheld_messages
+from assess.study.endurance import unsupported_messages
 from assess.study.floor_input import floor_spectrum
 from assess.study.motions import ScaledRecord
 from assess.study.rocking_case import RockingHistories
@@ -73,7 +73,7 @@ def context_of(
 def _without_floor_spectrum(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
-    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), variants(mechanism)
+    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
     amplified = study.amplified[mechanism.name]
     return Context(
         spectrum=spectrum,
@@ -97,7 +97,7 @@ def _without_floor_spectrum(
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
-        not_lasting=unheld_messages(mechanism),
+        not_lasting=unsupported_messages(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),

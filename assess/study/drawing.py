@@ -39,7 +39,7 @@ def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = Non
         centroid=(x, z),
         block_of=tuple(block for _, block in pieces),
         centroids=tuple(block.centroid for block in chain.blocks),
-        displaced=draw_displaced(chain, oscillator.positive, pieces, mark=""),
+        displaced=draw_rotation(chain, oscillator.positive, pieces, mark=""),
         displaced_negative=draw_negative_side(mechanism, oscillator),
         fixed=() if scene is None else fixed_outlines(scene),
     )
@@ -75,7 +75,7 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
     outlines = [
         tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
     ]
-    seen = draw_displaced(chain, branch, pieces_of(chain, outlines), mark="'")
+    seen = draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
     return Displaced(
         rotation_rad=seen.rotation_rad,
         blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in seen.blocks),
@@ -106,7 +106,7 @@ def hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
     return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
 
 
-def draw_displaced(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
+def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
     """Draw the chain after the rotation at which it is shown, in its own sign."""
     rotation = display_rotation(chain, branch.overturning, pieces)
 

@@ -8,7 +8,6 @@ from math import inf
 
 from assess.loads.load import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.ends import displacement_at
-from assess.mechanisms.lasting import acting_of, variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
 from assess.messages.message import Message, Severity, message
@@ -41,7 +40,7 @@ def load_result(load: Load) -> LoadResult:
 
 def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
     """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
-    sides = list(zip(acting_of(mechanism), variants(mechanism).ends, strict=True))
+    sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
     resisting = [(one, kept[number]) for one, kept in sides if one.ever_resists(number)]
     if not resisting:
         return replace(load, missing=())
@@ -71,17 +70,17 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     if not actions_of(mechanism.positive):
         return
     where = f"mechanisms.{mechanism.name}"
-    thrusts = {each.name for one in acting_of(mechanism) for each in one.thrusts}
+    thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in load_results(mechanism):
         if load.lasting == "not shown" and load.name not in thrusts:
             values = {"load": load.name, "missing": ", ".join(load.missing)}
             yield message("not-lasting", values, severity=Severity.WARNING, where=where)
-    yield from unheld_messages(mechanism, where=where)
+    yield from unsupported_messages(mechanism, where=where)
 
 
-def unheld_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
+def unsupported_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
     """Return why no displacement can be assessed: the mechanism stands only by loads that are not shown to last."""
-    loads = variants(mechanism).standing_by
+    loads = mechanism.variants.depends_on
     if not loads:
         return ()
     return (message("unheld", {"loads": ", ".join(loads)}, severity=Severity.WARNING, where=where),)

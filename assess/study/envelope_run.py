@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import partial
 
 from assess.amplification.floor_motion import pulse_factor
-from assess.mechanisms.lasting import variants
 from assess.results import SCHEMA_VERSION, Results
 from assess.results.stamp import stamp, this_program
 from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes
@@ -74,7 +73,7 @@ def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> t
         of = study if sweep is None else sweep.case.study
         case = "" if sweep is None else case_text(sweep.sweep, sweep.case, sweep.mechanism)
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
-        oscillator = variants(used).collapse
+        oscillator = used.variants.collapse
         if oscillator is None:
             continue
         factor = partial(pulse_factor, of.amplified[used.name].amplification)

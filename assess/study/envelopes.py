@@ -11,7 +11,7 @@ from scipy.constants import g
 
 from assess.dynamics.critical import Critical, find_critical
 from assess.dynamics.envelope import Envelope, envelope
-from assess.oscillator import Oscillator, linearise
+from assess.oscillator import Oscillator
 from assess.results import CriticalBand, CriticalResult, EnvelopeResult
 from assess.short_repr import ShortRepr
 from assess.study.progress import Progress
@@ -62,7 +62,7 @@ def map_envelopes(
 
 def envelope_result(made: Envelope, oscillator: Oscillator) -> EnvelopeResult:
     """Return the envelope in the units of results."""
-    form = min((linearise(branch) for branch in oscillator.branches), key=lambda form: form.multiplier)
+    form = min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
     bound = made.lower_bound / g
     above = made.amplitude[None, :] > made.lower_bound[:, None]  # nowhere, if nothing overturns
     return EnvelopeResult(

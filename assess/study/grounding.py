@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from assess.codes.check import Reason, reason_message
 from assess.codes.context import is_above_ground
-from assess.mechanisms.lasting import height_of_support
+from assess.mechanisms.limits import height_of_support
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 

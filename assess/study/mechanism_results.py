@@ -13,7 +13,6 @@ from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
 from assess.mechanisms.directions import Directions
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import (
     Oscillator,
@@ -76,7 +75,7 @@ def mechanism_result(
         Without envelope.
     """
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
-    deciding = variants(mechanism).deciding
+    deciding = mechanism.variants.deciding
     same = deciding is oscillator
     drawn = draw(mechanism, oscillator, scene)
     rigid = rigid_branches(mechanism, oscillator)

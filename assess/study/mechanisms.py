@@ -10,7 +10,6 @@ from assess.codes.families import uses_histories
 from assess.codes.italian.confidence import confidence_factors
 from assess.codes.italian.history import required_pga
 from assess.codes.registry import history_rules
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import MechanismResult
 from assess.study.amplification_results import amplification_result
@@ -83,7 +82,7 @@ def assess_mechanisms(
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
     """Return what the histories of a mechanism are run for."""
     base, name = motions_at_base(study.amplified[mechanism.name], motions), mechanism.name
-    return RockingCase(name, variants(mechanism).deciding, study.equations[name], base, mechanism.rebounds)
+    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
 
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
@@ -115,7 +114,7 @@ def assess_mechanism(
     context = context_of(study, spectrum, mechanism, rocked, case.base, motions)
     return mechanism_result(
         mechanism,
-        variants(mechanism).starting,
+        mechanism.variants.starting,
         equation=case.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, case.oscillator, context),

@@ -144,7 +144,7 @@ def to_pga(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     return _scaling(record, spectrum, band, scale_to_pga(record, spectrum.pga))
 
 
-def unscaled(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
+def keep_scale(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     """Leave the record as it is."""
     return _scaling(record, spectrum, band, 1.0)
 
@@ -152,5 +152,5 @@ def unscaled(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
 SCALINGS: dict[ScaleTo, Callable[[Record, Spectrum, Band], Scaling]] = {
     "spectrum": to_spectrum,
     "pga": to_pga,
-    "none": unscaled,
+    "none": keep_scale,
 }

@@ -13,7 +13,6 @@ from assess.oscillator import (
     displacement,
     elastic_frequency,
     equivalent_block,
-    linearise,
     participating_mass,
     threshold,
 )
@@ -45,7 +44,7 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
     OscillatorResult
         The parameters, some of the equivalent block of the rigid branch.
     """
-    block, linear = equivalent_block(rigid, mass=mass), linearise(branch)
+    block, linear = equivalent_block(rigid, mass=mass), branch.linearised
     return OscillatorResult(
         mass_kg=mass,
         inertia_kg_m2=block.inertia,

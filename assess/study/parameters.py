@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assess.errors import locate_errors
-from assess.mechanisms.lasting import variants
 from assess.results import MechanismResult
 from assess.study.amplification_results import amplification_result
 from assess.study.mechanism_results import mechanism_result
@@ -18,7 +17,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
     return tuple(
         mechanism_result(
             mechanism,
-            variants(mechanism).starting,
+            mechanism.variants.starting,
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),

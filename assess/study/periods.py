@@ -14,7 +14,6 @@ from assess.codes.asce43_05.clauses import HALF, effective_frequency
 from assess.codes.italian.curves import curves_of_all_actions
 from assess.codes.ntc2018.clauses import capacity_of
 from assess.errors import ProjectError
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Branch
 
@@ -31,7 +30,7 @@ def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float
     """Return the shortest and the longest equivalent period [s] of the branches of each mechanism, by name."""
     found = {}
     for mechanism in mechanisms:
-        periods = [equivalent_period(branch) for branch in variants(mechanism).deciding.branches]
+        periods = [equivalent_period(branch) for branch in mechanism.variants.deciding.branches]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 
@@ -40,7 +39,7 @@ def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[
     """Return the shortest and the longest T_SLV or T_SLC [s] of each mechanism (NTC 2018, C8.7.1.10, 11), by name."""
     found = {}
     for mechanism in mechanisms:
-        alone = curves_of_all_actions(variants(mechanism).deciding)
+        alone = curves_of_all_actions(mechanism.variants.deciding)
         periods = [capacity_of(curves, state=state, confidence_factor=LARGEST_FC).T for curves in alone]
         found[mechanism.name] = (min(periods), max(periods))
     return found

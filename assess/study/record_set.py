@@ -58,11 +58,23 @@ def candidate_records(
     kept: Path | None = None,
     executor: Executor | None = None,
 ) -> Offer:
-    """Every record of `files` and of the catalogues of the folders among them, brought up to date.
+    """Collect every record of files and of the catalogues of folders, brought up to date.
 
-    kept : where the catalogue of the one folder is, if not in it; executor : of processes, that read where files are
-    many. Raises RecordError for a file that is named and
-    cannot be read; those in folders become problems.
+    Parameters
+    ----------
+    files : files and folders of records
+    overrides : what files do not state themselves
+    flatfile : magnitudes and distances of the recordings
+    kept : file of the catalogue of the one folder, if it is not in the folder
+    executor : processes that share the reading of many files
+
+    Returns
+    -------
+    The candidates, and the files of folders that cannot be read
+
+    Raises
+    ------
+    RecordError : a file that is named cannot be read
     """
     found: list[Candidate] = []
     problems: list[tuple[str, str]] = []
@@ -82,13 +94,20 @@ def candidate_records(
 
 
 def catalogue_of(folder: Path) -> Path | None:
-    """Where the catalogue of a folder is; None, in memory alone, where the folder cannot be written."""
+    """Return the file of a folder's catalogue; None, in memory alone, if the folder cannot be written."""
     file = folder / catalogue.NAME
     return file if os.access(folder, os.W_OK) else None
 
 
 def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
-    """The records of a selection, read from their files; ids that stand twice numbered."""
+    """Read the records of a selection from their files; identical ids are numbered.
+
+    Parameters
+    ----------
+    found : the selection
+    over : the periods over which it was selected, with weights
+    folder : paths are written relative to it
+    """
     parts = [(choice, one) for choice in found.choices for one in choice.components]
     records = with_unique_names([_record(one, folder=folder) for _, one in parts])
     by_choice: dict[int, list[str]] = {}
@@ -104,7 +123,7 @@ def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
 
 
 def _record(one: Candidate, *, folder: Path) -> Record:
-    """The record of a candidate, with what a flatfile knows of it and its path as the project file writes it."""
+    """Read the record of a candidate, with the data of a flatfile, and its path as the project file writes it."""
     record = read_with(Path(one.path), one.overrides)[one.position]
     return replace(
         record,

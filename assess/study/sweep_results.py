@@ -51,7 +51,7 @@ def case_messages(found: MechanismSweep) -> Iterator[Message]:
     yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
     for mechanism in found.case.study.mechanisms:
         if mechanism.name == found.mechanism:
-            yield from (warning("mechanism", where, text=text) for text in mechanism.notices)
+            yield from (warning("mechanism", where, text=text) for text in mechanism.warnings)
 
 
 def case_text(sweep: Sweep, case: Case, mechanism: str) -> str:

@@ -14,7 +14,6 @@ from assess.codes.context import Gravity, Support, Wall
 from assess.geometry.outline import Outline
 from assess.loads.load import Force, Load, PointMass, upward
 from assess.mechanisms.chain import Chain, Point
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.virtual_work import virtual_work
 
@@ -51,7 +50,7 @@ def carries_floors(mechanism: Mechanism) -> bool:
 
 def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
     """Return the gravity moments of a wall and of the loads that press on it, by branch."""
-    rocker = variants(mechanism).deciding
+    rocker = mechanism.variants.deciding
     found: dict[BranchName, Gravity] = {"positive": _gravity(mechanism.positive, rocker.positive.unstable)}
     if mechanism.negative is not None and rocker.negative is not None:
         found["negative"] = _gravity(mechanism.negative, rocker.negative.unstable)

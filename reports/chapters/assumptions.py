@@ -88,7 +88,7 @@ def _rows(results: Results) -> Iterator[_Row]:
 
 
 def _without_name(key: str) -> tuple[str, str]:
-    """A key of a mechanism with * for its name, and the name."""
+    """Return a key of a mechanism with * for its name, and the name."""
     table, _, rest = key.partition(".")
     name, _, last = rest.partition(".")
     return (f"mechanisms.*.{last}", name) if table == "mechanisms" and last else (key, "")
@@ -102,7 +102,7 @@ def _left_out(key: str) -> bool:
 
 
 def _source(key: str, value: Resolved, sources: dict[str, str]) -> tuple[str, str]:
-    """The kind of source and its words, of the longest key of the sources that `key` begins with."""
+    """Return the kind of source and its words, of the longest key of the sources that `key` begins with."""
     known = [start for start in sources if key == start or key.startswith(f"{start}.")]
     if known:
         kind, _, words = sources[max(known, key=len)].partition(":")
@@ -111,7 +111,7 @@ def _source(key: str, value: Resolved, sources: dict[str, str]) -> tuple[str, st
 
 
 def _held(names: list[str], every: int) -> str:
-    """For which mechanisms."""
+    """Return the names that a value applies to, as a cell."""
     if not names:
         return ""
     if len(names) == every:

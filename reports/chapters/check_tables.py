@@ -99,7 +99,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def _rating(check: Check) -> dict[Column, Cell]:
-    """Safety index and return period of a check, where code and site have them."""
+    """Return safety index and return period of a check, where code and site have them."""
     return {_INDEX: check.safety_index, _YEARS: with_bound(check.return_period_years, check.return_period_bound)}
 
 

@@ -70,7 +70,7 @@ def side_by_side(results: Results) -> Table:
 
 
 def _worse(one: Cell, other: Cell) -> Cell:
-    """The worse of two ratios of one procedure (several limit states)."""
+    """Return the worse of two ratios of one procedure (several limit states)."""
     words = [cell for cell in (one, other) if isinstance(cell, str)]
     numbers = [cell for cell in (one, other) if isinstance(cell, float)]
     if words:

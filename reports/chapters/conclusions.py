@@ -52,7 +52,7 @@ def short_title(mechanism: MechanismResult) -> str:
 
 
 def _critical_mechanism(results: Results) -> Iterator[str]:
-    """The mechanism with the smallest margin by the deciding procedures, and the runner-up."""
+    """Yield the mechanism with the smallest margin by the deciding procedures, and the runner-up."""
     ranked = ranking(results)
     if not ranked or results.verdict is None:
         return
@@ -122,7 +122,7 @@ def _failing_mechanisms(mechanisms: list[MechanismResult], level: float, procedu
 
 
 def _spread(results: Results) -> Iterator[str]:
-    """The spread of the procedures in PGA at capacity."""
+    """Yield the spread of the procedures in PGA at capacity."""
     spreads = []
     for mechanism in results.mechanisms:
         known = governing.capacities(governing.code_checks(mechanism.checks))
@@ -140,7 +140,7 @@ def _spread(results: Results) -> Iterator[str]:
 
 
 def _overturning_records(results: Results) -> Iterator[str]:
-    """How many records overturn which mechanisms."""
+    """Yield how many records overturn which mechanisms."""
     fallen = [(m, suite) for m in results.mechanisms for suite in m.suites if suite.overturned]
     if fallen:
         each = list_names([_overturning_share(mechanism, suite) for mechanism, suite in fallen])
@@ -151,7 +151,7 @@ def _overturning_records(results: Results) -> Iterator[str]:
 
 
 def _factored_exception(results: Results) -> str:
-    """The procedures on records that still find one that overturns: with a confidence factor, or at another PGA."""
+    """Return the procedures on records that still find overturning: with a confidence factor, or at another PGA."""
     fallen = dict.fromkeys(
         governing.procedure_label(check, mechanism.checks)
         for mechanism in results.mechanisms
@@ -168,7 +168,7 @@ def _overturning_share(mechanism: MechanismResult, suite: SuiteResult) -> str:
 
 
 def _weakest_pulses(results: Results) -> Iterator[str]:
-    """The mechanism that the weakest pulse overturns, where envelopes were requested."""
+    """Yield the mechanism that the weakest pulse overturns, where envelopes were requested."""
     if results.critical is None:
         return
     bands = [(band, band.mechanism) for band in results.critical.bands if band.mechanism is not None]

@@ -75,7 +75,7 @@ def basis_table(found: Verdict) -> Table:
 
 
 def _missing(found: Verdict, results: Results) -> list[Block]:
-    """What would complete the verdict, as lines to paste, and what it would be with the safe values."""
+    """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
     blocks = _bullet_list("Missing:", [f"{each.key}: {_missing_reason(each)}." for each in found.missing])
@@ -90,7 +90,7 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
 
 
 def _missing_reason(missing: Missing) -> str:
-    """Why an input is needed, with the numbers of its reasons whole."""
+    """Return why an input is needed, with the numbers of its reasons whole."""
     text = missing.text
     for reason in missing.reasons:
         text = text.replace(reason.text, message_text(reason))
@@ -98,7 +98,7 @@ def _missing_reason(missing: Missing) -> str:
 
 
 def _relevant_warnings(results: Results) -> Iterator[str]:
-    """The warnings of the run, and the remarks of the checks that decide, each once."""
+    """Yield the warnings of the run, and the remarks of the checks that decide, each once."""
     for each in relevant_warnings(results.warnings):
         yield f"{each.where}: {message_text(each)}" if each.where else message_text(each)
     for mechanism in results.mechanisms:
@@ -109,7 +109,7 @@ def _relevant_warnings(results: Results) -> Iterator[str]:
 
 
 def _bullet_list(title: str, points: list[str]) -> list[Block]:
-    """A list under its title; of a long one the first points, and how many there are besides."""
+    """Return a list under its title; of a long one the first points, and how many there are besides."""
     if not points:
         return []
     more = [f"… and {len(points) - MANY} more."] if len(points) > MANY else []

@@ -156,7 +156,7 @@ def describe_envelope(one: EnvelopeResult) -> str:
 
 
 def _amplification_sentence(one: EnvelopeResult) -> str:
-    """How much of the ground's motion reaches the mechanism; empty where it acts as it is."""
+    """Return how much of the ground's motion reaches the mechanism; empty where it acts as it is."""
     least, most = min(one.factor), max(one.factor)
     if least == most == 1.0:
         return ""

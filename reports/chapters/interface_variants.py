@@ -46,7 +46,7 @@ def _groups(results: Results) -> list[list[MechanismResult]]:
 
 
 def _distinct(group: list[MechanismResult]) -> list[MechanismResult]:
-    """The first mechanism of each interface; others with the same interface are identical."""
+    """Return the first mechanism of each interface; others with the same interface are identical."""
     found: list[MechanismResult] = []
     for mechanism in group:
         if all(mechanism.interfaces != other.interfaces for other in found):
@@ -108,7 +108,7 @@ def _row(check: Check, group: Variants, models: tuple[str, ...], every: list[Che
 
 
 def _capacity(mechanism: MechanismResult | None, like: Check) -> float | None:
-    """The least peak ground acceleration at capacity of one procedure [g]; it does not depend on the level."""
+    """Return the least peak ground acceleration at capacity of one procedure [g]; it does not depend on the level."""
     known = () if mechanism is None else mechanism.checks
     same = [c for c in known if (c.procedure, c.limit_state) == (like.procedure, like.limit_state)]
     return min((c.capacity_pga_g for c in same if c.capacity_pga_g is not None), default=None)

@@ -101,7 +101,7 @@ def at_peak(mechanism: MechanismResult) -> str:
 
 
 def _pressed(interface: dict[str, Any], rotation: float) -> str:
-    """Stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
+    """Return stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
     stress, resultant, opened, crushed = joints.values_at(interface, rotation)
     strength = interface["strength_pa"]
     limit = "" if strength is None else f" (strength {_aligned(strength / 1e6, 'MPa')})"

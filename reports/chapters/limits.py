@@ -90,7 +90,7 @@ def _input_difference(results: Results) -> tuple[str, ...]:
 
 
 def _unamplified(results: Results) -> tuple[str, ...]:
-    """Procedures that check mechanisms at height by the motion of the ground."""
+    """Return procedures that check mechanisms at height by the motion of the ground."""
     every = [(m, check) for m in results.mechanisms for check in m.checks]
     unamplified = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
     if not unamplified:
@@ -112,7 +112,7 @@ def _linearised(results: Results) -> tuple[str, ...]:
 
 
 def _unverified(results: Results) -> Iterator[str]:
-    """Clauses of the basis and procedures that could not be compared with the printed standard."""
+    """Yield clauses of the basis and procedures that could not be compared with the printed standard."""
     if results.verdict is not None and results.verdict.uncompared:
         yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
     names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)

@@ -58,7 +58,7 @@ def _shape(mechanism: MechanismResult, name: str, *, twin: str) -> Section:
 
 
 def _view(mechanism: MechanismResult, name: str, *, twin: str) -> list[Block]:
-    """The bodies in space, once for mechanisms that differ by their interface alone.
+    """Return the bodies in space, once for mechanisms that differ by their interface alone.
 
     twin : file stem of an earlier mechanism with the same bodies, empty for none
     """
@@ -108,7 +108,7 @@ def _histories(mechanism: MechanismResult, name: str) -> Section:
 
 
 def _amplification(mechanism: MechanismResult, name: str) -> list[Block]:
-    """How the motion reaches a mechanism above the ground, where the histories amplify it."""
+    """Return how the motion reaches a mechanism above the ground, where the histories amplify it."""
     found = mechanism.amplification
     if found.height_m is None:
         return []

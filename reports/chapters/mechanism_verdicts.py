@@ -42,7 +42,7 @@ def table(results: Results) -> Table:
 
 
 def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> Iterator[tuple[Cell, ...]]:
-    """The lines of a mechanism, one for each limit state."""
+    """Yield the lines of a mechanism, one for each limit state."""
     name, outcome = names.get(one.mechanism, one.mechanism), outcome_text(one.outcome, near=one.at_the_limit)
     for answer in one.answers:
         decided = outcome_text(answer.outcome, near=answer.at_the_limit)
@@ -59,7 +59,7 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
 
 
 def _why(answer: Answer, one: MechanismVerdict) -> str:
-    """The reason, and the missing inputs where they alone prevent an answer."""
+    """Return the reason, and the missing inputs where they alone prevent an answer."""
     if answer.outcome == one.outcome or not one.missing:
         return message_text(answer.reason)
     return f"{message_text(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"

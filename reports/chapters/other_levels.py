@@ -60,7 +60,7 @@ def _row(results: Results, mechanism: MechanismResult, level: float, names: tupl
 
 
 def _deciding_states(checks: tuple[Check, ...], results: Results) -> tuple[Check, ...]:
-    """The checks of one procedure at the deciding limit states, where it has them by name."""
+    """Return the checks of one procedure at the deciding limit states, where it has them by name."""
     states = () if results.verdict is None else results.verdict.limit_states
     return tuple(check for check in checks if check.limit_state in states) or checks
 

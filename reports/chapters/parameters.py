@@ -113,7 +113,7 @@ def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def _friction(forces: HingeForceResult) -> tuple[Cell, Cell, Cell]:
-    """Friction needed and there is, and the acceleration that slides the hinge, or why there is none."""
+    """Return friction needed, friction available, and the acceleration that slides the hinge or why there is none."""
     needed: Cell = LIFTS if forces.needed_friction is None else forces.needed_friction
     if forces.friction is None:
         return needed, NOT_GIVEN, None

@@ -27,7 +27,7 @@ def section(results: Results) -> list[Section]:
 
 
 def _fitted(results: Results) -> str:
-    """How far artificial records are fitted, where there are any."""
+    """Return how far artificial records are fitted, where there are any."""
     artificial = any(not record.path for record in results.records)
     return "; artificial records are fitted up to a period of 4 s" if artificial else ""
 

@@ -72,7 +72,7 @@ def marker_kind(row: ComparisonRow, overturned: frozenset[ComparisonRow]) -> str
 
 
 def _dots(axes: Axes, procedure: str, seen: str, at: list[tuple[float, float]]) -> None:
-    """The rows of a procedure that look alike, in one line without ink between them."""
+    """Draw the rows of a procedure that look alike as one line without ink between them."""
     ink = pen(procedure)
     face = "white" if ink.dash == "--" else ink.colour
     marker = {"overturned": "x", "beyond": ">", "inside": ink.marker}[seen]

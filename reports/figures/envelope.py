@@ -47,7 +47,7 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
 
 
 def _fallen(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> FloatArray:
-    """Rectangles [k, 4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
+    """Return rectangles [k, 4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
     f, a = _between(frequency), _between(amplitude)
     found = []
     for column, row in enumerate(np.array(one.overturned, dtype=np.int64)):
@@ -59,12 +59,12 @@ def _fallen(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -
 
 
 def _between(values: FloatArray) -> FloatArray:
-    """Where the cell of each value [n] ends and the next begins [n + 1]."""
+    """Return where the cell of each value [n] ends and the next begins [n + 1]."""
     return np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
 
 
 def _dots(axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, amplitude: FloatArray) -> None:
-    """The best pulse within each record, as the record is scaled, where the map shows its place."""
+    """Draw the best pulse within each record, as the record is scaled, where the map shows its place."""
     found = [record.primary_pulses[0] for record in records if record.primary_pulses]
     inside = [
         pulse for pulse in found
@@ -116,7 +116,7 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
 
 
 def _reach(mapped: Sequence[EnvelopeResult]) -> float:
-    """The frequency up to which there is something to see: a little beyond the last bound, or the whole range."""
+    """Return the highest frequency to show: a little beyond the last bound, or the end of the range."""
     known = [
         f for one in mapped for f, bound in zip(one.frequency_hz, one.lower_bound_g, strict=True) if bound is not None
     ]

@@ -29,7 +29,7 @@ def model_of_view(view: View, *, positive: int) -> Model:
 
 
 def _parts(view: View) -> tuple[Part, ...]:
-    """The faces of each block, and of what does not move."""
+    """Return the faces of each block, and of what does not move."""
     faces: dict[int, list[tuple[int, int, int]]] = {}
     for block, triangle in zip(view.block_of, view.triangles, strict=True):
         faces.setdefault(block, []).append(triangle)

@@ -42,7 +42,7 @@ def draw(mechanisms: tuple[MechanismResult, ...]) -> Figure:
 
 
 def _span(drawing: Drawing) -> tuple[Point, Point]:
-    """Extent of the moving masonry and its hinges: least and largest x, least and largest z [m]."""
+    """Return extent of the moving masonry and its hinges: least and largest x, least and largest z [m]."""
     points = [point for ring in drawing.blocks for point in ring] + [hinge.at for hinge in drawing.hinges]
     along, up = [x for x, _ in points], [z for _, z in points]
     return (min(along), max(along)), (min(up), max(up))

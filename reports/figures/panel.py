@@ -134,7 +134,7 @@ class _Scale(Axis):
         self.stale = False
 
     def _ticks(self) -> list[_Ticks]:
-        """The larger ticks, and the smaller ones of a scale that has any."""
+        """Return the larger ticks, and the smaller ones of a scale that has any."""
         has_minor = not isinstance(self.get_minor_locator(), NullLocator)
         return [self._kind("major")] + ([self._kind("minor")] if has_minor else [])
 
@@ -154,7 +154,7 @@ class _Scale(Axis):
         )
 
     def _numbered(self, which: Literal["major", "minor"]) -> _Numbered:
-        """The ticks that are seen: a scale is laid out twice and then drawn, most often with the same ones."""
+        """Return the ticks that are seen: a scale is laid out twice and then drawn, most often with the same ones."""
         major = which == "major"
         locator = self.get_major_locator() if major else self.get_minor_locator()
         formatter = self.get_major_formatter() if major else self.get_minor_formatter()
@@ -168,14 +168,14 @@ class _Scale(Axis):
         return self._found[known]
 
     def _is_seen(self, values: FloatArray) -> NDArray[np.bool_]:
-        """Whether each value is within the panel [n]."""
+        """Return whether each value is within the panel [n]."""
         transform = self.get_transform()
         first, last = sorted(transform.transform(np.asarray(self.get_view_interval(), dtype=np.float64)))
         at, room = transform.transform(values), _CLOSE * (last - first)
         return np.asarray((at >= first - room) & (at <= last + room))
 
     def _points(self, values: FloatArray) -> FloatArray:
-        """Positions of values along the scale [px]."""
+        """Return positions of values along the scale [px]."""
         points = np.tile(np.asarray(self.axes.viewLim.min, dtype=np.float64), (values.size, 1))
         points[:, self.along] = values
         return np.asarray(self.axes.transData.transform(points))[:, self.along]
@@ -203,7 +203,7 @@ class _Scale(Axis):
             self._stroke(renderer, ticks.at, self._edge - ticks.length, colour=ticks.colour, width=ticks.width)
 
     def _stroke(self, renderer: RendererBase, at: FloatArray, end: float, *, colour: Any, width: float) -> None:
-        """Lines square to the scale, from its edge to `end` [px]."""
+        """Draw lines square to the scale, from its edge to `end` [px]."""
         ends = [self._point(along, away) for along in at.tolist() for away in (self._edge, end)]
         pen = renderer.new_gc()
         pen.set_foreground(colour)
@@ -224,7 +224,7 @@ class _Scale(Axis):
         pen.restore()
 
     def _places(self, ticks: _Ticks) -> list[tuple[Point, str]]:
-        """Positions of the numbers [px], each with its number."""
+        """Return positions of the numbers [px], each with its number."""
         if not ticks.is_numbered:
             return []
         away = self._edge - ticks.length - ticks.pad
@@ -249,11 +249,11 @@ class _Scale(Axis):
         return Bbox([lowest, highest])
 
     def _power(self, outside: float) -> float:
-        """The height of the power of ten [px], where the numbers end at `outside`."""
+        """Return the height of the power of ten [px], where the numbers end at `outside`."""
         raise NotImplementedError
 
     def _narrowed(self, box: Bbox) -> Bbox:
-        """A box as it counts in the layout: one point along the scale."""
+        """Return a box as it counts in the layout: one point along the scale."""
         corners, middle = np.array(box.get_points()), box.get_points().mean(axis=0)
         corners[:, self.along] = middle[self.along] - 0.5, middle[self.along] + 0.5
         return Bbox(corners)
@@ -303,7 +303,7 @@ class Panel(Axes):
 
 @lru_cache(maxsize=4096)
 def _lettered(text: str, size: Any, setting: tuple[str, str]) -> _Lettered:
-    """A text as matplotlib sets it at the origin."""
+    """Return a text as matplotlib sets it at the origin."""
     across, up = setting
     letters, catcher = Text(0.0, 0.0, text, fontsize=size, ha=across, va=up, figure=_PAPER), _Catcher()
     letters.draw(catcher)
@@ -322,5 +322,5 @@ class _Catcher(Ruler):
 
 
 def _extent(text: Text, ruler: RendererBase) -> Bbox | None:
-    """What a text covers [px], where it is seen."""
+    """Return what a text covers [px], where it is seen."""
     return Bbox(text.get_window_extent(ruler)) if text.get_visible() and text.get_text() else None

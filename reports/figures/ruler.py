@@ -21,7 +21,7 @@ class Ruler(RendererBase):
         return _measured(s, prop.copy())
 
     def _get_font_height_metrics(self, prop: FontProperties) -> tuple[float, float, float]:
-        """Height above the line, depth below it and gap between lines [pt] of a font.
+        """Return height above the line, depth below it and gap between lines [pt] of a font.
 
         Asked by matplotlib 3.11, which else reads the tables of the font anew for every text.
         """

@@ -220,7 +220,7 @@ def _points(layout: Layout) -> tuple[float, float]:
 
 
 def _labels(axes: Axes, named: Sequence[tuple[Point, str, str]], layout: Layout) -> list[Label]:
-    """Labels with their points as distances from the panel's corner [pt]."""
+    """Return labels with their points as distances from the panel's corner [pt]."""
     (left, _), (low, _) = axes.get_xlim(), axes.get_ylim()
     scale = layout.scale * INCH
     return [Label(text, ((at[0] - left) * scale, (at[1] - low) * scale), colour) for at, text, colour in named]
@@ -251,7 +251,7 @@ def _centroids(axes: Axes, centroids: Sequence[Point]) -> None:
 
 
 def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
-    """A dot for a mass, an arrow for what has a direction."""
+    """Draw a dot for a mass, an arrow for what has a direction."""
     style = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     for load in loads:
         if load.kind == "mass":
@@ -262,7 +262,7 @@ def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
 
 
 def _direction(axes: Axes, layout: Layout) -> None:
-    """The direction of motion, along +x, above the panel."""
+    """Draw the direction of motion, along +x, above the panel."""
     arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
     right, height = layout.panel[0] * INCH, layout.panel[1] * INCH + 9.0
     axes.annotate(

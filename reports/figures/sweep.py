@@ -50,7 +50,7 @@ def known(values: Values) -> bool:
 
 
 def _curve(axes: Axes, sweep: SweepResult, values: Values) -> None:
-    """The values in the order of what is swept, those that are known; the controlling case is marked."""
+    """Draw the known values in the order of the swept number, with the controlling case marked."""
     known = sorted((x, y) for x, y in zip(sweep.value, values, strict=True) if y is not None)
     axes.plot([x for x, _ in known], [y for _, y in known], marker="o", markersize=3, color="#0072b2", linewidth=1.0)
     axes.set_ylim(

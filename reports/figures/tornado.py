@@ -87,7 +87,7 @@ def _panel(axes: Axes, panel: Panel) -> None:
 
 
 def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, verdict: str) -> None:
-    """From the answer as assessed to the one at a low or high value; an arrow at the edge where the body overturns."""
+    """Draw half a bar, from the answer as assessed to that at one value; an arrow at the edge for overturning."""
     low, high = axes.get_xlim()
     start, end = min(base, high), min(value, high)
     axes.barh(height, end - start, HALF, left=start, color=colour, linewidth=0)

@@ -108,7 +108,7 @@ def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> Flo
 
 
 def _bodies(axes: Axes, view: View, camera: Camera) -> None:
-    """The faces that look at the eye, farthest first, each with the edges that belong to it."""
+    """Draw the faces that look at the eye, farthest first, each with the edges that belong to it."""
     vertices, triangles = np.array(view.vertices), np.array(view.triangles)
     sharp = SHARP if len(triangles) == view.given else SHARP_IN_SCANS
     edges = visible_edges(vertices, triangles, eye=camera.frame[2], sharp=sharp)
@@ -144,7 +144,7 @@ def shade_faces(faces: Faces, camera: Camera) -> FloatArray:
 
 
 def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], positive: int) -> None:
-    """The axes of rotation, those of the negative branch dashed, with their names at the end nearer the eye."""
+    """Draw the axes of rotation, those of the negative branch dashed, with names at the end nearer the eye."""
     named: list[FloatArray] = []
     for place, (axis, line) in enumerate(zip(view.axes, lines, strict=True)):
         colour, dash = (POSITIVE, "-") if place < positive else (NEGATIVE, "--")
@@ -170,7 +170,7 @@ def _arrow(axes: Axes, start: FloatArray, end: FloatArray, *, colour: str, width
 
 
 def _triad(axes: Axes, camera: Camera) -> None:
-    """The axes of the project in the lower left corner."""
+    """Draw the axes of the project in the lower left corner."""
     origin = np.array([26.0, 20.0])
     for place, name in enumerate("xyz"):
         way = camera.frame[:2, place]

@@ -123,7 +123,7 @@ def _model(model: Model, say: Say) -> Model:
 
 
 def _drawn(draw: Callable[[], Drawn], say: Say) -> Drawn:
-    """The figure with its letters changed; lettered ticks are written by their formatter, at each drawing anew."""
+    """Return the figure with its letters changed; formatters write lettered ticks anew at each drawing."""
     figure = draw()
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):

@@ -80,7 +80,7 @@ def render_measures(text: str, *, units: Units) -> str:
 
 
 def _render_measure(found: re.Match[str], *, units: Units) -> str:
-    """One number or unit in words."""
+    """Return one number or unit in words."""
     packed, unit, figures, style = found.groups()
     name = bytes.fromhex(unit).decode()
     other = customary(name) if units == "US" else None

@@ -79,5 +79,5 @@ def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[str, st
 
 
 def _parameter_row(name: str, unit: str, value: float | str) -> tuple[str, str, float | str]:
-    """A parameter in the unit that it is shown in: results hold accelerations in m/s2."""
+    """Return a parameter in the unit that it is shown in: results hold accelerations in m/s2."""
     return name, unit, value / g if unit == ACCELERATION and not isinstance(value, str) else value

@@ -56,7 +56,7 @@ class Template:
             found = self._next(text, found) if len(self.gaps) == 2 else None
 
     def _next(self, text: str, last: dict[int, str]) -> dict[int, str] | None:
-        """The next way to divide a text over two gaps."""
+        """Return the next way to divide a text over two gaps."""
         first, middle, end = self.fixed
         start, stop = len(first), len(text) - len(end)
         place = text.find(middle, start + len(last[self.gaps[0]]) + 1, stop)

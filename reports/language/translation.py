@@ -32,7 +32,7 @@ def translate_document(document: Document) -> Document:
 
 
 def _keeps_brackets(gaps: dict[int, str]) -> bool:
-    """Whether no gap closes a bracket that opens before it, as "7) and b (2 of 7" in a list of "a (2 of 7)"."""
+    """Return whether no gap closes a bracket that opens before it, as "7) and b (2 of 7" in a list of "a (2 of 7)"."""
     return all(_closed(part) for part in gaps.values())
 
 
@@ -42,7 +42,7 @@ def _closed(text: str) -> bool:
 
 
 def _translate(language: str, verbatim: frozenset[str], text: str) -> str:
-    """A text in the language; the translator need not be sent to the processes that draw figures."""
+    """Return a text in the language; the translator need not be sent to the processes that draw figures."""
     return _translator(language, verbatim).translate(text)
 
 
@@ -69,7 +69,7 @@ class Translator:
         return self.texts[text]
 
     def _best(self, text: str) -> str:
-        """A text with marks for those of the user: what is known of it in the language, the rest in English."""
+        """Return a text with marks for those of the user: what is known of it in the language, the rest in English."""
         whole = self._whole(text)
         if whole is not None:
             return whole
@@ -81,7 +81,7 @@ class Translator:
         return text
 
     def _whole(self, text: str) -> str | None:
-        """The same, where everything is known; else None."""
+        """Return the text in the language where everything in it is known; else None."""
         if text not in self.parts:
             self.parts[text] = None  # what contains itself is not known
             self.parts[text] = self._looked_up(text)
@@ -102,7 +102,7 @@ class Translator:
         return self._paragraph(text) if found is None else found
 
     def _filled(self, each: Template, text: str) -> str | None:
-        """The translation of a template that fits, where its gaps are known and each keeps its own brackets."""
+        """Return the translation of a template that fits, where its gaps are known and each keeps its own brackets."""
         for gaps in filter(_keeps_brackets, each.matches(text)):
             parts = {gap: found for gap, part in gaps.items() if (found := self._whole(part)) is not None}
             if len(parts) == len(gaps):
@@ -110,7 +110,7 @@ class Translator:
         return None
 
     def _lines(self, text: str) -> str | None:
-        """A text of several lines: part by part, else as one, folded again."""
+        """Return a text of several lines: part by part, else as one, folded again."""
         for at in (place for place, letter in enumerate(text) if letter == "\n"):
             first, rest = self._whole(text[:at]), self._whole(text[at + 1 :])
             if first is not None and rest is not None:
@@ -119,7 +119,7 @@ class Translator:
         return None if plain is None else fill(plain, max(map(len, text.split("\n"))) + _LONGER)
 
     def _paragraph(self, text: str) -> str | None:
-        """Two sentences and more that are known one by one."""
+        """Return two sentences and more that are known one by one."""
         for stop in _STOP.finditer(text):
             first, rest = self._whole(text[: stop.end() - 1]), self._whole(text[stop.end() :])
             if first is not None and rest is not None:
@@ -127,7 +127,7 @@ class Translator:
         return None
 
     def _wordless(self, text: str) -> bool:
-        """Whether there is nothing to translate: numbers, units, signs, identifiers and texts of the user."""
+        """Return whether there is nothing to translate: numbers, units, signs, identifiers and texts of the user."""
         plain = "".join(letter for letter in text if not is_mark(letter))
         return all(
             self.catalogue.unchanged.issuperset(words(part)) or _IDENTIFIER.fullmatch(part.rstrip(".,;:)"))

@@ -40,7 +40,7 @@ def _block(block: Block) -> Block:
 
 
 def _noted(sections: list[Section]) -> tuple[Section, ...]:
-    """The sections with the note on sheets in front of the first of them."""
+    """Return the sections with the note on sheets in front of the first of them."""
     for place, section in enumerate(sections):
         first = next((at for at, block in enumerate(section.blocks) if isinstance(block, Sheet)), None)
         if first is not None:
@@ -50,7 +50,7 @@ def _noted(sections: list[Section]) -> tuple[Section, ...]:
 
 
 def _line(line: Line) -> Line:
-    """A step with its result in both systems."""
+    """Return a step with its result in both systems."""
     found = customary(line.unit)
     if found is None or not isinstance(line.value, float | int):
         return line
@@ -71,7 +71,7 @@ def _column(column: Column) -> Column:
 
 
 def _row(row: tuple[Cell, ...], columns: tuple[Column, ...]) -> tuple[Cell, ...]:
-    """The cells in the units of their columns, or in the unit of the row."""
+    """Return the cells in the units of their columns, or in the unit of the row."""
     units = {label: customary(_unit(cell)) for cell, label in _unit_cells(row, columns)}
     of_row = {label: found for unit, found in units.items() if found for label in ROWS[unit]}
     made: list[Cell] = []
@@ -83,14 +83,14 @@ def _row(row: tuple[Cell, ...], columns: tuple[Column, ...]) -> tuple[Cell, ...]
 
 
 def _unit_cells(row: tuple[Cell, ...], columns: tuple[Column, ...]) -> list[tuple[str, str]]:
-    """The cells that give a unit, with the label of their column, where the table has columns in that unit."""
+    """Return the cells that give a unit, with the label of their column, where the table has columns in that unit."""
     labels = {column.label for column in columns}
     pairs = ((cell, column.label) for cell, column in zip(row, columns, strict=True) if isinstance(cell, str))
     return [(cell, label) for cell, label in pairs if not labels.isdisjoint(ROWS.get(label, ()))]
 
 
 def _unit(cell: str) -> str:
-    """The unit in a cell: "m" of "m" and of "displacement, m"."""
+    """Return the unit in a cell: "m" of "m" and of "displacement, m"."""
     return cell.rpartition(", ")[2]
 
 

@@ -89,7 +89,7 @@ def _pattern(text: str) -> str:
 
 
 def _spaced(text: str) -> str:
-    """A text that may be broken into lines at its spaces and hyphens."""
+    """Return a text that may be broken into lines at its spaces and hyphens."""
     return r"\s+".join(re.escape(word).replace(r"\-", r"\-\s*") for word in text.split())
 
 

@@ -131,12 +131,12 @@ def _look(style: str) -> Look:
 
 
 def _spaced(text: str) -> str:
-    """`text` in letters of the font, with one plain space between words; a space that forbids a break is a letter."""
+    """Return `text` in letters of the font, with one plain space between words; a no-break space is a letter."""
     return " ".join(_SPACES.split(printable(text))).strip(" ")
 
 
 def _lines(pieces: Sequence[Piece], *, width: float) -> list[Word]:
-    """One paragraph, as wide as `width` at most; most paragraphs of tables have one line."""
+    """Return one paragraph, as wide as `width` at most; most paragraphs of tables have one line."""
     whole = _word(pieces)
     if whole.width <= width:
         return [whole]
@@ -160,7 +160,7 @@ def _lines(pieces: Sequence[Piece], *, width: float) -> list[Word]:
 
 
 def _words(pieces: Iterable[Piece]) -> list[Word]:
-    """The words of a paragraph."""
+    """Return the words of a paragraph."""
     words: list[list[Piece]] = [[]]
     for text, look in pieces:
         first, *others = text.split(" ")
@@ -170,7 +170,7 @@ def _words(pieces: Iterable[Piece]) -> list[Word]:
 
 
 def _cut(word: Word, first: float, width: float) -> list[Word]:
-    """A word too long for a line, cut between letters: what has room in `first`, then in `width` each."""
+    """Return a word too long for a line, cut between letters: what has room in `first`, then in `width` each."""
     cuts, used, room = [list[Piece]()], 0.0, first
     for letter in ((sign, look) for text, look in word.pieces for sign in text):
         wide = _width(letter)
@@ -183,7 +183,7 @@ def _cut(word: Word, first: float, width: float) -> list[Word]:
 
 
 def _joined(words: Sequence[Word], space: Piece) -> Word:
-    """The words as one line."""
+    """Return the words as one line."""
     first, others = words[:1], words[1:]
     pieces = [piece for word in first for piece in word.pieces]
     pieces += [piece for word in others for piece in (space, *word.pieces)]
@@ -191,7 +191,7 @@ def _joined(words: Sequence[Word], space: Piece) -> Word:
 
 
 def _merged(pieces: Iterable[Piece]) -> list[Piece]:
-    """Neighbours of one look as one piece."""
+    """Return neighbours of one look as one piece."""
     return [("".join(text for text, _ in same), look) for look, same in groupby(pieces, key=lambda piece: piece[1])]
 
 

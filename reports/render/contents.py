@@ -40,7 +40,7 @@ class Entry(Flowable):
         canvas.later(f"page-of-{self.heading.key}", self._number)
 
     def _number(self, canvas: Canvas) -> None:
-        """Dots and number, at the right end of the last line."""
+        """Draw dots and number at the right end of the last line."""
         number = str(self.numbers[self.heading.key])
         free = self.width - self.indent - self.cell.lines[-1].width - width_of(number, self.style)
         of = STYLES[self.style]

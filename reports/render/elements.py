@@ -108,7 +108,7 @@ def anchor(title: str) -> str:
 
 
 def _wide(kind: str, title: str, caption: str, heads: Iterable[str], rows: Iterable[str]) -> str:
-    """A table that scrolls within the page where it is wider."""
+    """Return a table that scrolls within the page where it is wider."""
     name = anchor(title)
     return (
         f'<div class="wide" tabindex="0" role="region" aria-labelledby="{name}-caption">'
@@ -128,7 +128,7 @@ def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool, tra
 
 
 def _cell(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
-    """One cell; a number carries its value to the last figure, to be sorted by."""
+    """Return one cell; a number carries its value to the last figure, to be sorted by."""
     number = isinstance(cell, int | float) and not isinstance(cell, bool)
     empty = "empty" if cell is None or cell == "" else ""
     value = f' data-value="{cell!r}"' if number else ""
@@ -137,7 +137,7 @@ def _cell(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
 
 
 def _whole(text: str) -> str:
-    """The text of a cell; a long one scrolls within it."""
+    """Return the text of a cell; a long one scrolls within it."""
     return markup(text) if len(text) <= _LONG else f'<div class="long" tabindex="0">{markup(text)}</div>'
 
 
@@ -160,7 +160,7 @@ def _formula(text: str) -> str:
 
 
 def _data(model: Model) -> str:
-    """A model as data that no reader takes for markup."""
+    """Return a model as data that no reader takes for markup."""
     text = json.dumps(vars(model), default=vars, separators=(",", ":")).replace("<", "\\u003c")
     return f'<script type="application/json">{text}</script>'
 

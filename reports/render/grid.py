@@ -83,7 +83,7 @@ def _shared(least: list[float], natural: list[float], width: float) -> list[floa
 
 
 def _cap(widths: list[float], total: float) -> float:
-    """What the widest may have so that all together have `total`."""
+    """Return what the widest may have so that all together have `total`."""
     rest = total
     for place, narrow in enumerate(sorted(widths)):
         share = rest / (len(widths) - place)
@@ -102,7 +102,7 @@ def _text(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
 
 
 def _style(raw: Cell, column: Column, *, muted: bool) -> str:
-    """Which of STYLES a cell has."""
+    """Return which of STYLES a cell has."""
     right = column.kind == "number"
     if muted:
         return "muted-number" if right else "muted"
@@ -110,7 +110,7 @@ def _style(raw: Cell, column: Column, *, muted: bool) -> str:
 
 
 def _step(line: Line, rooms: list[float]) -> list[Set]:
-    """The cells of one step, as wide as `rooms`."""
+    """Return the cells of one step, as wide as `rooms`."""
     what, how = [_formula(line.description)], [_formula(line.formula)]
     what += [_written(line.clause, "muted")] if line.clause else []
     how += [_formula(f"= {line.substituted}")] if line.substituted else []

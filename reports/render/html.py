@@ -75,7 +75,7 @@ def _digest(text: str) -> str:
 
 
 def _definitions(pictures: Mapping[str, Picture]) -> dict[str, str]:
-    """Letters and windows of all pictures, each once."""
+    """Return letters and windows of all pictures, each once."""
     return {name: element for picture in pictures.values() for name, element in picture.definitions.items()}
 
 
@@ -85,7 +85,7 @@ def _facts(document: Document) -> str:
 
 
 def _contents(sections: tuple[Section, ...]) -> str:
-    """The headings as links, those of parts below their chapter's."""
+    """Return the headings as links, those of parts below their chapter's."""
     made, depth = [], -1
     for place, section in enumerate(sections):
         made += ["<ul>"] * (section.level - depth) if section.level > depth else []

@@ -120,7 +120,7 @@ class Pages(BaseDocTemplate):
         canvas.restoreState()
 
     def _number(self, canvas: Canvas, page: int) -> None:
-        """The number of a page, when the last page has its number."""
+        """Draw the number of a page, when the last page has its number."""
         _small(canvas)
         number = self.document.translate(PAGE).format(page=page, total=self.page)
         canvas.drawRightString(_SIDE + self.width, 12 * mm, number)

@@ -87,7 +87,7 @@ class Story:
         return [*opening, *listed, PageBreak(), *self._rest(made)]
 
     def _rest(self, made: Sequence[list[Flowable]]) -> Iterator[Flowable]:
-        """All sections but the opening one, each on a page of its own where it asks for one."""
+        """Yield all sections but the opening one, each on a page of its own where it asks for one."""
         for place, (section, flowables) in enumerate(zip(self.document.sections, made, strict=True)):
             if section.starts_page and place > 1:
                 yield PageBreak()
@@ -179,7 +179,7 @@ class Story:
 
 
 def _fitting(text: str, width: float) -> float:
-    """The size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
+    """Return the size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
     widest = max(width_of(word, "verdict") for word in text.split())
     return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
 

@@ -52,7 +52,7 @@ def _clip(window: Rectangle | None, canvas: Canvas) -> None:
 
 
 def _stroke(mark: Stroke, held: dict[str, object], canvas: Canvas) -> None:
-    """One outline; what is `held` already is not set again."""
+    """Draw one outline; what is `held` already is not set again."""
     for name, value in (*_line(mark), *_filling(mark.filling)):
         if held.get(name) != value:
             held[name] = value
@@ -79,7 +79,7 @@ def operators(codes: bytes, numbers: tuple[float, ...]) -> str:
 
 @cache
 def _shape(codes: bytes) -> str:
-    """The operators with room for the numbers: outlines are ten thousands, shapes of them a hundred."""
+    """Return the operators with room for the numbers: outlines are ten thousands, shapes of them a hundred."""
     return " ".join([_OPERATORS[code] for code in codes])
 
 

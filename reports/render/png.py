@@ -41,7 +41,7 @@ def _background(traced: FigureMarks) -> Stroke:
 
 
 def _stroke(mark: Stroke, renderer: RendererAgg) -> None:
-    """One outline; the renderer takes places in pixels, widths and dashes in points."""
+    """Draw one outline; the renderer takes places in pixels, widths and dashes in points."""
     pen = renderer.new_gc()
     pen.set_linewidth(mark.width if mark.line is not None else 0.0)
     pen.set_foreground(mark.line or (0.0, 0.0, 0.0, 0.0), isRGBA=True)
@@ -56,7 +56,7 @@ def _stroke(mark: Stroke, renderer: RendererAgg) -> None:
 
 
 def _path(mark: Stroke) -> Path:
-    """The outline as a path of matplotlib, in which closing has a point too, without meaning."""
+    """Return the outline as a path of matplotlib, in which closing has a point too, without meaning."""
     codes = np.frombuffer(mark.codes, dtype=np.uint8)
     points = np.zeros((codes.size, 2))
     points[codes != Path.CLOSEPOLY] = np.reshape(mark.numbers, (-1, 2))

@@ -84,7 +84,7 @@ class RuledTable(Flowable):
         canvas.restoreState()
 
     def _placed(self, tops: Sequence[float]) -> Iterator[tuple[Cell, float, float]]:
-        """Each cell by its upper left corner."""
+        """Yield each cell by its upper left corner."""
         for row, top in zip((self.body.head, *self.body.rows), tops, strict=False):
             for cell, left in zip(row, self.body.lefts, strict=True):
                 yield cell, left + PADDING / 2, top - _ABOVE

@@ -89,7 +89,7 @@ def unique(names: list[str], *, taken: Iterable[str] = (CONTENTS, SHEETS)) -> li
 
 
 def _cut(name: str, length: int) -> str:
-    """The first `length` characters as Excel counts them, in units of UTF-16: an emoji has two."""
+    """Return the first `length` characters as Excel counts them, in units of UTF-16: an emoji has two."""
     return name.encode("utf-16-le")[: 2 * length].decode("utf-16-le", "ignore")
 
 
@@ -138,7 +138,7 @@ def _contents(sheet: Worksheet, document: Document, names: list[str], starts: li
 
 
 def _alone(sheet: Worksheet, table: Table, *, translate: Callable[[str], str], book: _Book) -> None:
-    """A table on its own sheet, its head in sight and ready to be filtered."""
+    """Write a table on its own sheet, its head in sight and ready to be filtered."""
     _table(sheet, table, start=0, translate=translate, book=book)
     sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
     if table.rows:
@@ -157,7 +157,7 @@ def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _B
 
 
 def _starts(document: Document) -> list[int]:
-    """The row of each calculation sheet's caption, from 0; one row stays empty between them."""
+    """Return the row of each calculation sheet's caption, from 0; one row stays empty between them."""
     starts = [0]
     for each in document.sheets:
         starts.append(starts[-1] + len(each.lines) + 3)
@@ -165,7 +165,7 @@ def _starts(document: Document) -> list[int]:
 
 
 def _table(sheet: Worksheet, table: Table, *, start: int, translate: Callable[[str], str], book: _Book) -> None:
-    """Caption, head and rows from the row `start` on."""
+    """Write caption, head and rows from the row `start` on."""
     _write(sheet, start, 0, table.caption, book.format(_BOLD))
     _head(sheet, start + 1, table.columns, book=book)
     look = _look if len(table.rows) <= _LONG else _look_of_verdicts
@@ -183,7 +183,7 @@ def _head(sheet: Worksheet, place: int, columns: Iterable[Column], *, book: _Boo
 
 
 def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
-    """How a cell looks: as the report shows it."""
+    """Return how a cell looks: as the report shows it."""
     look: Look = {**_GREY, **_quoted(cell)} if muted else _look_of_verdicts(cell, column, muted=muted)
     if isinstance(cell, float) and isfinite(cell) and column.kind != "given":
         return {**look, "num_format": number_format(cell)}
@@ -191,17 +191,17 @@ def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
 
 
 def _look_of_verdicts(cell: Cell, column: Column, *, muted: bool) -> Look:
-    """Verdicts in their colours, anything else plain."""
+    """Return verdicts in their colours, anything else plain."""
     return _quoted(cell) if muted else {**_VERDICTS.get(outcome_colour(cell, column), {}), **_quoted(cell)}
 
 
 def _quoted(cell: Cell) -> Look:
-    """Text that stays text also where somebody edits its cell."""
+    """Return text that stays text also where somebody edits its cell."""
     return {"quote_prefix": 1} if isinstance(cell, str) and is_formula(cell) else {}
 
 
 def _write(sheet: Worksheet, place: int, at: int, cell: Cell, look: Format | None) -> None:
-    """A value at full precision, or text that is never taken for anything else."""
+    """Write a value at full precision, or text that is never taken for anything else."""
     if isinstance(cell, bool):
         sheet.write_boolean(place, at, cell, look)
     elif isinstance(cell, int | float) and isfinite(cell):
@@ -219,7 +219,7 @@ def _write_text(sheet: Worksheet, place: int, at: int, text: str, look: Format |
 
 
 def _width(column: Column, cells: Sequence[Cell]) -> int:
-    """Characters that a column needs: whole words of its head, texts, and numbers as they are shown."""
+    """Return characters that a column needs: whole words of its head, texts, and numbers as they are shown."""
     words = [len(word) + 4 for word in column.heading.split()]
     texts = [len(cell) + 2 for cell in cells if isinstance(cell, str)]
     numbers = [len(str(cell)) + 2 for cell in cells if column.kind == "given" and not isinstance(cell, str)]
@@ -232,7 +232,7 @@ def _widths(sheet: Worksheet, widths: Iterable[int]) -> None:
 
 
 def _paper(sheet: Worksheet, *, head: int | None) -> None:
-    """Printed across the page, as wide as it, with the head on every page."""
+    """Set the sheet to print across the page, as wide as it, with the head on every page."""
     sheet.set_landscape()
     sheet.fit_to_pages(1, 0)
     if head is not None:

@@ -88,7 +88,7 @@ def outline(codes: bytes, numbers: tuple[float, ...]) -> str:
 
 @cache
 def _shape(codes: bytes) -> str:
-    """The commands with room for the numbers."""
+    """Return the commands with room for the numbers."""
     return "".join([_COMMANDS[code] for code in codes])
 
 
@@ -129,7 +129,7 @@ def _paint(what: str, colour: Rgba | None) -> str:
 
 
 def _line_of(mark: Letters) -> str:
-    """A line of text: its letters as outlines, and the text itself for screen readers."""
+    """Return a line of text: its letters as outlines, and the text itself for screen readers."""
     pen, used = 0.0, []
     for sign in mark.text:
         used.append(f'<use xlink:href="#{_name(mark.bold, sign)}" x="{_number(pen)}"/>')
@@ -142,7 +142,7 @@ def _line_of(mark: Letters) -> str:
 
 @cache
 def _glyph(bold: bool, sign: str) -> tuple[str, float]:
-    """Outline of a letter as path data, and how far the next one is from it, at a size of 100 pt."""
+    """Return outline of a letter as path data, and how far the next one is from it, at a size of 100 pt."""
     font = _font(bold)
     glyph = font.load_char(ord(sign), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()

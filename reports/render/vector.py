@@ -197,7 +197,7 @@ def trace_figure(figure: Figure) -> FigureMarks:
 
 
 def _repeated(looks: Any) -> Iterator[Any]:
-    """One look after the other, from the first again after the last; without any, None."""
+    """Yield one look after the other, from the first again after the last; without any, None."""
     return cycle(looks.tolist() if isinstance(looks, np.ndarray) else looks) if len(looks) else repeat(None)
 
 
@@ -211,7 +211,7 @@ def _window(gc: GraphicsContextBase) -> Rectangle | None:
 
 
 def _outlines(paths: Sequence[Path], transform: Transform) -> Iterator[Outline]:
-    """The outlines of many paths; where all are straight, which most are, together."""
+    """Yield the outlines of many paths; where all are straight, which most are, together."""
     codes = [_codes(path) for path in paths]
     if any(each.strip(_STRAIGHT) for each in codes):
         yield from (_outline(path, transform, simplify=False) for path in paths)
@@ -229,7 +229,7 @@ def _codes(path: Path) -> bytes:
 
 
 def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
-    """The path cleaned as matplotlib does it: without what is not a number, curves as lines."""
+    """Return the path cleaned as matplotlib does it: without what is not a number, curves as lines."""
     clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
     codes = np.asarray(clean.codes, dtype=np.uint8)
     drawn = codes[: codes.tobytes().index(Path.STOP)]
@@ -237,7 +237,7 @@ def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
 
 
 def _numbers(points: NDArray[np.float64], codes: NDArray[np.uint8]) -> tuple[float, ...]:
-    """Coordinates [2 n] of the n points [., 2] that do not close."""
+    """Return coordinates [2 n] of the n points [., 2] that do not close."""
     return tuple(points[codes != _CLOSE].ravel().tolist())
 
 

@@ -52,9 +52,8 @@ from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Branch, Oscillator, SingleBlock, linearise, plain_branch
+from assess.oscillator import Branch, Oscillator, SingleBlock, plain_branch
 from records.pulses import SHAPES
 from records.record import Record, make_record
 
@@ -91,7 +90,7 @@ def of_equation(equation: Equation) -> tuple[Acceleration, float, float]:
             g * math.tan(ALPHA),
             slow,
         )
-    form = linearise(block().positive)
+    form = block().positive.linearised
     p2, phi_ov, gain = form.p**2, form.overturning, form.excitation / form.inertia
     return lambda phi, v, a: p2 * (phi - phi_ov) - gain * a, g * form.multiplier, REST * form.p * phi_ov
 
@@ -211,7 +210,7 @@ def wall(stiffness: float) -> Oscillator:
     mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), JointLaw(stiffness, 1.5e6), "flexible")
     body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
-    return oscillator(add_joints(rigid, (joint,), (joint,), restitution=(0.9, 0.9)))
+    return add_joints(rigid, (joint,), (joint,), restitution=(0.9, 0.9)).oscillator
 
 
 def frame() -> Oscillator:
@@ -285,7 +284,7 @@ def batches(share: int = 10) -> list[Row]:
 
 def envelopes() -> list[Row]:
     """Maps of 200 x 200, and lower bounds of 20 mechanisms at 200 frequencies, on all cores."""
-    form = linearise(block().positive)
+    form = block().positive.linearised
     unit, per_hertz = g * form.multiplier, 2 * math.pi / form.p
     frequency, amplitude = np.linspace(0.2, 10.0, 200) / per_hertz, np.linspace(0.0, 12.0, 200) * unit
     rows = []

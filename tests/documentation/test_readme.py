@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from assess.cli.summary import summary
 
+from assess.cli.tables.summary import summary
 from records.writing import at2_text
 from tests.support.motions import noise
 

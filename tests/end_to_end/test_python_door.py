@@ -178,3 +178,18 @@ def test_unknown_procedure_lists_the_known(block):
 def test_no_record_is_no_motion(block, record, said):
     with pytest.raises(RecordError, match=said):
         assess.respond(block, record)
+
+
+def test_structure_below_by_its_height():
+    assert assess.building(height=16.0).period == pytest.approx(0.05 * 8.0, rel=1e-12)  # 16^0.75 = 8
+    with pytest.raises(ProcedureError, match="height = -1"):
+        assess.building(height=-1.0)
+
+
+def test_answers_above_the_ground_need_the_building(block):
+    target = assess.spectrum("ec8", a_g=0.02 * assess.g, ground_type="C")
+    asked = {"procedures": ["ntc2018-linear"], "knowledge_level": "LC1", "base_elevation": 6.0}
+    (without,) = assess.answers(block, target, **asked)
+    (within,) = assess.answers(block, target, building=assess.building(height=9.0, storeys=3), **asked)
+    assert without.verdict.value == "not-answered"  # it could only fail by the motion of the ground
+    assert within.verdict.value == "pass"

@@ -13,7 +13,7 @@ from scipy.constants import g
 
 from assess.dynamics.history import _RUNS, Equation, Peaks, _parts, free_rocking, peaks, product, trace
 from assess.dynamics.packing import pack
-from assess.oscillator import Branch, Oscillator, energy, interpolant, linearise
+from assess.oscillator import Branch, Oscillator, energy, interpolant
 from records.record import Record, make_record
 
 EQUATIONS: tuple[Equation, ...] = ("exact", "linearised")
@@ -57,7 +57,7 @@ def same_bytes(first: Peaks, second: Peaks) -> bool:
 @EVERY
 def test_energy_of_free_motion_never_grows(body: Oscillator, equation: Equation) -> None:
     """Kinetic energy and the potential of the equation used, sampled through impacts; none is lost in between."""
-    phi_ov = body.positive.overturning if equation == "exact" else linearise(body.positive).overturning
+    phi_ov = body.positive.overturning if equation == "exact" else body.positive.linearised.overturning
     still = make_record("shock", np.r_[np.full(6, -6.0), np.zeros(2000)], 0.01)
     found = trace(body, still, scale=1.0, equation=equation)
     assert 0.0 < np.abs(found.rotation).max() < phi_ov
@@ -67,7 +67,7 @@ def test_energy_of_free_motion_never_grows(body: Oscillator, equation: Equation)
         if equation == "exact":
             inertia, potential = interpolant(side.rotation, side.inertia)(phi), energy(side, phi)
         else:
-            form = linearise(side)
+            form = side.linearised
             inertia, potential = form.inertia, form.stiffness * (form.overturning * phi - phi**2 / 2)
         total[on] = (0.5 * inertia * found.velocity**2 + potential)[on]
     early = slice(7, np.flatnonzero(total > 1e-2 * total[7])[-1])  # later hops are shorter than a sample
@@ -93,7 +93,7 @@ def test_velocity_after_an_impact_is_less_by_the_restitution(body: Oscillator, e
         before = body.branches[0 if velocity < 0.0 else -1]
         after = body.branches[0 if peak > 0.0 else -1]
         assert np.sign(peak) == (np.sign(velocity) if body.negative is not None else 1.0)
-        form, left = linearise(after), abs(velocity) * before.restitution
+        form, left = after.linearised, abs(velocity) * before.restitution
         phi = np.abs(peak)
         stored = energy(after, phi) if equation == "exact" else form.stiffness * (form.overturning * phi - phi**2 / 2)
         inertia = after.inertia[0] if equation == "exact" else form.inertia

@@ -16,7 +16,6 @@ from assess.codes.dmi2008 import nonlinear as dmi2008_nonlinear
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import linear, nonlinear
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
 from tests.support.curved import both, pulled
 
@@ -28,7 +27,7 @@ WALLS = [(0.06, 1.5), (0.1, 3.0), (0.2, 2.0), (0.35, 4.0), (0.5, 1.0)]
 
 
 def wall(slender, radius):
-    return oscillator(equivalent_block("w", p=np.sqrt(0.75 * g / radius), uplift=slender, radius=radius))
+    return equivalent_block("w", p=np.sqrt(0.75 * g / radius), uplift=slender, radius=radius).oscillator
 
 
 def site(*, elevation=0.0, levels=(0.25 * g,), **more):

@@ -12,8 +12,7 @@ from scipy.integrate import quad
 
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import join_planar, planar_body_from_values
-from assess.loads.load import Force, PointMass, Tie, pull_at_rest
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Force, PointMass, Tie, mirror_load, pull_at_rest
 from assess.mechanisms.arch import divide_arch, weakest_hinges
 from assess.mechanisms.chain import Block, Chain, mirror_chain, mirror_point
 from assess.mechanisms.face import Face
@@ -21,13 +20,12 @@ from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.impact import find_restitution
 from assess.mechanisms.motion import move, trace_point
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.statics import incipient_motion
 from assess.mechanisms.table import branch
 from assess.mechanisms.two_block import two_block
 from assess.mechanisms.virtual_work import virtual_work
-from assess.oscillator import energy, interpolant, linearise, multiplier
+from assess.oscillator import energy, interpolant, multiplier
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -214,7 +212,7 @@ def image(case):
         tuple(Block(b.mass, mirror_point(b.centroid), b.inertia) for b in case.blocks),
         tuple(mirror_point(each) for each in case.back),
         tuple(mirror_point(each) for each in case.front),
-        tuple(mirrored_load(each) for each in case.loads),
+        tuple(mirror_load(each) for each in case.loads),
     )
 
 
@@ -222,7 +220,7 @@ def image(case):
 def test_mirror_image_has_the_branches_the_other_way_round(case):
     one, two = case.mechanism(), image(case).mechanism()
     assert one.restitution == pytest.approx(two.restitution[::-1], rel=1e-12)
-    first, second = oscillator(one), oscillator(two)
+    first, second = one.oscillator, two.oscillator
     for a, b in ((first.positive, second.negative), (first.negative, second.positive)):
         assert (a.overturning, a.critical) == pytest.approx((b.overturning, b.critical), rel=1e-12)
         same_tables(a, b, 1e-11)
@@ -259,8 +257,8 @@ def test_lengths_times_s(case, s):
     """p^2 goes with 1/s; multiplier, rotations and restitution stay."""
     one, two = case.mechanism(), scaled(case, s).mechanism()
     assert two.restitution == pytest.approx(one.restitution, rel=1e-12)
-    for a, b in zip(oscillator(one).branches, oscillator(two).branches, strict=True):
-        first, second = linearise(a), linearise(b)
+    for a, b in zip(one.oscillator.branches, two.oscillator.branches, strict=True):
+        first, second = a.linearised, b.linearised
         assert second.p**2 * s == pytest.approx(first.p**2, rel=1e-9)
         assert (second.multiplier, second.overturning) == pytest.approx((first.multiplier, first.overturning), rel=1e-9)
         assert b.overturning == pytest.approx(a.overturning, rel=1e-11)
@@ -287,7 +285,7 @@ def welded(body):
 def test_blocks_of_welded_bodies_are_the_same_mechanism(case):
     one, two = case.mechanism(), case.mechanism(weld=welded)
     assert two.restitution == pytest.approx(one.restitution, rel=1e-9)
-    for a, b in zip(oscillator(one).branches, oscillator(two).branches, strict=True):
+    for a, b in zip(one.oscillator.branches, two.oscillator.branches, strict=True):
         same_tables(a, b, 1e-9)
 
 
@@ -342,7 +340,7 @@ def jogged(point, rng, by):
 @pytest.mark.parametrize("name", ["leaning wall", "two blocks", "asymmetric portal", "arch"])
 def test_free_motion_keeps_its_energy_between_impacts(name):
     """The exact equation, with I' phi'^2 / 2: peaks and impact velocities, through impacts that keep restitution."""
-    rocker = oscillator(CASES[name].mechanism())
+    rocker = (CASES[name].mechanism()).oscillator
     start = 0.6 * rocker.positive.overturning
     found = free_rocking(rocker, rotation=start, duration=12.0)
     assert found.peak_rotation.size >= 4
@@ -359,7 +357,7 @@ def test_free_motion_keeps_its_energy_between_impacts(name):
 @pytest.mark.parametrize("name", ["leaning wall", "two blocks", "asymmetric portal", "arch"])
 def test_time_to_the_first_impact_by_quadrature(name):
     """t = integral of sqrt(I / 2 (E_0 - E)) d phi, with phi = phi_0 (1 - u^2) against the singular end."""
-    rocker = oscillator(CASES[name].mechanism())
+    rocker = (CASES[name].mechanism()).oscillator
     side, start = rocker.positive, 0.6 * rocker.positive.overturning
     top, inertia = float(energy(side, start)), interpolant(side.rotation, side.inertia)
 
@@ -416,7 +414,7 @@ def test_a_block_of_several_bodies_in_a_project_file(tmp_path, kind):
         (tmp_path / "project.toml").write_text(project_of(kind, share))
         found.append(build(load(tmp_path)).mechanisms[0])
     assert found[0].restitution == pytest.approx(found[1].restitution, rel=1e-9)
-    for a, b in zip(*(oscillator(each).branches for each in found), strict=True):
+    for a, b in zip(*(each.oscillator.branches for each in found), strict=True):
         same_tables(a, b, 1e-9)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
+
 import numpy as np
 import pytest
 from scipy.constants import g
@@ -13,7 +15,6 @@ from assess.geometry.planar import PlanarBody, join_planar, planar_body
 from assess.geometry.repair import repair
 from assess.geometry.solid import Solid, box, polyhedron, profile
 from assess.geometry.surface import merge_vertices
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
 
@@ -58,7 +59,7 @@ EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 def rocking(*bodies: Solid, direction: tuple[float, float, float] = X) -> Oscillator:
     """The bodies as one block on the ground."""
     seen = [planar_body(each, direction=direction) for each in bodies]
-    return oscillator(single_block("m", seen[0] if len(seen) == 1 else join_planar(seen, name="block")))
+    return single_block("m", seen[0] if len(seen) == 1 else join_planar(seen, name="block")).oscillator
 
 
 def meshed(vertices: np.ndarray, triangles: np.ndarray) -> Solid:
@@ -86,7 +87,7 @@ def alike(found: Oscillator, wanted: Oscillator, *, rtol: float = 1e-9) -> None:
         assert isinstance(one, Branch)
         assert isinstance(other, Branch)
         assert one.overturning_flexible == other.overturning_flexible  # rigid: None
-        for name, column in vars(other).items():
+        for name, column in ((each.name, getattr(other, each.name)) for each in fields(other)):
             if name == "overturning_flexible":
                 continue
             size = float(np.max(np.abs(column)))

@@ -21,7 +21,6 @@ from assess.loads.load import Force
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8
@@ -68,7 +67,7 @@ def site(*, stretch=1.0, levels=LEVELS):
 
 def wall(*, size=1.0):
     block = equivalent_block("w", p=1.8 / np.sqrt(size), uplift=0.18, radius=2.4 * size, mass=5000.0)
-    return oscillator(block)
+    return block.oscillator
 
 
 def answers(name, rocker=None, context=None, *, size=1.0):
@@ -134,7 +133,7 @@ def test_the_worse_branch_is_the_answer(name):
     upright = single_block(
         "w", dataclasses.replace(leaning, centroid=(0.0, 2.0)), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)
     )
-    for one, plain in zip(answers(name, oscillator(towards)), answers(name, oscillator(upright)), strict=True):
+    for one, plain in zip(answers(name, towards.oscillator), answers(name, upright.oscillator), strict=True):
         assert one.branch == "positive"
         if one.capacity_pga_g is not None and not name.endswith("-history") and name != BY_SIZE:
             assert one.capacity_pga_g < plain.capacity_pga_g
@@ -148,7 +147,7 @@ def test_pass_is_the_same_as_a_level_below_the_pga_at_capacity(name):
         slender, radius = rng.uniform(0.05, 0.8), rng.uniform(0.2, 8.0)
         p = np.sqrt(g / (radius * rng.uniform(1.2, 1.4)))
         kept = (float(rng.choice([0.0, 0.3, 0.9, 1.0])),) * 2
-        rocker = oscillator(equivalent_block("w", p=p, uplift=slender, radius=radius, restitution=kept))
+        rocker = equivalent_block("w", p=p, uplift=slender, radius=radius, restitution=kept).oscillator
         plateau = rng.uniform(0.2, 1.5) * g
         spectrum = design_spectrum(s_ds=plateau, s_d1=plateau * rng.choice([0.3, 1.0, 3.0]), t_l=8.0)
         levels = tuple(sorted(rng.uniform(0.2, 8.0, 12) * slender * g))
@@ -228,7 +227,7 @@ def test_a_wider_base_never_makes_an_answer_worse(name):
             body = planar_body_from_values(
                 mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (t**2 + 16.0) / 12.0, name="w"
             )
-            rocker = oscillator(single_block("w", body, hinge=(t / 2, 0.0), hinge_negative=(-t / 2, 0.0)))
+            rocker = single_block("w", body, hinge=(t / 2, 0.0), hinge_negative=(-t / 2, 0.0)).oscillator
             context = dataclasses.replace(
                 site(),
                 elevation=elevation,
@@ -258,7 +257,7 @@ def held_wall(force, *, thickness=0.45):
         mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (thickness**2 + 16.0) / 12.0, name="w"
     )
     loads = (Force("held", (-force, 0.0), (0.0, 4.0)),) if force else ()
-    return oscillator(single_block("w", body, sides="one", hinge=(thickness / 2, 0.0), loads=loads))
+    return single_block("w", body, sides="one", hinge=(thickness / 2, 0.0), loads=loads).oscillator
 
 
 @pytest.mark.parametrize("name", [name for name in PROCEDURES if not name.endswith(("-history", "sliding"))])
@@ -324,7 +323,7 @@ def test_one_record_that_overturns_fails_the_level():
 
 
 def test_histories_by_the_linearised_equation_lift_off_at_its_own_multiplier():
-    stocky = oscillator(equivalent_block("w", p=3.36, uplift=0.54, radius=0.62))
+    stocky = equivalent_block("w", p=3.36, uplift=0.54, radius=0.62).oscillator
     for linearised, uplift in ((False, np.tan(0.54)), (True, 0.54)):
         context = dataclasses.replace(site(), linearised=linearised)
         assert answers("asce43-05-history", stocky, context)[0].uplift_pga_g == pytest.approx(uplift, rel=1e-9)

@@ -25,7 +25,6 @@ from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from records.record import Record, make_record
@@ -52,7 +51,7 @@ def on_a_joint(rng: np.random.Generator) -> Oscillator:
     body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     wall = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     restitution = rng.uniform(0.6, 1.0)
-    return oscillator(add_joints(wall, (joint,), (joint,), restitution=(restitution, restitution)))
+    return add_joints(wall, (joint,), (joint,), restitution=(restitution, restitution)).oscillator
 
 
 def motion(rng: np.random.Generator, npts: int) -> Record:

@@ -26,7 +26,6 @@ from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
@@ -111,7 +110,7 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
             building=replace(HOUSE, limit_states=stated),
             hazard=hazard,
             limits=(LocalLimit("break", "tie 1", "positive", 0.03), LocalLimit("seat", "floor", "negative", 0.02)),
-            breaking=ending(oscillator(high)),
+            breaking=ending(high.oscillator),
             free_period=given,
         ),
     )
@@ -169,15 +168,15 @@ def context_of(mechanism: Mechanism, floor: Spectrum | None) -> Context:
 @cache
 def subjects(name: str) -> tuple[Subject, ...]:
     """The answers of a procedure; the thesis' readings put a plain block in the place of what is on joints."""
-    every = rockers(contexts) + (rockers(special) if not name.endswith("-thesis") else ())
+    every = listed(contexts) + (listed(special) if not name.endswith("-thesis") else ())
     return tuple(
-        Subject(mechanism, context, rocker, check)
-        for mechanism, context, rocker in every
-        for check in procedure(name, OPTIONS)(rocker, context)
+        Subject(mechanism, context, mechanism.oscillator, check)
+        for mechanism, context in every
+        for check in procedure(name, OPTIONS)(mechanism.oscillator, context)
     )
 
 
 @cache
-def rockers(of: Callable[[], Iterator[tuple[Mechanism, Context]]]) -> tuple[tuple[Mechanism, Context, Oscillator], ...]:
-    """Mechanisms with their contexts and oscillators."""
-    return tuple((mechanism, context, oscillator(mechanism)) for mechanism, context in of())
+def listed(of: Callable[[], Iterator[tuple[Mechanism, Context]]]) -> tuple[tuple[Mechanism, Context], ...]:
+    """Mechanisms with their contexts, made once."""
+    return tuple(of())

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from assess.cli.options import FigurePath, Jobs, refuse_both, refuse_figure
 from assess.cli.records.options import Catalogue, Flatfile, Response, Step, Target, Unit
+
+if TYPE_CHECKING:
+    from assess.project.suites import Suite
 
 OWN = ("places", "jobs", "as_json", "as_csv", "output", "target")
 Span = tuple[float, float] | None
@@ -71,12 +75,7 @@ def select(
     """
     refuse_both(as_json=as_json, as_csv=as_csv)
     refuse_figure(output)
-    given = [name for name in context.params if name not in OWN and _typed(context, name)]
-    if target is None and (given or len(places) != 1):
-        what = f"--{given[0].replace('_', '-')}" if given else "several places"
-        raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
-    from assess.cli.tables.messages import messages_text
-    from assess.cli.tables.suite import csv_text, draw, json_text, table_text
+    _refuse_without_target(context, target, places)
     from assess.project.suites import Wanted, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
@@ -93,13 +92,30 @@ def select(
             found = of_target(
                 target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
+    _print_suite(found, output, as_json=as_json, as_csv=as_csv)
+
+
+def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:
+    """Raise BadParameter for options or several places without a target; a project has its own criteria."""
+    given = [name for name in context.params if name not in OWN and _is_given(context, name)]
+    if target is None and (given or len(places) != 1):
+        what = f"--{given[0].replace('_', '-')}" if given else "several places"
+        raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
+
+
+def _print_suite(found: Suite, output: Path | None, *, as_json: bool, as_csv: bool) -> None:
+    """Draw the suite where a figure is requested, and print it."""
+    from assess.cli.tables.messages import messages_text
+    from assess.cli.tables.suite import csv_text, draw, json_text, table_text
+
     if output is not None:
         draw(found, output)
-    if as_json or as_csv:  # the table ends with them
-        print(messages_text(found.notices), end="", file=sys.stderr)
+    if as_json or as_csv:  # the table includes them
+        print(messages_text(found.messages), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 
-def _typed(context: typer.Context, name: str) -> bool:
+def _is_given(context: typer.Context, name: str) -> bool:
+    """Return whether an option is given on the command line."""
     source = context.get_parameter_source(name)
     return source is not None and source.name == "COMMANDLINE"

@@ -21,7 +21,7 @@ ROUND = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0,
 
 
 def table_text(spectrum: Spectrum) -> str:
-    """The clause, the parameters, and the ordinates at round and corner periods, for reading."""
+    """Write the clause, the parameters, and the ordinates at round and corner periods."""
     scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
     peak = f"PGA {spectrum.pga / g:.4g} g{scale}"
     heading = f"{spectrum.code}: {spectrum.clause}; damping {spectrum.damping:g}, {peak}\n"
@@ -39,20 +39,20 @@ def table_text(spectrum: Spectrum) -> str:
 
 
 def periods_of(spectrum: Spectrum) -> list[float]:
-    """Round periods and the spectrum's corners [s], rising, as far as the spectrum reaches."""
+    """Return round periods and the spectrum's corners [s], ascending, as far as the spectrum extends."""
     wanted = {*ROUND, *corners(spectrum.parameters)}
     return sorted(period for period in wanted if period <= min(spectrum.longest_period, max(ROUND)))
 
 
 def csv_text(spectrum: Spectrum) -> str:
-    """Period and acceleration at full precision, as a table spectrum is read."""
+    """Write period and acceleration at full precision, in the format of a spectrum table."""
     result = spectrum_result(spectrum)
     rows = zip(result.period_s, result.acceleration_g, strict=True)
     return csv_lines([("period [s]", "acceleration [g]"), *rows])
 
 
 def json_text(spectrum: Spectrum) -> str:
-    """The block `spectrum` of results.json."""
+    """Write the block `spectrum` of results.json."""
     return dumps_spectrum(spectrum_result(spectrum))
 
 
@@ -63,7 +63,7 @@ def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...]
 
 
 def draw(spectrum: Spectrum, path: Path) -> Path:
-    """The figure of the spectrum at `path`."""
+    """Draw the figure of the spectrum to `path`."""
     from reports.figures import design_spectrum
     from reports.render.figure_file import write_figure
 
@@ -73,7 +73,7 @@ def draw(spectrum: Spectrum, path: Path) -> Path:
 
 
 def _shown(value: float | str, unit: str) -> tuple[str, str]:
-    """A value and its unit."""
+    """Format a value and its unit."""
     if not isinstance(value, float):
         return str(value), unit
     return f"{value:.4g}" if unit == ACCELERATION else f"{value:.5g}", unit

@@ -9,7 +9,7 @@ from typing import Any
 
 from assess.cli.tables.text_table import on_one_line, text_table
 from assess.messages.plural import count_noun
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.results.diff import Change, Kind, is_number
 from reports.render.csv import csv_lines
 
@@ -44,7 +44,7 @@ FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
 
 
 def changes_text(changes: Sequence[Change]) -> str:
-    """A table for each kind of change, and how many there are; one line where there are none."""
+    """Write a table for each kind of change and their number; one line where there are none."""
     if not changes:
         return "no differences\n"
     tables = (TEXTS.get(kind, _table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind))
@@ -52,7 +52,7 @@ def changes_text(changes: Sequence[Change]) -> str:
 
 
 def csv_text(changes: Sequence[Change]) -> str:
-    """All changes as one table at full precision; lists and tables as JSON."""
+    """Write all changes as one table at full precision, with lists and tables as JSON."""
     rows = (
         (one.kind, one.where, one.what, one.unit, _plain(one.before), _plain(one.after), one.relative)
         for one in changes
@@ -61,36 +61,36 @@ def csv_text(changes: Sequence[Change]) -> str:
 
 
 def json_text(changes: Sequence[Change]) -> str:
-    """All changes as a list, before and after as results.json has them."""
+    """Write all changes as a list, with the values before and after as in results.json."""
     plain = [{field: getattr(change, field) for field in FIELDS} for change in changes]
     return json.dumps(plain, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
 def _table(kind: Kind, changes: Sequence[Change]) -> str:
-    rows = [[on_one_line(change.where, LONGEST), change.what, *_ends(change), _by(change)] for change in changes]
+    rows = [[on_one_line(change.where, LONGEST), change.what, *_both_sides(change), _by(change)] for change in changes]
     return text_table([HEADINGS[kind], "", "before", "after", "change"], rows, widest=WIDEST)
 
 
 def _lines(kind: Kind, changes: Sequence[Change]) -> str:
-    """Texts that are too long for a table, each behind the sign of the run that has it."""
+    """Write texts that are too long for a table, each after the sign of its run."""
     lines = (
-        f"{'+' if change.before is None else '-'} {printable(change.where)}: "
-        f"{printable(change.after or change.before)}\n"
+        f"{'+' if change.before is None else '-'} {escape_text(change.where)}: "
+        f"{escape_text(change.after or change.before)}\n"
         for change in changes
     )
     return f"{HEADINGS[kind]}\n{''.join(lines)}"
 
 
 def _names(kind: Kind, changes: Sequence[Change]) -> str:
-    """Names alone, which have no two sides."""
-    return f"{HEADINGS[kind]}: {', '.join(printable(change.after) for change in changes)}\n"
+    """Write names alone, for changes that have no two sides."""
+    return f"{HEADINGS[kind]}: {', '.join(escape_text(change.after) for change in changes)}\n"
 
 
 TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Change]], str]] = {"warning": _lines, "other": _names}
 
 
-def _ends(change: Change) -> tuple[str, str]:
-    """Both sides of a change, cut; of two texts that part where they are cut what stands around there."""
+def _both_sides(change: Change) -> tuple[str, str]:
+    """Shorten both sides of a change; texts that differ only beyond the cut are shown around that place."""
     before, after = (_shown(end, change.kind) for end in (change.before, change.after))
     pairs = enumerate(zip(before, after, strict=False))
     parts = next((place for place, (one, other) in pairs if one != other), min(len(before), len(after)))
@@ -114,5 +114,5 @@ def _by(change: Change) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value on one line: numbers and texts as they are."""
+    """Return a value on one line: numbers and texts unchanged."""
     return value if value is None or isinstance(value, int | float | str) else json.dumps(value, ensure_ascii=False)

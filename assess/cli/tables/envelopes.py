@@ -13,7 +13,7 @@ SHOWN = 8  # frequencies in the table for reading
 
 
 def table_text(results: Results) -> str:
-    """Who is critical over which frequencies, and the lower bounds of all mechanisms at some of them."""
+    """Write the critical mechanism by frequency band, and the lower bounds of all mechanisms at some frequencies."""
     if results.critical is None:
         return "the project has no mechanisms\n"
     bands = text_table(["critical mechanism", "from [Hz]", "to [Hz]"], _bands(results.critical))
@@ -38,7 +38,7 @@ def _bound(one: EnvelopeResult, place: int) -> str:
 
 
 def csv_text(results: Results) -> str:
-    """One line for each frequency: the critical mechanism, then the least pulse of each [g], empty where none is."""
+    """Write a line for each frequency: the critical mechanism, then the least pulse of each [g], empty if none."""
     mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
     rows: list[list[Cell]] = [["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]]
     if results.critical is not None:
@@ -49,5 +49,5 @@ def csv_text(results: Results) -> str:
 
 
 def json_text(results: Results) -> str:
-    """The envelopes by mechanism and the critical ones, as results.json has them."""
+    """Write the envelopes by mechanism and the critical mechanisms as in results.json."""
     return dumps_envelopes(results)

@@ -12,7 +12,7 @@ from assess.cli.tables.text_table import text_table
 from assess.geometry.formats.element_selection import list_names, one_line
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.inventory import Entry
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from reports.render.csv import csv_lines
 
 Listed = Sequence[tuple[Path, Sequence[Entry] | Exception]]
@@ -20,40 +20,40 @@ _SHORT = ("part", "class", "storey", "GlobalId", "t x l x h [m]", "V [m3]", "at 
 
 
 def table_text(listed: Listed) -> str:
-    """A line for each part, rounded for reading; below it what there is to say of some of them."""
+    """Write a rounded line for each part, followed by warnings."""
     return "\n".join(_of_file(file, each) for file, each in listed)
 
 
 def csv_text(listed: Listed) -> str:
-    """Everything at full precision, under its names of the JSON; vectors in columns of their own."""
+    """Write everything at full precision under its JSON names, with a column for each component of vectors."""
     rows = [_flat(row) for row in _rows(listed)]
     return csv_lines([list(rows[0]), *(list(row.values()) for row in rows)])
 
 
 def json_text(listed: Listed) -> str:
-    """A list of the parts; a file that cannot be read has one entry with the reason."""
+    """Write a list of the parts; an unreadable file has one entry with the reason."""
     return json.dumps(_rows(listed), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
 def _of_file(file: Path, found: Sequence[Entry] | Exception) -> str:
     if isinstance(found, Exception):
-        return f"{printable(str(found))}\n"
+        return f"{escape_text(str(found))}\n"
     rows = [_short(each) for each in found]
     kept = [i for i, head in enumerate(_SHORT) if any(row[i] for row in rows) or head == "part"]
     table = text_table([_SHORT[i] for i in kept], [[row[i] for i in kept] for row in rows])
-    return f"{printable(str(file))}\n{table}{_said(found)}"
+    return f"{escape_text(str(file))}\n{table}{_warnings_text(found)}"
 
 
-def _said(found: Sequence[Entry]) -> str:
-    """A line for each remark, with the parts that it is of."""
+def _warnings_text(found: Sequence[Entry]) -> str:
+    """Write a line for each warning, with the parts that it concerns."""
     parts: dict[str, list[str]] = {}
     for each in found:
         for text in (each.why_not,) if each.why_not else each.warnings:
             parts.setdefault(text, []).append(each.element.shown)
-    return "".join(f"{_whose(names)}: {printable(text)}\n" for text, names in parts.items())
+    return "".join(f"{_parts_named(names)}: {escape_text(text)}\n" for text, names in parts.items())
 
 
-def _whose(names: Sequence[str]) -> str:
+def _parts_named(names: Sequence[str]) -> str:
     return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({list_names(names)})"
 
 
@@ -73,11 +73,11 @@ def _short(entry: Entry) -> list[str]:
 
 
 def _rows(listed: Listed) -> list[dict[str, Any]]:
-    return [row for file, found in listed for row in _known(file, found)]
+    return [row for file, found in listed for row in _file_rows(file, found)]
 
 
-def _known(file: Path, found: Sequence[Entry] | Exception) -> list[dict[str, Any]]:
-    """What there is to say of the parts of a file, units in the names."""
+def _file_rows(file: Path, found: Sequence[Entry] | Exception) -> list[dict[str, Any]]:
+    """Return the properties of the parts of a file, with units in the names."""
     if isinstance(found, Exception):
         return [_row(file, Entry(file.name, Element(), why_not=str(found)))]
     return [_row(file, each) for each in found]
@@ -104,7 +104,7 @@ def _row(file: Path, entry: Entry) -> dict[str, Any]:
 
 
 def _flat(row: dict[str, Any]) -> dict[str, Any]:
-    """Vectors as columns: size, place and direction have three numbers each."""
+    """Split vectors into columns: size, position and direction have three numbers each."""
     names = {
         "size_m": ("thickness_m", "length_m", "height_m"),
         "place_m": ("x_m", "y_m", "z_m"),
@@ -124,5 +124,5 @@ def _first(words: tuple[str, ...]) -> str:
 
 
 def _angle(thin: tuple[float, float]) -> float:
-    """From +x towards +y [deg]."""
+    """Return the angle from +x towards +y [deg]."""
     return degrees(atan2(thin[1], thin[0]))

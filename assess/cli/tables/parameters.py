@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from assess.cli.tables.text_table import text_table
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.results import DirectionSweep, HingeForceResult, LinearisedResult, MechanismResult, OscillatorResult
 from reports.render.csv import csv_lines
 
@@ -37,12 +37,12 @@ _CONSTANTS = (
 
 
 def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """The main parameters of each branch, the kinematic constants of its linearised equation, the forces of hinges."""
+    """Write the main parameters of each branch, the constants of its linearised equation, and the hinge forces."""
     return f"{table_text(mechanisms)}\n{constants_text(mechanisms)}{hinge_forces_text(mechanisms)}"
 
 
 def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """The main parameters of each branch, rounded for reading; phi_ov on joints that give way beside the rigid one."""
+    """Write the main parameters of each branch, rounded, with phi_ov of flexible joints beside the rigid one."""
     pairs = [(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
     if all(o.overturning_flexible_rad is None for _, _, o in pairs):
         return text_table(_SHORT, [_short(*each) for each in pairs])
@@ -52,7 +52,7 @@ def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
 
 
 def constants_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """I, K, B, M, phi_cr and phi_ov of each branch linearised (thesis 3.4-3.12), rounded for reading."""
+    """Write I, K, B, M, phi_cr and phi_ov of each linearised branch (thesis 3.4-3.12), rounded."""
     rows = [
         [mechanism.name, branch, *(f"{getattr(o.linearised, field.name):.5g}" for field in fields(LinearisedResult))]
         for mechanism in mechanisms
@@ -62,7 +62,7 @@ def constants_text(mechanisms: tuple[MechanismResult, ...]) -> str:
 
 
 def hinge_forces_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """What each hinge passes on when its mechanism starts to rock, and the friction it takes; empty where not known."""
+    """Write the forces at each hinge when rocking starts, and the friction they need; empty where not known."""
     rows = [[m.name, *_hinge(forces)] for m in mechanisms for forces in m.hinge_forces]
     return f"\n{text_table(_HINGES, rows)}" if rows else ""
 
@@ -82,13 +82,13 @@ def _hinge(f: HingeForceResult) -> list[str]:
 
 
 def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """A line for each mechanism whose direction was sought."""
+    """Write a line for each mechanism whose direction was searched for."""
     sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
-    return "".join(f"{printable(name)}: {weakest_text(found)}\n" for name, found in sought)
+    return "".join(f"{escape_text(name)}: {weakest_text(found)}\n" for name, found in sought)
 
 
 def weakest_text(found: DirectionSweep) -> str:
-    """The weakest direction, and how flat the minimum is."""
+    """Describe the weakest direction and how flat the minimum is."""
     return (
         f"weakest towards {found.weakest_deg:.6g} deg from +x, of {len(found.angle_deg)} directions; the multiplier is "
         f"within 1 % of the least over {found.flat_deg:.3g} deg, the least {found.variation:.2%} below the largest"
@@ -96,7 +96,7 @@ def weakest_text(found: DirectionSweep) -> str:
 
 
 def csv_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """All parameters of each branch at full precision, under their names of results.json."""
+    """Write all parameters of each branch at full precision, under their names of results.json."""
     names = [field.name for field in fields(OscillatorResult) if field.name != "linearised"]
     constants = [field.name for field in fields(LinearisedResult)]
     rows = [["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)]]

@@ -10,7 +10,7 @@ from assess.cli.tables.messages import messages_text
 from assess.cli.tables.parameters import table_text, weakest_text
 from assess.mechanisms.chain import format_metres
 from assess.messages.message import Message, text_of
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.project.schema import Project
 from assess.results import DirectionCandidate, LoadResult, MechanismResult, NamedPoint
 from assess.study.study import Sweep, Unvaried, Variable
@@ -21,8 +21,8 @@ MOST = 8  # candidates on a line
 def description(
     project: Project, mechanisms: tuple[MechanismResult, ...], sweeps: tuple[Sweep, ...], notices: tuple[Message, ...]
 ) -> str:
-    """The site, each mechanism with its geometry, loads and interfaces, sweeps, the table of parameters, warnings."""
-    title = printable(project.content.title) or "no title"
+    """Describe the site, each mechanism with its geometry, loads and interfaces, sweeps, parameters and warnings."""
+    title = escape_text(project.content.title) or "no title"
     lines = [f"{project.path}: {title}", _site(project), _motions(project), ""]
     for mechanism in mechanisms:
         lines += [*_mechanism(mechanism), ""]
@@ -31,24 +31,24 @@ def description(
 
 
 def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
-    """A line for each mechanism whose sensitivity is asked for: its numbers with their low and high values."""
+    """Write a line for each mechanism with a sensitivity study: its variables with low and high values."""
     lines: dict[str, list[str]] = {}
     for each in variables:
         lines.setdefault(each.mechanism, []).append(
             _variable_text(each) if isinstance(each, Variable) else _unvaried_text(each)
         )
-    return "".join(f"sensitivity of {printable(name)}: {'; '.join(each)}\n" for name, each in lines.items())
+    return "".join(f"sensitivity of {escape_text(name)}: {'; '.join(each)}\n" for name, each in lines.items())
 
 
 def _variable_text(variable: Variable) -> str:
     unit = "" if variable.unit == "-" else f" {variable.unit}"
     table, _, rest = variable.key.partition(".")
-    of = f" of {printable(rest.rpartition('.')[0])}" if table == "materials" else ""
+    of = f" of {escape_text(rest.rpartition('.')[0])}" if table == "materials" else ""
     return f"{variable.parameter}{of} {variable.low:.4g} to {variable.high:.4g}{unit}"
 
 
 def _unvaried_text(number: Unvaried) -> str:
-    return printable(f"{number.parameter} not varied, {number.why}".lstrip())
+    return escape_text(f"{number.parameter} not varied, {number.why}".lstrip())
 
 
 def _site(project: Project) -> str:
@@ -66,17 +66,17 @@ def _motions(project: Project) -> str:
 
 
 def _mechanism(m: MechanismResult) -> list[str]:
-    label = f" ({printable(m.label)})" if m.label and m.label != m.name else ""
+    label = f" ({escape_text(m.label)})" if m.label and m.label != m.name else ""
     sides = "two-sided" if m.sides == "two" else "one-sided"
     return [
-        f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
+        f"{escape_text(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
         *_direction(m),
         *_ground(m),
         f"  hinges      {_points(m.drawing.hinges)}",
         f"  centroid    {_at(m.drawing.centroid)}",
         *_loads(m.loads),
         *_interfaces(m),
-        f"  impacts     {printable(m.restitution_source)}",
+        f"  impacts     {escape_text(m.restitution_source)}",
         *_amplification(m),
     ]
 
@@ -85,7 +85,10 @@ def _amplification(m: MechanismResult) -> list[str]:
     found = m.amplification
     if found.height_m is None:
         return []
-    lines = [f"{found.method}, base {found.height_m:.4g} m above the ground", *map(printable, map(text_of, found.said))]
+    lines = [
+        f"{found.method}, base {found.height_m:.4g} m above the ground",
+        *map(escape_text, map(text_of, found.said)),
+    ]
     return [f"  {'motion' if i == 0 else '':<11} {line}" for i, line in enumerate(lines)]
 
 
@@ -95,7 +98,7 @@ def _interfaces(m: MechanismResult) -> list[str]:
         return ["  interface   rigid"]
     alike: dict[str, list[str]] = {}
     for each in yielding:
-        alike.setdefault(_interface(each), []).append(printable(each["hinge"]))
+        alike.setdefault(_interface(each), []).append(escape_text(each["hinge"]))
     sentences = [f"{', '.join(hinges)}: {text}" for text, hinges in alike.items()]
     lines = [f"  {'interfaces' if i == 0 else '':<11} {sentence}" for i, sentence in enumerate(sentences)]
     rest = m.oscillator
@@ -108,7 +111,7 @@ def _interfaces(m: MechanismResult) -> list[str]:
 
 def _interface(found: dict[str, Any]) -> str:
     infinite = found["stiffness_pa_m"] is None
-    stiffness = "without limit of stiffness" if infinite else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
+    stiffness = "infinitely stiff" if infinite else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
     strength = "no crushing" if found["strength_pa"] is None else f"{found['strength_pa'] / 1e6:.4g} MPa"
     opens, crushes = (
         "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
@@ -123,7 +126,7 @@ def _interface(found: dict[str, Any]) -> str:
 
 def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
     lines = [
-        f"{printable(load.name)} at {_at(load.at)}: {_size(load)}; {printable(load.source)}{duration_text(load)}"
+        f"{escape_text(load.name)} at {_at(load.at)}: {_size(load)}; {escape_text(load.source)}{duration_text(load)}"
         for load in loads
     ]
     return [f"  {'loads' if i == 0 else '':<11} {line}" for i, line in enumerate(lines or ["none"])]
@@ -137,24 +140,26 @@ def _size(load: LoadResult) -> str:
 
 
 def duration_text(load: LoadResult) -> str:
-    """How long a load is there where it resists, and how far it may move on its seat."""
+    """Describe how long a resisting load lasts, and how far it may move on its seat."""
     if load.bearing:
         return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"
-    end = "" if load.end_m is None else f"where its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
+    end = "" if load.end_m is None else f"when its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
     if load.lasting == "to collapse":
-        return "; lasts to collapse" + (f", and ends {end}" if end else "")
+        return "; lasts to collapse" + (f", ends {end}" if end else "")
     if load.lasting == "to its end":
-        return f"; ends {end}, and is left out of displacements and histories"
+        return f"; ends {end}; ignored in displacements and histories"
     if load.lasting == "not shown":
-        return f"; where it resists not shown to last ({', '.join(load.missing)} missing): in the multiplier alone"
+        return (
+            f"; not shown to last where it resists ({', '.join(load.missing)} missing): counts in the multiplier only"
+        )
     return ""
 
 
 def _sweep(sweep: Sweep) -> str:
-    names = ", ".join(printable(mechanism.name) for mechanism in sweep.cases[0].study.mechanisms)
+    names = ", ".join(escape_text(mechanism.name) for mechanism in sweep.cases[0].study.mechanisms)
     values = ", ".join(f"{case.value:.6g}" for case in sweep.cases)
     unit = "" if sweep.unit == "-" else f" {sweep.unit}"
-    return f"sweep of {printable(sweep.key)}: {values}{unit}, of {names}"
+    return f"sweep of {escape_text(sweep.key)}: {values}{unit}, of {names}"
 
 
 def _direction(mechanism: MechanismResult) -> list[str]:
@@ -173,22 +178,22 @@ def _direction(mechanism: MechanismResult) -> list[str]:
 
 
 def _candidate(candidate: DirectionCandidate) -> str:
-    touched = f" (stopped by {', '.join(map(printable, candidate.touching))})" if candidate.touching else ""
+    touched = f" (stopped by {', '.join(map(escape_text, candidate.touching))})" if candidate.touching else ""
     return f"{candidate.angle_deg:.6g} deg {candidate.uplift_multiplier:.4g}{touched}"
 
 
 def _ground(m: MechanismResult) -> list[str]:
-    """How high the mechanism stands over the ground, and what says where that is."""
+    """Describe how high the mechanism is above the ground, and where the ground level comes from."""
     if m.base_elevation_m is None or m.input_height_m is None:
         return []
     counts = "above the ground" if m.above_ground else "on the ground"
     base, held = format_metres(m.base_elevation_m), format_metres(m.input_height_m)
     heights = f"base {base} m over the ground, held at {held} m: {counts}"
-    return [f"  ground      {heights}; {printable(m.ground_known_from)}"]
+    return [f"  ground      {heights}; {escape_text(m.ground_known_from)}"]
 
 
 def _points(points: tuple[NamedPoint, ...]) -> str:
-    return "; ".join(f"{printable(point.name)} at {_at(point.at)}" for point in points) or "none"
+    return "; ".join(f"{escape_text(point.name)} at {_at(point.at)}" for point in points) or "none"
 
 
 def _at(point: tuple[float, float]) -> str:

@@ -39,20 +39,21 @@ _COLUMNS = (
 
 
 def table_text(records: Sequence[Record]) -> str:
-    """A line for each record, rounded for reading."""
+    """Write a rounded line for each record."""
     return text_table(_COLUMNS, [_row(record, measures(record)) for record in records])
 
 
 def csv_text(records: Sequence[Record]) -> str:
-    """All but the spectra at full precision, under their names of the JSON."""
-    rows = [_flat(_known(record)) for record in records]
+    """Write everything but the spectra at full precision, under the JSON names."""
+    rows = [_flat(_properties(record)) for record in records]
     return csv_lines([rows[0], *(row.values() for row in rows)])
 
 
 def json_text(records: Sequence[Record]) -> str:
-    """The `records` of results.json, unscaled, with what else is known and measured."""
+    """Write the `records` of results.json, unscaled, with further properties and measures."""
     listed = [
-        _known(record) | {"trail": list(record.processing_history), "spectrum": _spectrum(record)} for record in records
+        _properties(record) | {"trail": list(record.processing_history), "spectrum": _spectrum(record)}
+        for record in records
     ]
     return json.dumps(listed, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
@@ -63,8 +64,8 @@ def _row(record: Record, of: Measures) -> list[str]:
     return [*names, f"{record.dt:.6g}", str(record.npts), f"{record.pga / g:.4g}", *(f"{each:.4g}" for each in peaks)]
 
 
-def _known(record: Record) -> dict[str, Any]:
-    """What there is to say of a record, units in the names."""
+def _properties(record: Record) -> dict[str, Any]:
+    """Return the properties of a record, with units in the names."""
     of = measures(record)
     return {
         "id": record.id,
@@ -107,13 +108,13 @@ def _site(record: Record) -> dict[str, Any]:
 
 
 def _spectrum(record: Record) -> dict[str, list[float]]:
-    """Pseudo-acceleration, 5 % damping."""
+    """Return the pseudo-acceleration spectrum at 5 % damping."""
     ordinates = response_spectrum(record, PERIODS) / g
     return {"period_s": PERIODS.tolist(), "acceleration_g": ordinates.tolist()}
 
 
 def _flat(known: dict[str, Any]) -> dict[str, Any]:
-    """Tables within a table as columns, `earthquake_magnitude`; measures under their own names."""
+    """Flatten nested tables into columns such as `earthquake_magnitude`; measures keep their own names."""
     flat: dict[str, Any] = {}
     for key, value in known.items():
         if isinstance(value, dict):

@@ -35,7 +35,7 @@ class Spectra:
     ordinates: NDArray[np.float64]
 
 
-def found_in(
+def spectra_in(
     places: Sequence[Path],
     *,
     damping: float,
@@ -43,7 +43,7 @@ def found_in(
     kept: Path | None,
     executor: Executor | None = None,
 ) -> Spectra:
-    """The spectra of the records of `places`; AssessError where a catalogue does not have the damping."""
+    """Return the spectra of the records of `places`; raise AssessError where a catalogue lacks the damping."""
     folders = [place for place in places if place.is_dir()]
     if folders and damping != DAMPING:
         raise AssessError(f"{folders[0]}: a folder's catalogue holds spectra of 5 % damping; give its files instead")
@@ -60,7 +60,7 @@ def found_in(
 
 
 def table_text(spectra: Spectra) -> str:
-    """Ordinates in g at round periods, rounded for reading; between the periods of a catalogue by logarithms."""
+    """Write ordinates in g at round periods, rounded, interpolated logarithmically between periods."""
     rows = []
     for name, pga, of in zip(spectra.names, spectra.pga, spectra.ordinates, strict=True):
         at = np.exp(np.interp(np.log(ROUND), np.log(PERIODS), np.log(np.maximum(of, 1e-300))))
@@ -69,13 +69,13 @@ def table_text(spectra: Spectra) -> str:
 
 
 def csv_text(spectra: Spectra) -> str:
-    """A line for each period, a column for each record, at full precision."""
+    """Write a line for each period and a column for each record at full precision."""
     header = ["period [s]", *(f"{name} [m/s2]" for name in spectra.names)]
     columns = zip(PERIODS.tolist(), spectra.ordinates.T.tolist(), strict=True)
     return csv_lines([header, [0.0, *spectra.pga.tolist()], *([T, *column] for T, column in columns)])
 
 
 def draw(spectra: Spectra, path: Path) -> None:
-    """The figure in the file at `path`."""
+    """Draw the figure to `path`."""
     figure = record_spectra.draw(spectra.names, PERIODS, spectra.ordinates / g)
     write_figure(figure, path, creator=origin("records spectra", csv_text(spectra)))

@@ -20,7 +20,7 @@ _COLUMNS = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]
 
 
 def table_text(suite: Suite) -> str:
-    """The records as thesis Table 8.8, how they were chosen, and what codes ask of the suite."""
+    """Write the records as in thesis Table 8.8, how they were selected, and the code rules of the suite."""
     motion = suite.motion
     steps = () if motion.selection is None else motion.selection.remaining
     left = "; ".join(f"{one.number} {one.step}" for one in steps)
@@ -33,7 +33,7 @@ def table_text(suite: Suite) -> str:
                 text_table(_COLUMNS, [_row(record) for record in suite.records]),
                 f"{told}\n",
                 text_table(columns, asked),
-                messages_text(suite.notices),
+                messages_text(suite.messages),
             )
         ).rstrip("\n")
         + "\n"
@@ -41,7 +41,7 @@ def table_text(suite: Suite) -> str:
 
 
 def csv_text(suite: Suite) -> str:
-    """The records at full precision, under their names of results.json."""
+    """Write the records at full precision, under their names of results.json."""
     names = (
         "id", "path", "event", "date", "station", "component", "nga", "magnitude", "distance_km", "vs30_m_per_s",
         "dt_s", "npts", "mse", "scale_factor", "pga_g",
@@ -50,12 +50,12 @@ def csv_text(suite: Suite) -> str:
 
 
 def json_text(suite: Suite) -> str:
-    """`records` and `ground_motion` of results.json."""
+    """Write `records` and `ground_motion` of results.json."""
     return dumps_suite(suite.records, suite.motion)
 
 
 def draw(suite: Suite, path: Path) -> None:
-    """Target, records, means and limits in the file at `path`."""
+    """Draw target, records, means and limits to `path`."""
     write_figure(
         record_spectra.beside_target(suite.motion, suite.records),
         path,

@@ -1,4 +1,4 @@
-"""What `assess run` prints: the answer that decides each mechanism, and the verdict with what it rests on."""
+"""What `assess run` prints: the deciding answer for each mechanism, and the verdict with its conditions."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from assess.codes.verdict_text import (
     target_text,
     toml_lines,
 )
-from assess.project.messages import printable
+from assess.project.key_text import escape_text
 from assess.results import Results
 
 CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
 """Exit codes of `assess run`."""
-PROVISIONAL = "were all this given, with the safe value where there is one, the verdict would be: "
+PROVISIONAL = "with all of this given, and with safe values where they exist, the verdict would be: "
 HEADER = ("verdict", "state", "decided by", "index", "holds up to")
 WIDE, LEAST = 100, 16  # characters of a line, and of the name of a mechanism
 
 
 def exit_code(results: Results) -> int:
-    """The exit code of a run: incomplete where no verdict was asked."""
+    """Return the exit code of a run; a run without a verdict counts as incomplete."""
     return CODES[Decision.INCOMPLETE if results.verdict is None else results.verdict.outcome]
 
 
 def summary(results: Results) -> str:
-    """A line for each mechanism and limit state, why they do not pass, and the verdict with what it rests on."""
+    """Write a line for each mechanism and limit state, why they do not pass, and the verdict with its conditions."""
     found = results.verdict
     if found is None:
         return "no verdict\n"
@@ -45,36 +45,36 @@ def summary(results: Results) -> str:
         *(f"note: {each.where}: {each.text}" for each in notes),
         "",
         *_verdict(found),
-        *(f"on condition: {each.text}" for each in found.conditions),
+        *(f"condition: {each.text}" for each in found.conditions),
         *(f"warning: {each.where}: {each.text}" for each in told),
         *_missing(found),
     ]
-    return _table(found, pairs) + "".join(map(_folded, lines)) + "".join(f"{line}\n" for line in _toml(found, results))
+    return _table(found, pairs) + "".join(map(_wrap, lines)) + "".join(f"{line}\n" for line in _toml(found, results))
 
 
 def _table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
-    """The answers that decide, as wide as a line; names get what the numbers leave."""
+    """Write the deciding answers within the line width; names get the width that the numbers leave."""
     rows = [_cells(one, answer, found) for one, answer in pairs]
     taken = sum(max(len(row[place]) for row in (HEADER, *rows)) + 2 for place in range(len(HEADER)))
     room = max(LEAST, WIDE - taken)
-    names = [on_one_line(printable(one.mechanism), room) for one, _ in pairs]
+    names = [on_one_line(escape_text(one.mechanism), room) for one, _ in pairs]
     return text_table(["mechanism", *HEADER], [[name, *row] for name, row in zip(names, rows, strict=True)])
 
 
 def _cells(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, ...]:
     holds = "" if one.margin is None else f"{figures(one.margin * found.action.pga_g)} g = {figures(one.margin)} x"
     outcome = answer.outcome if len(one.answers) > 1 else one.outcome
-    said = _loud(outcome_text(outcome, near=answer.at_the_limit))
+    said = _emphasise(outcome_text(outcome, near=answer.at_the_limit))
     return (said, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), holds)
 
 
-def _loud(outcome: str) -> str:
-    """An outcome with its failure in capitals."""
+def _emphasise(outcome: str) -> str:
+    """Return an outcome with its failure in capitals."""
     return outcome.replace("fail", "FAIL")
 
 
 def _reasons(found: Verdict) -> Iterator[str]:
-    """Why mechanisms do not pass, each reason once with the mechanisms that it is of."""
+    """Yield why mechanisms do not pass, each reason once with its mechanisms."""
     names: dict[str, dict[str, None]] = {}
     for one in found.mechanisms:
         for answer in one.answers:
@@ -85,7 +85,7 @@ def _reasons(found: Verdict) -> Iterator[str]:
 
 def _verdict(found: Verdict) -> Iterator[str]:
     states = ", ".join(found.limit_states) or "no limit state"
-    said = _loud(outcome_text(found.outcome, near=found.at_the_limit))
+    said = _emphasise(outcome_text(found.outcome, near=found.at_the_limit))
     yield f"verdict: {said}"
     yield f"basis: {found.edition or 'none'}; {states}; site's own action: {action_text(found.action)}"
     if index := building_index_text(found):
@@ -93,21 +93,25 @@ def _verdict(found: Verdict) -> Iterator[str]:
 
 
 def _missing(found: Verdict) -> Iterator[str]:
-    """What would complete the verdict, and what it would be with the safe values."""
+    """Yield what would complete the verdict, and the verdict that the safe values would give."""
     if found.outcome != Decision.INCOMPLETE:
         return
     yield from (f"missing: {each.key}: {each.text}" for each in found.missing)
     if found.provisional in (Decision.PASS, Decision.FAIL):
-        yield f"{PROVISIONAL}{_loud(found.provisional.value)}"
+        yield f"{PROVISIONAL}{_emphasise(found.provisional.value)}"
 
 
 def _toml(found: Verdict, results: Results) -> list[str]:
-    """The block of TOML that completes the verdict."""
+    """Return the TOML lines that complete the verdict."""
     given = [key for key, each in results.project.items() if each.given]
     lines = toml_lines(found.missing, given) if found.outcome == Decision.INCOMPLETE else ()
-    return ["to complete it, add to the project file, with your own values:", *map(printable, lines)] if lines else []
+    return (
+        ["to complete it, add the following to the project file with your own values:", *map(escape_text, lines)]
+        if lines
+        else []
+    )
 
 
-def _folded(line: str) -> str:
-    """A line of the text in as many lines of the terminal as it takes."""
-    return "\n".join(wrap(printable(line), WIDE, subsequent_indent="  ") or [""]) + "\n"
+def _wrap(line: str) -> str:
+    """Wrap a line to the width of the terminal."""
+    return "\n".join(wrap(escape_text(line), WIDE, subsequent_indent="  ") or [""]) + "\n"

@@ -8,7 +8,7 @@ WIDEST = 40  # characters of a cell
 
 
 def text_table(header: Sequence[str], rows: Sequence[Sequence[str]], *, widest: int = WIDEST) -> str:
-    """Columns aligned, the first to the left and the others to the right; each line ends with a line break.
+    """Align columns, the first to the left and the others to the right; each line ends with a line break.
 
     widest : characters of a cell; longer ones are cut
     """
@@ -24,6 +24,6 @@ def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
 
 
 def on_one_line(text: str, widest: int) -> str:
-    """`text` without control characters, cut to what a terminal can show."""
+    """Remove control characters from `text` and cut it to what a terminal can show."""
     shown = "".join(c if c.isprintable() else " " for c in text)
     return shown if len(shown) <= widest else f"{shown[: widest - 1]}…"

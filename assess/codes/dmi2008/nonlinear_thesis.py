@@ -16,7 +16,7 @@ from assess.codes.italian.edition import Options
 from assess.codes.pga_rotation import PgaRotation, pga_rotation, rotation_demand, to_pga_curve
 from assess.codes.rotation_verdict import rotation_verdict
 from assess.codes.worst_branch import branch_of, check_worst_branch
-from assess.oscillator import Branch, Oscillator, displacement, linearise, threshold
+from assess.oscillator import Branch, Oscillator, displacement, threshold
 from spectra.arrays import FloatArray
 
 
@@ -37,7 +37,7 @@ def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> Pga
     PgaRotation
     """
     d0 = float(displacement(branch, np.array(branch.unstable), mass=mass))
-    linear = linearise(branch)
+    linear = branch.linearised
 
     def secant(rotation: FloatArray) -> FloatArray:
         return linear.multiplier * g * (1 - ULTIMATE * rotation / branch.unstable)
@@ -104,7 +104,7 @@ def _steps(
     rotation: float | None,
     at_collapse: float | None,
 ) -> tuple[Step, ...]:
-    linear, source = linearise(branch), "thesis 8.3.2"
+    linear, source = branch.linearised, "thesis 8.3.2"
     d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))

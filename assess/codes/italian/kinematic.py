@@ -13,11 +13,8 @@ from scipy.optimize import brentq
 from assess.oscillator import (
     Branch,
     displacement,
-    excitation_integral,
-    excitation_spline,
     participation_ratio,
     resisted,
-    restoring_spline,
     threshold,
 )
 
@@ -76,13 +73,13 @@ def rotation_at(branch: Branch, moved: float, *, mass: float) -> float:
     -------
     float [rad]
     """
-    integral = excitation_integral(branch)
+    integral = branch.excitation_integral
     return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.unstable, xtol=1e-15))
 
 
 def multiplier_at(branch: Branch, rotation: float) -> float:
     """Return lambda [-] of the model's own curve at a rotation [rad]."""
-    return float(restoring_spline(branch)(rotation)) / float(excitation_spline(branch)(rotation)) / g
+    return float(branch.restoring_spline(rotation)) / float(branch.excitation_spline(rotation)) / g
 
 
 def acceleration_at(branch: Branch, moved: float, *, mass: float, confidence_factor: float) -> float:

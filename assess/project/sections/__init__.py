@@ -3,33 +3,16 @@
 The sentence below a key is its description in the JSON Schema and in the message when it is missing.
 """
 
-from assess.project.sections.amplification import (
-    FirstModeAmplification,
-    FloorAmplification,
-    NoAmplification,
-    PrintedAmplification,
-    RaisedAmplification,
-)
-from assess.project.sections.analysis import Procedures, Records
-from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
+from assess.project.sections.amplification import NoAmplification
+from assess.project.sections.analysis import Records
+from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody
 from assess.project.sections.content import Content
-from assess.project.sections.interfaces import Interface, Shape
+from assess.project.sections.cuts import CutAngle, CutPlane
+from assess.project.sections.hinges import Hinges, RadialJoints
+from assess.project.sections.interfaces import Interface
 from assess.project.sections.italian import FreeElement, Italian
-from assess.project.sections.loads import BodyLoad, ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
-from assess.project.sections.mechanisms import (
-    Chained,
-    CutAngle,
-    CutPlane,
-    EquivalentBlock,
-    FourHinge,
-    FourHinges,
-    Hinges,
-    Mechanism,
-    RadialJoints,
-    SingleBlock,
-    TwoBlock,
-)
-from assess.project.sections.procedure_names import PROCEDURES
+from assess.project.sections.loads import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
+from assess.project.sections.mechanisms import Chained, EquivalentBlock, FourHinge, Mechanism, SingleBlock, TwoBlock
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import SHARE, Change, Sensitivity
@@ -44,11 +27,9 @@ from assess.project.sections.spectra import (
     Spectrum,
     TableSpectrum,
 )
-from assess.project.sections.sweeps import Sweep
 from assess.project.sections.verdict import VerdictSection
 
 __all__ = [
-    "PROCEDURES",
     "SHARE",
     "Asce7MappedSpectrum",
     "Asce7Spectrum",
@@ -64,16 +45,12 @@ __all__ = [
     "DirectBody",
     "Ec8Spectrum",
     "EquivalentBlock",
-    "FirstModeAmplification",
-    "FloorAmplification",
     "ForceLoad",
     "FourHinge",
-    "FourHinges",
     "FreeElement",
     "Hinges",
     "Interface",
     "Italian",
-    "LoadTable",
     "MassLoad",
     "Material",
     "Mechanism",
@@ -83,20 +60,14 @@ __all__ = [
     "NtcSpectrum",
     "Nzs1170Spectrum",
     "OverburdenLoad",
-    "PrintedAmplification",
-    "Procedures",
-    "ProfileBody",
     "Pulses",
     "RadialJoints",
-    "RaisedAmplification",
     "Records",
     "Select",
     "Sensitivity",
-    "Shape",
     "SingleBlock",
     "Site",
     "Spectrum",
-    "Sweep",
     "TableSpectrum",
     "TieLoad",
     "TwoBlock",

@@ -107,7 +107,7 @@ class Analysis(Section):
 
     @property
     def sweeps(self) -> tuple[Sweep, ...]:
-        """Every sweep, in order."""
+        """All sweeps, in order."""
         return self.sweep if isinstance(self.sweep, tuple) else (self.sweep,)
 
 

@@ -66,9 +66,9 @@ class Content(Section):
     """a table [report]"""
 
     @property
-    def offered(self) -> tuple[str, ...]:
-        """Procedures that nobody asked for and that the code of the site's spectrum brings with it."""
-        if self.site is None or self.analysis.given("procedures"):
+    def site_procedures(self) -> tuple[str, ...]:
+        """The procedures that the code of the site's spectrum adds if the project names none."""
+        if self.site is None or self.analysis.has_key("procedures"):
             return ()
         return procedures_of_site(self.site.spectrum.code)
 

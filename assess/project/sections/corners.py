@@ -15,7 +15,7 @@ from assess.project.section import wrong
 
 
 def _simple(corners: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
-    """Corners of a polygon with an area, whose sides meet at its corners only, or raise."""
+    """Check that corners enclose an area and that the sides meet only at them."""
     points = np.array(corners)
     if shapely.MultiPoint(points).convex_hull.area <= THINNEST * float(np.ptp(points, axis=0).max()) ** 2:
         raise wrong((), "no area, its corners lie on a line; give corners that enclose one")

@@ -23,7 +23,7 @@ SIZES = {
 
 
 def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
-    """The sizes of an outline and those of its hole, which is smaller, or raise."""
+    """Check that the hole of an outline is smaller than the outline."""
     half = len(sizes) // 2
     for outside, inside in zip(sizes[:half], sizes[half:], strict=True):
         if inside >= outside:
@@ -32,7 +32,7 @@ def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def _shape(value: Any) -> Any:
-    """The value, or raise where it is neither "outline" nor a table."""
+    """Check that the value is "outline" or a table."""
     if value == "outline" or isinstance(value, dict | Shape):
         return value
     meant = [value] if value in list(SIZES) else list(SIZES)

@@ -26,7 +26,7 @@ BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 
 
 def _force(value: Any) -> tuple[float, float] | float:
-    """Two components, or the size of a force."""
+    """Read the two components or the size of a force."""
     if not isinstance(value, list | tuple):
         size = key_value(value, KINDS["force"])
         if size <= 0:
@@ -46,7 +46,7 @@ GivenForce = Annotated[
 
 
 def _until(value: Any) -> float | str:
-    """A displacement, or the word for a load that is there up to collapse."""
+    """Read a displacement, or the word for a load that lasts up to collapse."""
     if isinstance(value, str) and value.strip() == "collapse":
         return "collapse"
     moved = key_value(value, KINDS["length"])
@@ -217,10 +217,10 @@ class BodyLoad(Section):
     @model_validator(mode="after")
     def _keys_belong_together(self) -> BodyLoad:
         for key in ("thrust", "span", "rise", "tied"):
-            if self.role == "floor" and self.given(key):
+            if self.role == "floor" and self.has_key(key):
                 raise wrong(key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it')
         for key in ("vault", "construction", "fill"):
-            if self.role != "vault" and self.given(key):
+            if self.role != "vault" and self.has_key(key):
                 raise wrong(key, 'only of a vault; write role = "vault", or remove it')
         instead = {"thrust": ("tied", "span", "rise"), "mass": ("construction", "fill")}
         for number, keys in instead.items():
@@ -230,7 +230,6 @@ class BodyLoad(Section):
         return self
 
 
-LoadTable = MassLoad | ForceLoad | TieLoad | OverburdenLoad | BodyLoad
 LOADS = ("mass", "force", "tie", "overburden", "body")
 
 

@@ -10,194 +10,38 @@ from pydantic import (
     BeforeValidator,
     Discriminator,
     Field,
-    StrictInt,
     StrictStr,
     Tag,
-    WithJsonSchema,
     model_validator,
 )
 from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
+from assess.model.definitions import keys_along_direction
 from assess.project.quantities import (
-    Angle,
-    Inclination,
     Length,
     Name,
-    PlanePoint,
-    Point,
     PositiveLength,
     PositiveMass,
     PositiveRate,
-    Ratio,
     SoughtDirection,
-    SpacePoint,
     Uplift,
     unique,
 )
 from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.amplification import AmplificationSection, NoAmplification
+from assess.project.sections.cuts import Crack, Cut
+from assess.project.sections.hinges import ArchHinges, FourHinges, Hinges, Joints, ThreeHinges
 from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
-from assess.project.units import KINDS, key_value
+from assess.project.sections.restitution import Restitution
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
-CRACKS = ("sorrentino", "minimum")
-MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
 INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
-RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
-
-
-def _restitution(value: Any) -> float | str:
-    if isinstance(value, str):
-        if value not in RESTITUTIONS:
-            raise ValueError(f"not a known restitution; write a number in [0, 1] or one of {quote_names(RESTITUTIONS)}")
-        return value
-    number = key_value(value, KINDS["ratio"])
-    if not 0.0 <= number <= 1.0:
-        raise ValueError("outside [0, 1]; restitution is velocity after over velocity before the impact")
-    return number
-
-
-RestitutionValue = Annotated[
-    float | Literal["thesis", "housner", "sorrentino", "momentum"],
-    BeforeValidator(_restitution),
-    Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
-    KINDS["ratio"],
-]
-
-
-class Restitution(Section):
-    """Velocity after over velocity before the impact that ends a rotation, for each direction."""
-
-    positive: RestitutionValue | None = None
-    """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
-    negative: RestitutionValue | None = None
-    """the same for the impact that ends negative rotation"""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _one_for_both(cls, value: Any) -> Any:
-        return value if isinstance(value, dict | Restitution) else {"positive": value, "negative": value}
-
-
-class Hinges(Section):
-    """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
-
-    A: Point
-    """the base hinge"""
-
-
-class ThreeHinges(Hinges):
-    """Hinges of a wall of two blocks."""
-
-    B: Point
-    """at the crack"""
-    C: Point
-    """at the top"""
-
-
-class FourHinges(ThreeHinges):
-    """Hinges of three blocks."""
-
-    D: Point
-    """the far base hinge"""
-
-
-class RadialJoints(Section):
-    """Joints of an arch that all point to its centre, evenly spaced."""
-
-    centre: PlanePoint
-    """[distance along the direction, elevation]"""
-    first: Angle
-    """angle of the first joint above the direction, like "168.75 deg\""""
-    last: Angle
-    """angle of the last joint, like "11.25 deg\""""
-    count: Annotated[StrictInt, Field(ge=3, le=MOST_VOUSSOIRS)]
-    """number of voussoirs between them"""
-
-    @model_validator(mode="after")
-    def _ends_are_apart(self) -> Self:
-        if self.first == self.last:
-            raise wrong("last", "is the first joint again; give the angle of the other springing")
-        return self
-
-
-Line = tuple[PlanePoint, PlanePoint]
-Joints = Annotated[
-    Annotated[RadialJoints, Tag("<radial>")]
-    | Annotated[tuple[Line, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
-    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJoints) else "<lines>"),
-]
-
-
-def _minimum(value: Any) -> Any:
-    if value != "minimum":
-        raise ValueError('not hinges; write { A, B, C, D }, each a point, or "minimum" for an arch')
-    return value
-
-
-ArchHinges = Annotated[
-    Annotated[FourHinges, Tag("<hinges>")] | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
-    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHinges) else "<minimum>"),
-]
-
-
-def _crack(value: Any) -> float | str:
-    if isinstance(value, str) and value in CRACKS:
-        return value
-    if isinstance(value, str) and not any(letter.isdigit() for letter in value):
-        raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
-    return key_value(value, KINDS["length"])
-
-
-Crack = Annotated[
-    float | Literal["sorrentino", "minimum"],
-    BeforeValidator(_crack),
-    WithJsonSchema({"description": 'an elevation like "2.4 m", or "sorrentino", "minimum"'}),
-    KINDS["length"],
-]
-
-
-class CutPlane(Section):
-    """An inclined crack."""
-
-    point: SpacePoint
-    """a point of the plane [x, y, z]"""
-    normal: tuple[Ratio, Ratio, Ratio]
-    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
-
-
-class CutAngle(Section):
-    """A crack inclined in the plane of motion."""
-
-    point: SpacePoint
-    """a point of the plane [x, y, z]"""
-    angle: Inclination
-    """from the horizontal, like "60 deg": where positive, the crack falls towards the direction"""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _one_inclination(cls, values: Any) -> Any:
-        if isinstance(values, dict) and "normal" in values:
-            raise wrong("normal", "beside angle; remove one of them")
-        return values
-
-
-def _cut_tag(value: Any) -> str:
-    if isinstance(value, CutAngle) or (isinstance(value, dict) and "angle" in value):
-        return "<angle>"
-    return "<plane>" if isinstance(value, dict | CutPlane) else "<elevation>"
-
-
-Cut = Annotated[
-    Annotated[Length, Tag("<elevation>")] | Annotated[CutPlane, Tag("<plane>")] | Annotated[CutAngle, Tag("<angle>")],
-    Discriminator(_cut_tag),
-]
 
 
 def _block_names(value: Any) -> Any:
-    """Each entry of `blocks` as a tuple of bodies that move as one."""
+    """Write each entry of `blocks` as a list of bodies that move as one."""
     return [[entry] if isinstance(entry, str) else entry for entry in value] if isinstance(value, list) else value
 
 
@@ -242,13 +86,16 @@ class Chained(Section):
                 raise wrong(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
         return self
 
+    def points(self) -> dict[str, tuple[tuple[float, ...], ...] | None]:
+        """The hinges that are given as points, from A on, by key."""
+        given = {key: getattr(self, key, None) for key in ("hinges", "hinges_negative")}
+        return {key: tuple(at for _, at in each) if isinstance(each, Hinges) else None for key, each in given.items()}
+
     @model_validator(mode="after")
     def _nothing_turns_with_a_sought_direction(self) -> Self:
         if self.direction != "sweep":
             return self
-        from assess.project.definitions import definition_of
-
-        for key in definition_of(self).keys_along():
+        for key in keys_along_direction(self, hinges=self.points()):
             of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
             raise wrong(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
         return self

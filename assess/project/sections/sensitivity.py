@@ -8,8 +8,8 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from assess.project.quantities import Ratio
+from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.section import Section
-from assess.project.typed_quantity import QuantityError, number_and_unit
 from assess.project.units import KINDS, key_value
 
 SHARES: Mapping[str, float] = {
@@ -39,7 +39,7 @@ class Change(NamedTuple):
 
 
 def _change(kind: str) -> Callable[[Any], Any]:
-    """A reader of one change: a share, an amount with the unit of `kind`, or false for none at all."""
+    """Return a reader of one change: a share, an amount with the unit of `kind`, or false for none."""
 
     def read(value: Any) -> Any:
         if value is False or value is None or isinstance(value, Change):
@@ -64,7 +64,7 @@ def _share(value: Any) -> Change:
 
 
 def _or_amount(kind: str) -> str:
-    """What else than a share may be written."""
+    """Say what may be written besides a share."""
     return "" if kind == "ratio" else f', or an amount like "{KINDS[kind].example}"'
 
 
@@ -116,7 +116,7 @@ class Sensitivity(Section):
 
 
 def _switched(value: Any) -> Any:
-    """`true` is the table of defaults, `false` none."""
+    """Replace `true` by the table of defaults and `false` by none."""
     return {} if value is True else None if value is False else value
 
 

@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import Field, StrictBool, StrictStr, model_validator
 
+from assess.codes.context import default_period
 from assess.project.quantities import (
     Count,
     Damping,
@@ -44,8 +45,8 @@ class Site(Section):
         return self
 
     @property
-    def declared(self) -> str | None:
-        """What the site's own action stands for, in either spelling; None where nobody says."""
+    def own_limit_state(self) -> str | None:
+        """The limit state that the site's own action stands for, in either spelling; None if not stated."""
         old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
         return self.limit_state or old
 
@@ -75,7 +76,7 @@ class Building(Section):
     school: StrictBool | None = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
     period: PositiveTime | None = Field(
-        default_factory=lambda values: None if values.get("height") is None else 0.05 * values["height"] ** 0.75
+        default_factory=lambda values: None if values.get("height") is None else default_period(values["height"])
     )
     """period of the first mode; 0.05 H^0.75 if absent"""
     damping: Damping = 0.05

@@ -47,7 +47,7 @@ class VerdictSection(Section):
                     raise wrong(key, 'missing; basis = "own" takes procedures, rule and statement')
             return self
         for key in ("rule", "statement"):
-            if self.given(key):
+            if self.has_key(key):
                 raise wrong(key, 'only of basis = "own"; remove it')
         for name in self.procedures or ():
             if name in READINGS:

@@ -15,7 +15,6 @@ from assess.codes.asce41_13.slenderness import NAME, assess
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum
@@ -23,7 +22,7 @@ from spectra.table import table_spectrum
 WALL = Wall(4.2, 0.33)
 SPECTRUM = design_spectrum(s_ds=1.0 * g, s_d1=0.45 * g, t_l=6.0)  # S_a(0) = 0.4 g, S_a(1 s) = 0.45 g
 AT = Context(SPECTRUM, (0.4 * g,), 0.0, 0.0, None, support="spanning", wall=WALL)
-BLOCK = oscillator(equivalent_block("w", p=1.8, uplift=0.08, radius=2.1))
+BLOCK = equivalent_block("w", p=1.8, uplift=0.08, radius=2.1).oscillator
 
 
 def building(storeys: int | None, height: float = 8.4) -> Building:

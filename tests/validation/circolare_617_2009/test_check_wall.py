@@ -24,7 +24,6 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import floor_of
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
@@ -33,7 +32,7 @@ from spectra.ec8 import elastic_spectrum
 @pytest.fixture(scope="module")
 def rocker():
     body = box(thickness=0.6, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
-    return oscillator(single_block("wall", planar_body(body, direction=(1, 0, 0))))
+    return single_block("wall", planar_body(body, direction=(1, 0, 0))).oscillator
 
 
 def context(*, elevation=0.0, building=None, levels=(0.15 * g,)):
@@ -107,7 +106,7 @@ def test_beyond_t_e_the_demand_is_the_code_s_own_displacement(size, beyond):
     A wall 25 times as large has a T_s five times as long, beyond T_E. S_e (T / 2 pi)^2 would stay at its value at T_D.
     """
     wall = box(thickness=0.6 * size, length=1.0, height=6.0 * size, base=(0, 0, 0), density=1800.0, name="wall")
-    rocker = oscillator(single_block("wall", planar_body(wall, direction=(1, 0, 0))))
+    rocker = single_block("wall", planar_body(wall, direction=(1, 0, 0))).oscillator
     spectrum = elastic_spectrum(a_g=0.2 * g, ground_type="B")
     (check,) = nonlinear.assess(rocker, Context(spectrum, (0.24 * g,), 0.0, 0.0, None), options=Options())
     T = capacity_of(rocker).Ts

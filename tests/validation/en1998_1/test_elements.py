@@ -15,14 +15,13 @@ from assess.codes.context import Building, Context, Wall
 from assess.codes.en1998_1.clauses import Options, amplification, element_period
 from assess.codes.en1998_1.element import NAME, assess
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum
 
 SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
 HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
-PARAPET = oscillator(equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8))  # lambda = tan 0.2 = 0.20271
+PARAPET = equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8).oscillator  # lambda = tan 0.2 = 0.20271
 
 
 def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Context:

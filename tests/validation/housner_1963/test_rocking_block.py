@@ -14,7 +14,7 @@ from scipy.constants import g
 from scipy.special import ellipk, ellipkinc
 
 from assess.dynamics.history import Jobs, free_rocking, peaks
-from assess.oscillator import Branch, Oscillator, linearise
+from assess.oscillator import Branch, Oscillator
 from records.record import make_record
 
 P, ALPHA = 1.7, 0.2
@@ -31,7 +31,7 @@ def block(restitution: float = 1.0, p: float = P) -> Oscillator:
 @pytest.mark.parametrize("ratio", [1e-6, 0.01, 0.3, 0.5, 0.9, 0.999])
 def test_free_rocking_period(ratio: float) -> None:
     body = block()
-    p = linearise(body.positive).p
+    p = body.positive.linearised.p
     period = 4 * math.acosh(1 / (1 - ratio)) / p
     found = free_rocking(body, rotation=ratio * ALPHA, duration=2.3 * period, equation="linearised")
     expected = period * np.array([0.25, 0.75, 1.25, 1.75, 2.25])
@@ -43,7 +43,7 @@ def test_free_rocking_period(ratio: float) -> None:
 def test_half_ratio_has_the_published_period() -> None:
     body = block()
     found = free_rocking(body, rotation=0.5 * ALPHA, duration=10.0, equation="linearised")
-    p = linearise(body.positive).p
+    p = body.positive.linearised.p
     assert p * (found.impact_time[2] - found.impact_time[0]) == pytest.approx(5.2678, abs=5e-5)
 
 
@@ -76,7 +76,7 @@ def test_exact_quarter_period_is_the_elliptic_integral() -> None:
 def test_rectangular_pulse(pt: float) -> None:
     """The motion ends with the pulse, as a step."""
     body = block()
-    form = linearise(body.positive)
+    form = body.positive.linearised
     critical = g * form.multiplier / (1 - math.exp(-pt))
     n, t_1 = 50, pt / form.p
     pulse = make_record("rectangle", np.full(n + 1, -1.0), t_1 / n)

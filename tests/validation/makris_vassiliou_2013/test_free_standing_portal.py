@@ -13,8 +13,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.mechanisms.oscillation import oscillator
-from assess.oscillator import linearise, multiplier, participation_ratio, restoring
+from assess.oscillator import multiplier, participation_ratio, restoring
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -56,10 +55,10 @@ D = [{x + span - B / 2}, 0]
 def test_frame_is_one_larger_block(tmp_path, gamma):
     R, alpha = hypot(B, H) / 2, atan2(B, H)
     p = sqrt(3 * g / (4 * R))
-    rocker = oscillator(portal(tmp_path, gamma))
+    rocker = portal(tmp_path, gamma).oscillator
     assert rocker.mass == pytest.approx(2 * 2400 * B * H * 1.1 * (1 + gamma), rel=1e-12)
     for side in rocker.branches:
-        form = linearise(side)
+        form = side.linearised
         assert form.p / p == pytest.approx(sqrt((1 + 2 * gamma) / (1 + 3 * gamma)), rel=1e-8)
         assert (form.multiplier, side.overturning) == pytest.approx((alpha, alpha), rel=1e-8)
         assert multiplier(side)[0] == pytest.approx(tan(alpha), rel=1e-12)
@@ -68,14 +67,14 @@ def test_frame_is_one_larger_block(tmp_path, gamma):
 
 
 def test_gamma_of_one_has_the_published_ratio(tmp_path):
-    form = linearise(oscillator(portal(tmp_path, 1.0)).positive)
+    form = portal(tmp_path, 1.0).oscillator.positive.linearised
     assert form.p / sqrt(3 * g / (2 * hypot(B, H))) == pytest.approx(0.8660, abs=5e-5)
 
 
 def test_direct_equivalence_holds_at_every_rotation(tmp_path):
     """Not only linearised: I does not change, the restoring moment is a sine, and both directions are alike."""
     alpha, R = atan2(B, H), hypot(B, H) / 2
-    rocker = oscillator(portal(tmp_path, 0.6))
+    rocker = portal(tmp_path, 0.6).oscillator
     phi = np.linspace(0.0, 1.4 * alpha, 40)
     size = g * R * 2 * 2400 * B * H * 1.1 * (1 + 2 * 0.6)
     for side in rocker.branches:
@@ -88,6 +87,6 @@ def test_direct_equivalence_holds_at_every_rotation(tmp_path):
 @pytest.mark.parametrize("span", [1.33, 2.0, 6.36])
 def test_tables_are_made_wherever_the_portal_stands(tmp_path, span, x):
     """Equal columns touch a flat place, and rounding of the hinges must not carry the search of phi_ov across it."""
-    side = oscillator(portal(tmp_path, 0.6, span=span, x=x)).positive
+    side = portal(tmp_path, 0.6, span=span, x=x).oscillator.positive
     assert np.isfinite(side.inertia).all()
     assert side.overturning == pytest.approx(atan2(B, H), rel=1e-9)

@@ -23,7 +23,6 @@ from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import multiplier
 from spectra import ntc
@@ -41,7 +40,7 @@ CORNERS = [  # T_1', xi_1, a_Z, A, S_eZ(T_SLV), demand, its lower bound, a_g,SLV
 @cache
 def wall(*, thickness=0.6, height=6.0, base=0.0):
     body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="wall")
-    return oscillator(single_block("wall", planar_body(body, direction=(1, 0, 0))))
+    return single_block("wall", planar_body(body, direction=(1, 0, 0))).oscillator
 
 
 @cache
@@ -156,7 +155,7 @@ def test_d_toothed_crack():
     plain = planar_body(body, direction=(1, 0, 0))
     friction = Force("cross walls", (-2.0 * F, 0.0), (0.0, LEVER * 6.0))
     alone, held = (
-        float(multiplier(oscillator(single_block("wall", plain, loads=loads, sides="one")).positive)[0])
+        float(multiplier(single_block("wall", plain, loads=loads, sides="one").oscillator.positive)[0])
         for loads in ((), (friction,))
     )
     assert (alone, held) == close(0.08333, 0.31414)

@@ -22,7 +22,6 @@ from assess.codes.ntc2018.clauses import free_period
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra import ntc
 from spectra.asce7 import design_spectrum
@@ -42,7 +41,7 @@ def rocker():
 
 def wall(*, thickness):
     body = box(thickness=thickness, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
-    return oscillator(single_block("wall", planar_body(body, direction=(1, 0, 0))))
+    return single_block("wall", planar_body(body, direction=(1, 0, 0))).oscillator
 
 
 def ground(*, levels=(PGA,), **more):
@@ -106,7 +105,7 @@ def test_nonlinear_at_the_ground(rocker, state, eta, d):
 def test_nonlinear_stands_at_least_the_pga_of_activation():
     """A thick low wall whose displacement capacity would allow less than a0* does not rock below a_g,SLD S = a0*."""
     low = box(thickness=0.6, length=1.0, height=0.9, base=(0, 0, 0), density=1800.0, name="low")
-    rocker = oscillator(single_block("low", planar_body(low, direction=(1, 0, 0))))
+    rocker = single_block("low", planar_body(low, direction=(1, 0, 0))).oscillator
     (check,) = nonlinear.assess(rocker, ground(levels=(0.45 * g,)), options=Options())
     assert check.capacity_pga_g >= 0.6667 / LC1 * (1 - MODEL)  # b / h over FC, rigid at the ground
     assert (check.demand, check.verdict, check.reason.key) == (0.0, "pass", Reason.NO_ROCKING)
@@ -159,7 +158,7 @@ def test_nonlinear_at_height(rocker):
 def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
     """A small pinnacle with T_SLV about b T1 of a flexible tower."""
     small = box(thickness=0.5, length=0.5, height=1.5, base=(0, 0, 20.0), density=1800.0, name="pinnacle")
-    rocker = oscillator(single_block("pinnacle", planar_body(small, direction=(1, 0, 0))))
+    rocker = single_block("pinnacle", planar_body(small, direction=(1, 0, 0))).oscillator
     tower = Building(height=20.0, storeys=5, period=1.0, damping=0.05)
     at = Context(top().spectrum, (0.3 * g,), 0.0, 20.0, tower)
     (check,) = nonlinear.assess(rocker, at, options=Options())
@@ -222,7 +221,7 @@ def test_wider_base_never_fares_worse():
 
 def test_an_element_that_begins_to_rock_is_not_displaced_less_than_before():
     """T0 = b T1: before it rocks 5 % of damping at T0, after it at least 10 % there, which is eta = 0.82 of that."""
-    rocker = oscillator(equivalent_block("pinnacle", p=2.0, uplift=0.3, radius=1.0))
+    rocker = equivalent_block("pinnacle", p=2.0, uplift=0.3, radius=1.0).oscillator
     tower = Building(10.0, 3, 1.0, 0.05, {"SLC": FirstMode(1.0, 0.05, "hardly cracked")})
     levels = tuple(float(level) for level in np.linspace(0.04, 0.06, 21) * g / LC1)
     at = Context(ground().spectrum, levels, 0.0, 9.0, tower, free_period=FreePeriod(1.1, "given", "1.1 s"))

@@ -21,7 +21,6 @@ from assess.codes.nzsee2017.face_loaded import NAME, assess
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.study.wall_size import wall_of
@@ -50,7 +49,7 @@ def mechanism(*, e_p: float = 0.0, e_b: float = 0.0, load: float = 0.0, sides: s
 
 
 def wall(**more):
-    return oscillator(mechanism(**more))
+    return mechanism(**more).oscillator
 
 
 def test_far_support_of_a_wall_stands_its_height_over_the_base() -> None:
@@ -60,7 +59,7 @@ def test_far_support_of_a_wall_stands_its_height_over_the_base() -> None:
 
 
 def free(height: float):
-    return oscillator(single_block("parapet", part(0.0, height)))
+    return single_block("parapet", part(0.0, height)).oscillator
 
 
 def second_storey(*, level: float = WELLINGTON.pga, spectrum=WELLINGTON, size: Wall | None = None):
@@ -111,7 +110,7 @@ def test_boundary_cases_with_the_effective_thickness(case: str, share: float) ->
     C_p = 0.532 * 5 / 3 * np.clip(2 * (1.75 - T_p), 0.5, 2.0)
     D_ph = gamma * (T_p / (2 * np.pi)) ** 2 * C_p * g
     built = mechanism(e_p=e_p * T, e_b=e_b * T, load=P)
-    (check,) = assess(oscillator(built), second_storey(size=wall_of(built)), options=Options())
+    (check,) = assess(built.oscillator, second_storey(size=wall_of(built)), options=Options())
     found = {step.symbol: step.value for step in check.steps}
     assert found["k"] == pytest.approx(k, rel=1e-9)
     assert found["b"] == pytest.approx(b(W, P, t), rel=1e-9)
@@ -129,7 +128,7 @@ def test_ties_and_thrusts_keep_their_moment() -> None:
     held = replace(held, positive=replace(held.positive, loads=(tie,)))
     lines = []
     for built in (plain, held):
-        (check,) = assess(oscillator(built), second_storey(size=wall_of(built)), options=Options())
+        (check,) = assess(built.oscillator, second_storey(size=wall_of(built)), options=Options())
         lines.append({step.symbol: step.value for step in check.steps})
     assert lines[0]["k"] == lines[1]["k"] == pytest.approx(0.975, rel=1e-12)
     assert lines[1]["b"] - lines[0]["b"] == pytest.approx(500.0 * H / 2, rel=1e-9)
@@ -137,7 +136,7 @@ def test_ties_and_thrusts_keep_their_moment() -> None:
 
 def test_what_presses_39_times_the_wall_leaves_nothing() -> None:
     built = mechanism(load=39.0 * WEIGHT)
-    (check,) = assess(oscillator(built), second_storey(size=wall_of(built)), options=Options())
+    (check,) = assess(built.oscillator, second_storey(size=wall_of(built)), options=Options())
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.OVERLOADED)
 
 

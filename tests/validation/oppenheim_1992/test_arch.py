@@ -13,7 +13,6 @@ import pytest
 from assess.errors import ProjectError
 from assess.mechanisms.arch import weakest_hinges
 from assess.mechanisms.chain import Block, mirror_point
-from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.schema import load
@@ -106,7 +105,7 @@ def profile_of():
 @pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 1e-4)])
 def test_profile_of_a_project_file(tmp_path, count, published, digits):
     mechanism = project(tmp_path, count, body=profile_of())
-    rocker = oscillator(mechanism)
+    rocker = mechanism.oscillator
     analytic = weakest_hinges(*arch(count), name="arch")
     for side in rocker.branches:
         assert multiplier(side)[0] == pytest.approx(published, abs=digits)
@@ -115,7 +114,7 @@ def test_profile_of_a_project_file(tmp_path, count, published, digits):
     for one, other in zip(mechanism.positive.hinges, mechanism.negative.hinges, strict=True):
         assert one == pytest.approx(other, abs=1e-9)  # a symmetric arch is alike each way
     assert mechanism.restitution[0] == pytest.approx(mechanism.restitution[1], rel=1e-9)
-    assert f"uplift multiplier {multiplier(rocker.positive)[0]:.4g}" in mechanism.notices[0]
+    assert f"uplift multiplier {multiplier(rocker.positive)[0]:.4g}" in mechanism.warnings[0]
 
 
 def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
@@ -134,7 +133,7 @@ def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
     (tmp_path / "arch.obj").write_text("\n".join(lines) + "\n")
     body = 'mesh = "arch.obj"\nmesh_unit = "mm"'
     mechanism = project(tmp_path, 7, body=body, direction="[0, 2, 0]", centre="[3.0, 1.5]")
-    assert multiplier(oscillator(mechanism).positive)[0] == pytest.approx(0.370, abs=1e-3)
+    assert multiplier(mechanism.oscillator.positive)[0] == pytest.approx(0.370, abs=1e-3)
     expected = [(x + 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]
     np.testing.assert_allclose(mechanism.positive.hinges, expected, rtol=0.0, atol=1e-5)
     back = [(x - 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]
@@ -155,10 +154,10 @@ def test_the_weakest_mirrors_with_the_arch():
 def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):
     """Joints that do not point to the centre of the ring leave its feet behind and cut it askew."""
     askew = project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
-    assert "% of the arch lies beyond its first and last joint" in askew.notices[0]
-    assert "deg off square" in askew.notices[1]
-    assert any("stops at its first impact" in text for text in askew.notices)
-    told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").notices[0]
+    assert "% of the arch lies beyond its first and last joint" in askew.warnings[0]
+    assert "deg off square" in askew.warnings[1]
+    assert any("stops at its first impact" in text for text in askew.warnings)
+    told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").warnings[0]
     left = asin(2 * cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
     assert float(told.split(" %")[0]) == pytest.approx(100 * left, rel=0.05)
-    assert all(text.startswith("hinges of") for text in project(tmp_path, 8, body=profile_of()).notices)
+    assert all(text.startswith("hinges of") for text in project(tmp_path, 8, body=profile_of()).warnings)

@@ -15,7 +15,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.dynamics.history import Equation, Jobs, Peaks, peaks
-from assess.oscillator import Branch, Oscillator, linearise
+from assess.oscillator import Branch, Oscillator
 from records.record import Record, make_record
 
 P, ALPHA = 2.0, 0.2
@@ -39,7 +39,7 @@ def block(restitution: float, sides: int = 2) -> Oscillator:
 
 def pulse(omega: float, *, cycles: float = 1.0, n: int = 20_000) -> Record:
     """Unit A: first half lifting towards positive rotation, n samples a period."""
-    form = linearise(block(0.9).positive)
+    form = block(0.9).positive.linearised
     steps = round(cycles * n)
     t = np.arange(steps + 1) / n
     return make_record("pulse", -g * form.multiplier * np.sin(2 * math.pi * t), 2 * math.pi / (omega * form.p * n))
@@ -121,7 +121,7 @@ def instant(y: float) -> float:
 @pytest.mark.parametrize("start", [0.1, 0.4])
 def test_free_motion_overturns_where_y_plus_rate_exceeds_one(start: float, excess: float) -> None:
     """A ground step whose end leaves y + y' = 1 + excess, by the closed form under constant acceleration."""
-    form = linearise(block(0.9).positive)
+    form = block(0.9).positive.linearised
     # at rest under A > 1: y = (A - 1)(cosh x - 1), y' = (A - 1) sinh x: y + y' = (A - 1)(e^x - 1), y = start
     x = instant(start)
     amplitude = 1 + (1 + excess) / math.expm1(x)

@@ -19,7 +19,7 @@ from assess.dynamics import sine_branches as sine
 from assess.dynamics.envelope import envelope
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PulseJobs, outcomes
-from assess.oscillator import Oscillator, SingleBlock, linearise, plain_branch
+from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from records.pulses import SHAPES
 
 P, SAMPLED = 2.0, 1.0 / np.sinc(1 / 400) ** 2
@@ -43,7 +43,7 @@ def block(restitution: float, *, alpha: float = 0.2, sides: int = 2, end: float 
 
 def unit(body: Oscillator, equation: Equation) -> tuple[float, float]:
     """Acceleration of A = 1 [m/s2] and frequency of Omega = 1 [Hz]; a block's uplift is g tan(alpha)."""
-    form = linearise(body.positive)
+    form = body.positive.linearised
     if equation == "linearised":
         return g * form.multiplier, form.p / (2 * pi)
     return g * tan(body.positive.overturning), P / (2 * pi)

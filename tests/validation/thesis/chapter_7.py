@@ -21,7 +21,6 @@ from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from records.record import make_record
@@ -46,10 +45,10 @@ def body(of):
 def standing(rigid, beds, *, stiffness, model):
     """The mechanism on joints [(way, depth, length)], or as it is."""
     if model == "rigid":
-        return oscillator(rigid)
+        return rigid.oscillator
     joints = tuple(Joint((float(w), 0.0), rectangle(d, n), JointLaw(stiffness, F_M), model) for w, d, n in beds)
     choice = rigid.restitution if rigid.restitution_source == "given" else ("thesis", "thesis")
-    return oscillator(add_joints(rigid, joints, joints, restitution=choice))
+    return add_joints(rigid, joints, joints, restitution=choice).oscillator
 
 
 def wall(stiffness, model, *, slenderness=None):

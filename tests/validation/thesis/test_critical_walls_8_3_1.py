@@ -24,7 +24,6 @@ from assess.amplification.floor_motion import (
 )
 from assess.dynamics.envelope import envelope
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from records.pulses import SHAPES
 
 WALLS = {  # Table 8.2: p [1/s], lambda [rad], restitution, R0 [m]
@@ -70,7 +69,7 @@ def critical(frequency: list[float], method) -> list[str]:
         )
         factor = pulse_factor(amplification(wall, method), f)
         found = envelope(
-            oscillator(block), SHAPES["sine"], f, amplitude, equation="linearised", factor=factor, threads=1
+            block.oscillator, SHAPES["sine"], f, amplitude, equation="linearised", factor=factor, threads=1
         )
         bounds.append(np.where(np.isnan(found.lower_bound), np.inf, found.lower_bound))
     names = list(WALLS)

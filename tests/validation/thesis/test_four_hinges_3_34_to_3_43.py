@@ -22,7 +22,6 @@ from scipy.optimize import brentq
 from assess.mechanisms.chain import Block, Chain, mirror_chain
 from assess.mechanisms.table import branch
 from assess.mechanisms.virtual_work import virtual_work
-from assess.oscillator import linearise
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -191,7 +190,7 @@ def test_inertia_excitation_and_slope_of_the_potential_at_any_rotation(frame):
 @EVERY
 def test_constants_of_the_linearised_equation(frame):
     side, angle = branch(frame.chain, restitution=0.9, name="p"), frame.critical()
-    form = linearise(side)
+    form = side.linearised
     assert form.critical == pytest.approx(frame.turn * (frame.angle(*"AB") - angle), rel=1e-11)  # 3.37, as it is meant
     assert (side.overturning, form.overturning) == pytest.approx((form.critical, form.critical), rel=1e-11)
     assert form.inertia == pytest.approx(frame.inertia(angle), rel=1e-8)  # 3.34
@@ -250,7 +249,7 @@ hinges_negative = { A = [0.0, 0.0], B = [0.8, 4.0], C = [4.9, 5.0], D = [3.8, 0.
 """)
     (mechanism,) = build(load(tmp_path)).mechanisms
     for chain, frame in ((mechanism.positive, front), (mechanism.negative, back)):
-        form = linearise(branch(chain, restitution=0.9, name="p"))
+        form = branch(chain, restitution=0.9, name="p").linearised
         angle = frame.critical()
         assert form.critical == pytest.approx(frame.turn * (frame.angle(*"AB") - angle), rel=1e-10)
         assert form.inertia == pytest.approx(frame.inertia(angle), rel=1e-8)

@@ -21,7 +21,6 @@ from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 
@@ -66,7 +65,7 @@ def test_single_block_6_55_to_6_60(stiffness):
     found = add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
     assert found.restitution == pytest.approx((eta, eta), rel=1e-12)
     assert found.restitution[0] > rigid.restitution[0]
-    side = oscillator(found).positive
+    side = found.oscillator.positive
     np.testing.assert_allclose(side.inertia, I_SF, rtol=1e-12)
     assert side.restitution == found.restitution[0]
 

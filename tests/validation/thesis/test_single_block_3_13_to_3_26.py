@@ -16,11 +16,10 @@ from scipy.constants import g
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.table import branch
 from assess.mechanisms.virtual_work import virtual_work
-from assess.oscillator import linearise, multiplier
+from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -59,7 +58,7 @@ def test_plain_block_3_13_to_3_16_for_a_spire_given_as_a_mesh(tmp_path):
     M = 1800 * height / 3 * n / 2 * radius**2 * sin(2 * pi / n)
     R, alpha = hypot(edge, height / 4), atan2(edge, height / 4)
     I_O = M * (radius**2 * (2 + cos(2 * pi / n)) / 20 + 3 * height**2 / 80 + R**2)
-    form, mass = linearise(oscillator(mechanism).positive), oscillator(mechanism).mass
+    form, mass = mechanism.oscillator.positive.linearised, mechanism.oscillator.mass
     assert mass == pytest.approx(M, rel=1e-12)
     assert form.inertia == pytest.approx(I_O, rel=1e-12)  # 3.13
     assert form.stiffness == pytest.approx(g * M * R, rel=TABLE)  # 3.14
@@ -67,7 +66,7 @@ def test_plain_block_3_13_to_3_16_for_a_spire_given_as_a_mesh(tmp_path):
     assert (form.critical, form.overturning) == pytest.approx((alpha, alpha), rel=1e-12)  # 3.16
     assert form.p == pytest.approx(sqrt(g * M * R / I_O), rel=TABLE)  # 3.10
     assert form.multiplier == pytest.approx(alpha, rel=TABLE)  # 3.11, where statics gives tan(alpha)
-    assert multiplier(oscillator(mechanism).positive)[0] == pytest.approx(tan(alpha), rel=1e-12)
+    assert multiplier(mechanism.oscillator.positive)[0] == pytest.approx(tan(alpha), rel=1e-12)
 
 
 # A wall of 4.75 t, a floor and a beam that it bears, a roof of 0.4 t at 4.8 m that rests elsewhere, two thrusts.
@@ -96,7 +95,7 @@ I_PRINTED = WALL.inertia + M * hypot(T / 2, H / 2) ** 2 + BEARING
 
 
 def test_constants_3_22_and_3_24_to_3_26_with_several_masses_and_thrusts():
-    form = linearise(branch(CHAIN, restitution=0.9, name="w"))
+    form = branch(CHAIN, restitution=0.9, name="w").linearised
     K = g * M_C * R_C + F * R_F * sin(ALPHA_F - ALPHA_C)
     moment = F * R_F * cos(ALPHA_F - ALPHA_C)
     assert form.stiffness == pytest.approx(K, rel=TABLE)  # 3.22
@@ -107,7 +106,7 @@ def test_constants_3_22_and_3_24_to_3_26_with_several_masses_and_thrusts():
 
 def test_linear_overturning_rotation_3_26_beside_the_exact_one():
     """The zero of the whole restoring moment is a little farther: 3.26 is one step of Newton from alpha_c."""
-    exact, form = branch(CHAIN, restitution=0.9, name="w"), linearise(branch(CHAIN, restitution=0.9, name="w"))
+    exact, form = branch(CHAIN, restitution=0.9, name="w"), branch(CHAIN, restitution=0.9, name="w").linearised
     phi = exact.overturning
     moments = M_C * g * R_C * sin(ALPHA_C - phi), F * R_F * cos(ALPHA_F - phi)
     assert moments[0] == pytest.approx(moments[1], rel=1e-9)
@@ -166,7 +165,7 @@ loads = [
 ]
 """)
     (mechanism,) = build(load(tmp_path)).mechanisms
-    ours, theirs = (linearise(each) for each in (oscillator(mechanism).positive,
+    ours, theirs = (each.linearised for each in (mechanism.oscillator.positive,
                                                  branch(CHAIN, restitution=0.9, name="w")))  # fmt: skip
     for name in ("inertia", "stiffness", "excitation", "moment", "critical"):
         assert getattr(ours, name) == pytest.approx(getattr(theirs, name), rel=1e-9)
@@ -175,7 +174,7 @@ loads = [
 def test_thrusts_overturn_one_way_and_hold_the_other():
     body = planar_body_from_values(mass=M, centroid=WALL.centroid, inertia=WALL.inertia, name="w")
     mechanism = single_block("w", body, hinge=HINGE, hinge_negative=(-T / 2, 0.0), loads=THRUSTS)
-    rocker = oscillator(mechanism)
+    rocker = mechanism.oscillator
     moment = sum(thrust.force[0] * thrust.at[1] for thrust in THRUSTS)
     for side, sign in ((rocker.positive, 1.0), (rocker.negative, -1.0)):
         assert side.restoring[0] == pytest.approx(M * g * T / 2 - sign * moment, rel=1e-12)

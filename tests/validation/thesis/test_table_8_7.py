@@ -10,7 +10,6 @@ import pytest
 
 from assess.codes.context import Context
 from assess.codes.registry import procedure
-from assess.mechanisms.oscillation import oscillator
 from tests.support.examples import example_study
 
 ASCE, ITALIAN = "asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis"
@@ -41,7 +40,7 @@ def capacities() -> dict[tuple[str, str], float]:
     )  # fmt: skip
     found = {}
     for mechanism in study.mechanisms:
-        rocker = oscillator(mechanism)
+        rocker = mechanism.oscillator
         for name in (ASCE, ITALIAN):
             capacity = procedure(name, study.options)(rocker, context)[0].capacity_pga_g
             assert capacity is not None

@@ -20,8 +20,7 @@ from assess.examples.san_leonardo_spire import RADIUS, WALL, spire
 from assess.geometry.cut import divide, inclined_plane
 from assess.geometry.planar import base_of_section, planar_body
 from assess.geometry.solid import polyhedron
-from assess.mechanisms.oscillation import oscillator
-from assess.oscillator import equivalent_block, linearise
+from assess.oscillator import equivalent_block
 from tests.support.examples import example_study
 
 # p [1/s], lambda [rad], restitution (negative: rebound; None: not given)
@@ -124,19 +123,19 @@ def swept(study):
 
 def parameters(mechanism):
     """p [1/s], slenderness [rad], restitution by 3.44, radius [m] of the positive branch."""
-    rocker = oscillator(mechanism)
+    rocker = mechanism.oscillator
     branch = rocker.positive
     block = equivalent_block(branch, mass=rocker.mass)
     k = block.inertia / (block.mass * block.radius**2)
-    return linearise(branch).p, block.slenderness, 1 - 2 / k * sin(block.slenderness) ** 2, block.radius
+    return branch.linearised.p, block.slenderness, 1 - 2 / k * sin(block.slenderness) ** 2, block.radius
 
 
 @pytest.mark.parametrize(("example", "name"), [(e, n) for e, table in EQUIVALENT.items() for n in table])
 def test_an_example_has_the_published_row(example, name, mechanisms):
     mechanism = mechanisms[example][name]
     p, slenderness, restitution = EQUIVALENT[example][name]
-    branch = oscillator(mechanism).positive
-    assert linearise(branch).p == pytest.approx(p, rel=1e-6)
+    branch = mechanism.oscillator.positive
+    assert branch.linearised.p == pytest.approx(p, rel=1e-6)
     assert branch.overturning == pytest.approx(slenderness, rel=0.05 if name == "dharahara" else 1e-9)  # 0.125: 7.1
     assert mechanism.elevation == ELEVATIONS.get(name, 0.0)
     if restitution is not None:
@@ -189,7 +188,7 @@ def test_the_two_readings_of_the_dharahara_tower(reading, p, slenderness, radius
     assert found[0] / 0.50 - 1 == pytest.approx(p, abs=5e-4)
     assert found[1] / 0.125 - 1 == pytest.approx(slenderness, abs=5e-4)
     assert found[3] / 30.44 - 1 == pytest.approx(radius, abs=5e-4)
-    assert oscillator(mechanism).mass * g == pytest.approx(24003.94e3, rel=1e-9)
+    assert mechanism.oscillator.mass * g == pytest.approx(24003.94e3, rel=1e-9)
     assert mechanism.positive.hinges[0][0] == pytest.approx(3.99, rel=1e-12)
 
 
@@ -256,9 +255,9 @@ def test_radius_and_wall_of_the_spire_are_the_least_squares_fit():
 
 def test_the_belfry_of_three_blocks_against_table_5_4(mechanisms):
     """p and lambda fitted by the piers' sizes, the restitution not: momentum kept over the mechanism."""
-    branch = oscillator(mechanisms["san_leonardo_tower"]["portal-frame-blocks"]).positive
+    branch = mechanisms["san_leonardo_tower"]["portal-frame-blocks"].oscillator.positive
     p, slenderness, restitution = TABLE_5_4["portal-frame"]
-    assert linearise(branch).p == pytest.approx(p, rel=1e-3)
+    assert branch.linearised.p == pytest.approx(p, rel=1e-3)
     assert branch.overturning == pytest.approx(slenderness, rel=1e-3)
     assert branch.restitution == pytest.approx(restitution, abs=OFF)
 
@@ -272,7 +271,7 @@ def test_the_side_aisle_of_three_blocks_against_table_5_5(name, p, multiplier, b
     that with the angle of the half vault AB in the place of its rotation phi_cr, as 3.37 can be read; sizes chosen so.
     """
     mechanism = mechanisms["san_leonardo_church"][name]
-    found = linearise(oscillator(mechanism).positive)
+    found = mechanism.oscillator.positive.linearised
     (xa, za), (xb, zb) = mechanism.positive.hinges[:2]
     angle = atan2(zb - za, xb - xa) - found.critical
     assert found.p / TABLE_5_5[name][0] - 1 == pytest.approx(p, abs=5e-4)

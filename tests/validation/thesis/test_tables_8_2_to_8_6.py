@@ -14,7 +14,6 @@ from scipy.constants import g
 from assess.codes.context import Context
 from assess.codes.registry import CodeOptions, procedure
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 
 # Table 8.2: p_eq [1/s], lambda [rad], eta, R0 [m]; Table 8.5: allowable ratio; Table 8.6: PGA [g] ASCE, Italian
@@ -33,7 +32,7 @@ TOLERANCE = 0.04  # of PGA, from two-digit inputs
 
 def rocker(wall: str):
     (p, uplift, _, radius), _, _ = WALLS[wall]
-    return oscillator(equivalent_block(wall, p=p, uplift=uplift, radius=radius))
+    return equivalent_block(wall, p=p, uplift=uplift, radius=radius).oscillator
 
 
 def site() -> Context:

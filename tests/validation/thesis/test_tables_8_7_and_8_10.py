@@ -22,7 +22,6 @@ from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 
@@ -51,9 +50,9 @@ def box(wall, *, law=JOINT, model="flexible"):
     body = planar_body_from_values(mass=mass, centroid=(0.0, h / 2), inertia=mass * (b**2 + h**2) / 12, name=wall)
     rigid = single_block(wall, body, hinge=(b / 2, 0.0), hinge_negative=(-b / 2, 0.0))
     if law is None:
-        return oscillator(rigid)
+        return rigid.oscillator
     joints = (Joint((-1.0, 0.0), rectangle(b, 1.0), law, model),)
-    return oscillator(add_joints(rigid, joints, joints, restitution=("thesis", "thesis")))
+    return add_joints(rigid, joints, joints, restitution=("thesis", "thesis")).oscillator
 
 
 def answer(name, rocker, *, level=0.3):

@@ -19,9 +19,8 @@ from assess.errors import MechanismError
 from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.crack import crack_ratio
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.table import branch
-from assess.oscillator import linearise, multiplier
+from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -134,7 +133,7 @@ def test_cracks_of_a_project_are_3_27_or_its_general_form_and_the_search_finds_t
     assert by_formula.positive.hinges[1] == pytest.approx((0.8, crack), rel=1e-12)
     assert searched.positive.hinges[1][1] == pytest.approx(crack, abs=2e-5)  # xatol of the search
     least = B / H * multiplier_by_statics((crack - 2.0) / H, n=n, t=t, place=worse, arm=0.5)
-    assert f"least, {least:.4g}" + (" with the mortar" if tensile else "") in searched.notices[0]
+    assert f"least, {least:.4g}" + (" with the mortar" if tensile else "") in searched.warnings[0]
 
 
 def polygon(points):
@@ -173,8 +172,8 @@ def test_crack_search_on_a_tapered_wall_by_brute_force(tmp_path):
     least = minimize_scalar(lambda z: uplift_of_tapered(z, N=N, tension=tension), bounds=(0.5, 5.5), method="bounded",
                             options={"xatol": 1e-10})  # fmt: skip
     assert mechanism.positive.hinges[1][1] == pytest.approx(least.x, abs=3e-5)
-    assert f"is least, {least.fun:.4g} with" in mechanism.notices[0]
-    bare = wall_of(tmp_path, body=TAPERED, tensile="0 Pa", mechanism=more).notices[0]
+    assert f"is least, {least.fun:.4g} with" in mechanism.warnings[0]
+    bare = wall_of(tmp_path, body=TAPERED, tensile="0 Pa", mechanism=more).warnings[0]
     assert "the uplift multiplier is least" in bare
     assert "tension" not in bare
     grid = [uplift_of_tapered(z, N=N, tension=tension) for z in np.linspace(0.2, 5.8, 561)]
@@ -205,7 +204,7 @@ def test_constants_3_28_to_3_33(crack, place, n):
     K = R2 * q * (g * (m1 + m2 * (2 + q)) + 2 * N * q * (cos(a2) ** 2 + (1 - xi) * sin(a2) ** 2 + 1 / q))
     M = xi * N * sin(2 * a2) * R2 * q
     side = branch(chain, restitution=0.9, name="w")
-    form = linearise(side)
+    form = side.linearised
     assert R1 * sin(a1) == pytest.approx(R2 * sin(a2), rel=1e-14)  # one thickness: what the formulas rest on
     assert form.inertia == pytest.approx(I1 + I2 * q**2, rel=1e-9)  # 3.28
     assert form.stiffness == pytest.approx(K, rel=TABLE)  # 3.29
@@ -224,7 +223,7 @@ def test_a_wall_of_a_project_has_the_constants_on_both_sides(tmp_path):
     """Load at 0.3 from the support ahead, so at 0.7 from the one behind."""
     N = 0.4 * W
     mechanism = wall_of(tmp_path, mechanism=f"crack = 4.2\n{pressed(N, place=0.3)}")
-    rocker = oscillator(mechanism)
+    rocker = mechanism.oscillator
     for side, place in ((rocker.positive, 0.3), (rocker.negative, 0.7)):
         chain, *_ = chain_of(2.2, n=0.4, place=place)
         alike = branch(chain, restitution=0.9, name="w")
@@ -235,7 +234,7 @@ def test_a_wall_of_a_project_has_the_constants_on_both_sides(tmp_path):
 
 
 def test_two_bodies_are_the_same_as_one_that_cracks(tmp_path):
-    one = oscillator(wall_of(tmp_path, mechanism=f"crack = 4.2\n{pressed(9000.0, place=0.3)}"))
+    one = wall_of(tmp_path, mechanism=f"crack = 4.2\n{pressed(9000.0, place=0.3)}").oscillator
     (tmp_path / "project.toml").write_text(f"""
 [materials.m]
 density = {RHO}
@@ -251,7 +250,7 @@ direction = [1, 0, 0]
 blocks = ["low", "high"]
 {pressed(9000.0, place=0.3)}
 """)
-    two = oscillator(build(load(tmp_path)).mechanisms[0])
+    two = (build(load(tmp_path)).mechanisms[0]).oscillator
     for side in ("positive", "negative"):
         a, b = getattr(one, side), getattr(two, side)
         assert a.restitution == pytest.approx(b.restitution, rel=1e-12)

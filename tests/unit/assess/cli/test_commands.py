@@ -291,9 +291,9 @@ def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> N
     lines = summary(results_of(project, check(SPECTRUM, "pass", 0.9), missing=missing)).splitlines()
     start = lines.index("verdict: incomplete")
     assert "missing: materials.brick.disintegration: nobody\\nsays" in lines[start:]
-    assert "the safe value where there is one, the verdict would be: pass" in " ".join(lines[start:])
+    assert "safe values where they exist, the verdict would be: pass" in " ".join(lines[start:])
     assert lines[-7:] == [
-        "to complete it, add to the project file, with your own values:",
+        "to complete it, add the following to the project file with your own values:",
         "[materials.brick]  # in your file already: add below it",
         'disintegration = "excluded"',
         '[materials."old stone"]',

@@ -225,7 +225,7 @@ def test_an_index_tells_what_became_of_a_flatfile(folder: Path, capsys: pytest.C
     assert ended("records", "index", folder, "--flatfile", flat) == 0
     out = capsys.readouterr().out
     assert "flatfile: 3 rows matched, 1 unmatched, 3 bad cells; 3 records described\n" in out
-    assert 'flatfile, row 4, ClstD (km): "12,5": no value that can be; passed over\n' in out
+    assert 'flatfile, row 4, ClstD (km): "12,5": impossible value; ignored\n' in out
     assert ended("records", "index", folder, "--flatfile", flat, "--json") == 0
     told = json.loads(capsys.readouterr().out)["flatfile"]
     assert (told["matched"], told["unmatched"], told["records"], told["warning"]) == (3, 1, 3, None)

@@ -9,7 +9,6 @@ from assess.codes.asce43_05 import history, sliding, spectrum
 from assess.codes.asce43_05.clauses import Options
 from assess.codes.context import Context, Suite
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
 
 SUITE = Suite(0.2 * g, (0.1, 0.2, 0.1, 0.3, 0.2), "positive")
@@ -17,7 +16,7 @@ SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.3), place=ntc.Place(
 
 
 def checks(elevation: float, histories_at: str):
-    wall = oscillator(equivalent_block("w", p=1.8, uplift=0.15, radius=2.4))
+    wall = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
     context = Context(SPECTRUM, (0.2 * g,), 0.0, elevation, None, (SUITE,), histories_at=histories_at)
     procedures = (spectrum.assess, history.assess, sliding.assess)
     return [check for procedure in procedures for check in procedure(wall, context, options=Options())]

@@ -16,7 +16,6 @@ from assess.codes.context import Context
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.oscillation import oscillator
 from spectra.table import table_spectrum
 
 BLOCK = equivalent_block("w", p=2.0, uplift=0.5, radius=2.0)
@@ -31,7 +30,7 @@ def context(*, mu: float | None = 0.2, level: float = 0.4 * g, vertical: float =
 
 
 def answer(context: Context, allowable: float | None = None):
-    (check,) = sliding.assess(oscillator(BLOCK), context, options=Options(allowable_sliding=allowable))
+    (check,) = sliding.assess(BLOCK.oscillator, context, options=Options(allowable_sliding=allowable))
     return check
 
 

@@ -15,12 +15,11 @@ from assess.codes.asce43_05.clauses import Options
 from assess.codes.check import Reason
 from assess.codes.context import Context, Suite
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum
 
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
-WALL = oscillator(equivalent_block("w", p=1.8, uplift=0.18, radius=2.4))
+WALL = equivalent_block("w", p=1.8, uplift=0.18, radius=2.4).oscillator
 
 
 def on_joints(branch: Branch, share: float) -> Branch:

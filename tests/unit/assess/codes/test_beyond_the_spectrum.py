@@ -11,7 +11,6 @@ from assess.codes.asce43_05.clauses import Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra import table
 
 LEVELS = (0.1 * g, 0.3 * g, 0.4 * g, 0.6 * g)
@@ -21,7 +20,7 @@ def answers(last: float):
     """The check at four levels on a spectrum 1 / T that ends at the period `last` [s]."""
     periods = np.concatenate([[0.0], np.linspace(0.4, last, 60)])
     site = table.table_spectrum(periods, np.where(periods > 0.0, 0.4 / np.maximum(periods, 0.4), 0.4) * g)
-    wall = oscillator(equivalent_block("w", p=1.8, uplift=0.15, radius=2.4))
+    wall = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
     return spectrum.assess(wall, Context(site, LEVELS, 0.0, 0.0, None), options=Options())
 
 

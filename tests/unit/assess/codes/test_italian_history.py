@@ -17,7 +17,6 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.history import required_pga
 from assess.codes.ntc2018 import history as ntc2018
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 
 ALPHA, RADIUS = 0.1, 3.0
@@ -26,7 +25,7 @@ SEVEN = (0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6)
 
 
 def block():
-    return oscillator(equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS))
+    return equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
 
 
 def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):

@@ -15,7 +15,6 @@ from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import linear, nonlinear
 from assess.codes.ntc2018.building import floor_demand, modes_at
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
 from spectra.table import table_spectrum
 
@@ -27,7 +26,7 @@ PROCEDURES = {"ntc2018-linear": linear, "ntc2018-nonlinear": nonlinear}
 
 
 def wall():
-    return oscillator(equivalent_block("w", p=1.6, uplift=0.2, radius=3.0))
+    return equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
 
 
 def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):

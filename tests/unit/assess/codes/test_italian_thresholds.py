@@ -16,7 +16,6 @@ from assess.codes.dmi2008 import nonlinear as dmi2008
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import linear, nonlinear
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
 from tests.support.curved import both, pulled, thrust
 
@@ -26,7 +25,7 @@ SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.2 * g, 2.4, 0.35), place=ntc.Place(
 
 
 def block():
-    return oscillator(equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS))
+    return equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
 
 
 def moment(lam):

@@ -13,7 +13,6 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.limit_state import pga_ratio, return_period
 from assess.codes.ntc2018 import linear
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
 
 ROWS = ((30, 0.08), (50, 0.10), (475, 0.25), (975, 0.33), (2475, 0.45))
@@ -30,7 +29,7 @@ def site(*, levels=(0.25 * g,)):
 
 
 def wall():
-    return oscillator(equivalent_block("w", p=1.8, uplift=0.15, radius=2.4))
+    return equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
 
 
 def test_each_limit_state_has_its_own_pga_and_the_level_multiplies_all():
@@ -73,7 +72,7 @@ def test_return_period_on_soft_soil_is_the_least():
 
 
 def test_clamped_return_period_is_said_so():
-    stocky = oscillator(equivalent_block("w", p=1.8, uplift=0.7, radius=2.4))
+    stocky = equivalent_block("w", p=1.8, uplift=0.7, radius=2.4).oscillator
     (check,) = linear.assess(stocky, site(), options=Options())
     assert (check.return_period_years, check.return_period_bound) == (2475.0, ">=")
     assert (check.steps[-1].value, check.steps[-1].bound) == (2475.0, ">=")

@@ -16,12 +16,11 @@ from assess.codes.en1998_1 import element
 from assess.codes.en1998_1.clauses import Options
 from assess.hinge_forces import HingeForces, Pressure
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 
-ROCKER = oscillator(equivalent_block("w", p=1.8, uplift=0.18, radius=2.4))
+ROCKER = equivalent_block("w", p=1.8, uplift=0.18, radius=2.4).oscillator
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
-HEAVY = oscillator(equivalent_block("h", p=1.0, uplift=1.2, radius=9.0))
+HEAVY = equivalent_block("h", p=1.0, uplift=1.2, radius=9.0).oscillator
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.35, 0.6))
 
 

@@ -15,7 +15,6 @@ from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import block_at, equivalent_block
 
@@ -43,7 +42,7 @@ def test_of_a_plain_block_it_is_the_formula(slender):
     """k = 4/3 for any box: 0.667 of alpha for one that is very slender, and more for others."""
     h = 3.0
     b = h * np.tan(slender)
-    made = oscillator(wall(b, h, None))
+    made = wall(b, h, None).oscillator
     block = equivalent_block(made.positive, mass=made.mass)
     expected = limit_of((made.mass, hypot(b, h) / 2, slender, made.mass * (b**2 + h**2) / 3))
     assert inertia_ratio(block) == pytest.approx(4 / 3, rel=1e-9)
@@ -54,7 +53,7 @@ def test_of_a_plain_block_it_is_the_formula(slender):
 @pytest.mark.parametrize(("b", "h", "stiffness"), [(0.5, 4.0, 1e8), (0.6, 4.0, 2e8), (1.0, 5.0, 1e9)])
 def test_on_an_elastic_joint_it_is_the_formula_of_the_block_at_that_rotation(b, h, stiffness):
     """An open joint turns the block about a_f = sqrt(2 N / (k s L)) / 3 inside its edge, s = sin theta (thesis 6.3)."""
-    made = oscillator(wall(b, h, stiffness))
+    made = wall(b, h, stiffness).oscillator
     found, mass = thesis_limit(made.positive, mass=made.mass), RHO * b * h * L
 
     def shifted(theta):

@@ -13,7 +13,6 @@ from assess.dynamics.history import Jobs, free_rocking, peaks, trace
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Tie
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import energy
 from records.record import make_record
@@ -26,7 +25,7 @@ PULL, UP, UNTIL = 9000.0, 4.5, 0.15
 AT = 2 * asin(UNTIL / (2 * UP))
 WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
 TIE = Tie("tie", PULL, (T / 2, UP), direction=(-1.0, 0.0), until=UNTIL)
-ROCKER = variants(single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0))).breaking
+ROCKER = single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0)).variants.breaking
 
 
 def moment(phi, *, held):
@@ -100,7 +99,7 @@ def test_a_history_passes_the_jump_as_scipy_does_with_an_event_there(amplitude):
 
 def test_a_tie_that_breaks_helps_less_than_one_that_lasts_and_more_than_none():
     record = sine(1.0, 0.7)
-    held = variants(single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0)))
+    held = single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0)).variants
     scale = np.linspace(1.0, 9.0, 161)
     least = []
     for rocker in (held.collapse, held.breaking, held.starting):

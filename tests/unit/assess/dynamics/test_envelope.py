@@ -16,7 +16,7 @@ from assess.dynamics.envelope import MARGIN, Envelope, envelope, polarities, saf
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PulseJobs, outcomes
 from assess.errors import MechanismError
-from assess.oscillator import Oscillator, SingleBlock, linearise, multiplier, plain_branch
+from assess.oscillator import Oscillator, SingleBlock, multiplier, plain_branch
 from records.pulses import SHAPES
 
 EQUATIONS: tuple[Equation, ...] = ("exact", "linearised")
@@ -113,7 +113,7 @@ def test_nothing_overturned_by_pulses_that_are_too_weak(highest: float, equation
 def test_uplift_is_lambda_g() -> None:
     assert uplift_acceleration(BLOCK, "exact") == pytest.approx(g * np.tan(0.2), rel=1e-12)
     assert uplift_acceleration(UNLIKE, "exact") == pytest.approx(g * np.tan(0.14), rel=1e-12)
-    assert uplift_acceleration(UNLIKE, "linearised") == pytest.approx(g * linearise(OTHER).multiplier, rel=1e-12)
+    assert uplift_acceleration(UNLIKE, "linearised") == pytest.approx(g * OTHER.linearised.multiplier, rel=1e-12)
 
 
 def joint(softness: float = 0.05) -> Oscillator:
@@ -162,7 +162,7 @@ def test_froude_similarity(equation: Equation) -> None:
 
 def test_the_impulse_of_a_half_sine_that_a_linearised_block_stands() -> None:
     """2 A / w of the ground gives B / I times that velocity; p phi_ov reaches overturning: A = g lambda w / (2 p)."""
-    form, frequency = linearise(ONE), np.array([1.0, 300.0])
+    form, frequency = ONE.linearised, np.array([1.0, 300.0])
     found = safe_amplitude(BLOCK, SHAPES["half-sine"], frequency, equation="linearised")
     needed = g * form.multiplier * 2 * np.pi * frequency / (2 * form.p)
     np.testing.assert_allclose(found, MARGIN * needed, rtol=1e-6)

@@ -18,7 +18,6 @@ from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator, energy, interpolant
 from records.record import make_record
@@ -32,7 +31,7 @@ def wall(*, model="flexible", loads=(), law=LAW) -> Oscillator:
     body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=J, name="wall")
     rigid = single_block("w", body, hinge=(B / 2, 0.0), hinge_negative=(-B / 2, 0.0), loads=loads)
     joints = (Joint((-1.0, 0.0), rectangle(B, L), law, model),)
-    return oscillator(add_joints(rigid, joints, joints, restitution=(0.92, 0.92)))
+    return add_joints(rigid, joints, joints, restitution=(0.92, 0.92)).oscillator
 
 
 BODIES = {

@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.dynamics.history import Jobs, free_rocking, peaks, product, trace
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, linearise
+from assess.oscillator import Branch, Oscillator
 from records.record import Record, make_record
 
 
@@ -54,7 +54,7 @@ def test_a_trace_from_a_release_is_the_hyperbolic_cosine_of_the_linearised_equat
     """phi = phi_ov - (phi_ov - phi_0) cosh(p t) until the impact, 0.9 of the velocity after it (Housner 1963)."""
     still = make_record("still ground", np.zeros(401), 0.005)
     history = trace(block(), still, scale=1.0, equation="linearised", release=0.15)
-    form = linearise(block().positive)
+    form = block().positive.linearised
     swing = form.overturning - (form.overturning - 0.15) * np.cosh(form.p * history.time)
     before = swing > 0.0
     assert 50 < before.sum() < history.time.size - 50

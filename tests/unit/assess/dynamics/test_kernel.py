@@ -20,7 +20,7 @@ from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import Jobs, Peaks, peaks
 from assess.dynamics.kernel.events import REST
-from assess.oscillator import Branch, Oscillator, interpolant, linearise
+from assess.oscillator import Branch, Oscillator, interpolant
 from records.record import Record, make_record
 
 PEER = Path(__file__).parents[4].parent / "shared" / "records" / "peer_at2"
@@ -72,7 +72,7 @@ def exact_side(p: float, alpha: float, restitution: float) -> Side:
 
 
 def linearised_side(member: Branch, largest: float) -> Side:
-    form = linearise(member)
+    form = member.linearised
     p, phi_ov, per_inertia = form.p, form.overturning, form.excitation / form.inertia
     threshold = g * form.multiplier
 

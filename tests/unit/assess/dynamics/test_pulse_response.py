@@ -25,9 +25,8 @@ from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Branch, Oscillator, SingleBlock, interpolant, linearise, plain_branch
+from assess.oscillator import Branch, Oscillator, SingleBlock, interpolant, plain_branch
 from records.pulses import SHAPES, Shape, mavroeidis_papageorgiou
 
 
@@ -48,7 +47,7 @@ def wall() -> Oscillator:
     body = planar_body_from_values(mass=21600.0, centroid=(0.0, 3.0), inertia=21600.0 * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), JointLaw(2e8, 1.5e6), "flexible"),)
-    return oscillator(add_joints(rigid, joints, joints, restitution=(0.92, 0.92)))
+    return add_joints(rigid, joints, joints, restitution=(0.92, 0.92)).oscillator
 
 
 PLAIN = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.85)
@@ -124,7 +123,7 @@ def formula(shape: Shape) -> Callable[[float], float]:
 
 def side_of(branch: Branch, equation: Equation) -> Side:
     """By scipy's evaluation of the branch's splines, or by the linearised constants."""
-    form = linearise(branch)
+    form = branch.linearised
     if equation == "linearised":
         gain, p, phi_ov = form.excitation / form.inertia, form.p, form.overturning
         slow = REST * p * phi_ov

@@ -8,7 +8,6 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
 from tests.support.projects import block, project_toml, study_of, wall
@@ -86,7 +85,7 @@ def test_a_mass_that_bears_on_the_upper_block_holds_the_crack_down_as_a_force_do
 
 def test_a_load_across_the_crack_is_pointed_out(tmp_path):
     wall = mechanism(tmp_path, 'crack = 2.5\nloads = [{ kind = "mass", mass = 900, at = [0, 3.9] }]')
-    assert any("write block = 1" in text for text in wall.notices)
+    assert any("write block = 1" in text for text in wall.warnings)
 
 
 @pytest.mark.parametrize(
@@ -123,7 +122,7 @@ STIFF = 'interface = {{ model = "flexible", stiffness = "{} Pa/m", strength = "i
 
 def overturning(tmp_path, more, joint=""):
     """phi_ov of both directions, of the joints in use where there are any [rad]."""
-    found = oscillator(mechanism(tmp_path, CRACKED + PRESSING.format(more) + joint))
+    found = mechanism(tmp_path, CRACKED + PRESSING.format(more) + joint).oscillator
     return [branch.unstable for branch in found.branches]
 
 
@@ -151,7 +150,7 @@ def test_a_load_that_stays_has_no_joint_at_the_top(tmp_path):
     for more in (', through = "fixed"', ', through = "fixed", eccentricity = 0.2'):
         wall = mechanism(tmp_path, CRACKED + PRESSING.format(more) + STIFF.format(1e9))
         assert [joint is None for joint in wall.positive.joints] == [False, False, True]
-        assert not any("through the joint" in notice for notice in wall.notices)
+        assert not any("through the joint" in notice for notice in wall.warnings)
     asked = mechanism(tmp_path, CRACKED + PRESSING.format(", eccentricity = 0.2") + STIFF.format(1e9))
     assert asked.positive.joints[2] is not None
     both = PRESSING.format(', through = "fixed", eccentricity = 0.2').replace(

@@ -15,14 +15,12 @@ from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.loads.load import Force, PointMass
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Force, PointMass, mirror_load
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import (
@@ -31,7 +29,6 @@ from assess.oscillator import (
     energy,
     equivalent_block,
     interpolant,
-    linearise,
     multiplier,
     resisted,
     restoring,
@@ -126,7 +123,7 @@ def moment(phi, *, law=LAW):
 
 
 def test_moments_of_a_wall_are_the_closed_forms_of_the_thesis():
-    side = oscillator(wall()).positive
+    side = wall().oscillator.positive
     phi = side.rotation[1:]
     expected = [moment(each) for each in phi]
     np.testing.assert_allclose(side.restoring[1:], expected, rtol=0, atol=1e-11 * W)
@@ -135,7 +132,7 @@ def test_moments_of_a_wall_are_the_closed_forms_of_the_thesis():
 
 
 def test_tables_have_a_kink_where_the_joint_opens_and_where_it_begins_to_crush():
-    rotation = oscillator(wall()).positive.rotation
+    rotation = wall().oscillator.positive.rotation
     kinks = rotation[:-1][np.diff(rotation) == 0.0]
     k, f = LAW.stiffness, LAW.strength
     opening, crushing = asin(2 * W / (k * B**2 * L)), asin(f**2 * L / (2 * k * W))  # 6.2, 6.4
@@ -144,7 +141,7 @@ def test_tables_have_a_kink_where_the_joint_opens_and_where_it_begins_to_crush()
 
 def test_moments_are_stationary_through_the_kinks_of_the_table():
     """The moment and its slope are continuous there; only curvature jumps, so two nodes at one place are no jump."""
-    side = oscillator(wall()).positive
+    side = wall().oscillator.positive
     twice = np.flatnonzero(np.diff(side.rotation) == 0.0)
     for column in (side.restoring, side.inertia, side.excitation, side.participation, side.lift):
         np.testing.assert_allclose(column[twice], column[twice + 1], rtol=0, atol=1e-13 * np.abs(column).max())
@@ -152,7 +149,7 @@ def test_moments_are_stationary_through_the_kinks_of_the_table():
 
 def test_plastic_block_overturns_by_hand():
     """tan phi_ov = (b / 2 - W / (2 f l)) / (h / 2)."""
-    side = oscillator(wall(law=JointLaw(inf, 1.5e6), model="rigid")).positive
+    side = wall(law=JointLaw(inf, 1.5e6), model="rigid").oscillator.positive
     c = W / (2 * 1.5e6 * L)
     assert side.overturning_flexible == pytest.approx(atan2(B / 2 - c, H / 2), rel=1e-9)
     assert side.restoring[0] == pytest.approx(W * (B / 2 - c), rel=1e-12)
@@ -160,7 +157,7 @@ def test_plastic_block_overturns_by_hand():
 
 @EVERY
 def test_between_nodes_the_table_is_what_the_chain_answers(mechanism):
-    found = oscillator(mechanism)
+    found = mechanism.oscillator
     if found.equilibrium:
         return  # counted from there: tested below
     chain = FlexibleChain(mechanism.positive, "m")
@@ -177,7 +174,7 @@ def test_between_nodes_the_table_is_what_the_chain_answers(mechanism):
 @EVERY
 def test_nothing_jumps_at_rest(mechanism):
     """Moments begin at nothing, both branches have one stiffness and one inertia there."""
-    found = oscillator(mechanism)
+    found = mechanism.oscillator
     if found.negative is None:
         assert found.positive.restoring[0] == 0.0
         return
@@ -201,13 +198,13 @@ def test_elastic_frequency_by_hand(floor):
     loads = (PointMass("floor", floor, (0.0, 5.0), True),) if floor else ()
     J = MASS * (B**2 + H**2) / 12 + MASS * 9.0 + floor * 25.0
     K = LAW.stiffness * L * B**3 / 12 - W * 3.0 - floor * g * 5.0
-    side = oscillator(wall(loads=loads)).positive
+    side = wall(loads=loads).oscillator.positive
     assert side.inertia[0] == pytest.approx(J, rel=1e-12)
     assert elastic_frequency(side) == pytest.approx(sqrt(K / J) / (2 * pi), rel=1e-6)
 
 
 def test_rigid_joints_have_a_threshold_and_no_frequency():
-    side = oscillator(wall(law=JointLaw(inf, 1.5e6), model="rigid")).positive
+    side = wall(law=JointLaw(inf, 1.5e6), model="rigid").oscillator.positive
     assert elastic_frequency(side) is None
     assert resisted(side) == multiplier(side)[0] == pytest.approx((B / 2 - W / (2 * 1.5e6 * L)) / (H / 2), rel=1e-12)
 
@@ -228,7 +225,7 @@ def excess(phi, *, F, at, law=LAW):
 def test_rest_under_an_eccentric_load_by_hand(side, law):
     F, at = 5e4, (0.15, 5.5)
     expected = brentq(lambda phi: excess(phi, F=F, at=at), 0.0, 2e-3, xtol=1e-16)
-    found = oscillator(wall(law=law, loads=(Force("F", (0.0, -F), (side * at[0], at[1])),)))
+    found = wall(law=law, loads=(Force("F", (0.0, -F), (side * at[0], at[1])),)).oscillator
     assert found.equilibrium == pytest.approx(side * expected, rel=1e-9)
     assert expected > 1e-4
 
@@ -240,7 +237,7 @@ def test_rest_under_a_thrust_by_hand():
     def over(phi):
         return T * (B / 2 * sin(phi) + z * cos(phi)) + W * H / 2 * sin(phi) - stiffness * sin(phi) * cos(phi)
 
-    found = oscillator(wall(loads=(Force("thrust", (T, 0.0), (0.0, z)),)))
+    found = wall(loads=(Force("thrust", (T, 0.0), (0.0, z)),)).oscillator
     assert found.equilibrium == pytest.approx(brentq(over, 0.0, 3e-3, xtol=1e-16), rel=1e-9)
 
 
@@ -268,7 +265,7 @@ def density(x, u, s):
 
 
 def test_energy_of_both_branches_counts_from_the_eccentric_rest():
-    found = oscillator(LEANING)
+    found = LEANING.oscillator
     rest = found.equilibrium
     at_rest = total(rest)
     for sign, side in ((1.0, found.positive), (-1.0, found.negative)):
@@ -279,7 +276,7 @@ def test_energy_of_both_branches_counts_from_the_eccentric_rest():
 
 
 def test_branches_meet_at_the_eccentric_rest():
-    found = oscillator(LEANING)
+    found = LEANING.oscillator
     rest, ahead, back = found.equilibrium, found.positive, found.negative
     first, second = (FlexibleChain(chain, "m") for chain in (LEANING.positive, LEANING.negative))
     scale = ahead.restoring.max()
@@ -300,7 +297,7 @@ def test_branches_meet_at_the_eccentric_rest():
 
 def test_where_a_leaning_wall_overturns_counts_from_its_rest():
     """The moment of all falls to zero at phi_ov, that of weight and joints alone at phi_cr, each from the rest on."""
-    found, leaning = oscillator(TIED), brentq(pulled, 0.0, 2e-3, xtol=1e-16)
+    found, leaning = TIED.oscillator, brentq(pulled, 0.0, 2e-3, xtol=1e-16)
     assert found.equilibrium == pytest.approx(leaning, rel=1e-9)
     assert found.equilibrium_negative == -found.equilibrium
     chains = [FlexibleChain(chain, "m") for chain in (TIED.positive, TIED.negative)]
@@ -333,8 +330,8 @@ def of_weight(chain, phi):
 
 def test_mirrored_loads_change_the_branches():
     ours, theirs = (
-        oscillator(LEANING),
-        oscillator(wall(loads=tuple(mirrored_load(load) for load in LEANING.positive.loads))),
+        LEANING.oscillator,
+        wall(loads=tuple(mirror_load(load) for load in LEANING.positive.loads)).oscillator,
     )
     assert theirs.equilibrium == -ours.equilibrium
     assert (theirs.equilibrium_negative, ours.equilibrium_negative) == (-theirs.equilibrium, -ours.equilibrium)
@@ -345,7 +342,7 @@ def test_mirrored_loads_change_the_branches():
 
 def test_one_sided_wall_pressed_on_what_is_behind_has_a_threshold():
     F, e = 5e4, 0.15
-    found = oscillator(wall(sides="one", loads=(Force("F", (0.0, -F), (-e, 5.5)),)))
+    found = wall(sides="one", loads=(Force("F", (0.0, -F), (-e, 5.5)),)).oscillator
     assert found.equilibrium == 0.0
     assert found.positive.restoring[0] == pytest.approx(F * e, rel=1e-9)
     assert elastic_frequency(found.positive) is None
@@ -353,7 +350,7 @@ def test_one_sided_wall_pressed_on_what_is_behind_has_a_threshold():
 
 def test_one_sided_wall_leans_away_from_what_is_behind():
     F, at = 5e4, (0.15, 5.5)
-    found = oscillator(wall(sides="one", loads=(Force("F", (0.0, -F), at),)))
+    found = wall(sides="one", loads=(Force("F", (0.0, -F), at),)).oscillator
     expected = brentq(lambda phi: excess(phi, F=F, at=at), 0.0, 2e-3, xtol=1e-16)
     assert found.equilibrium == pytest.approx(expected, rel=1e-9)
     assert found.positive.restoring[0] == 0.0
@@ -364,7 +361,7 @@ def test_no_stable_rest_under_a_load_too_far_out():
     soft = JointLaw(6e6, 1.5e6)
     assert soft.stiffness * L * B**3 / 12 > 3.0 * W  # a wall alone would stand
     with pytest.raises(MechanismError, match=r'mechanism "w": it falls by itself: the load on its joints lies too far'):
-        oscillator(wall(law=soft, loads=(Force("F", (0.0, -5e4), (0.4, 5.5)),)))
+        _ = wall(law=soft, loads=(Force("F", (0.0, -5e4), (0.4, 5.5)),)).oscillator
 
 
 @pytest.mark.parametrize("sides", ["one", "two"])
@@ -372,7 +369,7 @@ def test_no_stable_rest_on_a_joint_too_soft(sides):
     """k I < W h: upright it is in balance, but any push makes it fall."""
     soft = JointLaw(0.9 * 3.0 * W / (L * B**3 / 12), inf)
     with pytest.raises(MechanismError, match=r'mechanism "w": it falls by itself: its joints are too soft'):
-        oscillator(wall(law=soft, sides=sides))
+        _ = wall(law=soft, sides=sides).oscillator
 
 
 # -------------------------------------------------------------------------------------------- similarity and limits
@@ -381,9 +378,9 @@ def test_no_stable_rest_on_a_joint_too_soft(sides):
 def test_larger_walls_of_the_same_shape_rock_more_slowly():
     """Lengths times s, f_m times s, k_n as it is: p goes with s^(-1/2), rotations and multipliers stay."""
     s = 4.0
-    large = oscillator(wall(size=s, law=JointLaw(LAW.stiffness, s * LAW.strength))).positive
-    small = oscillator(wall()).positive
-    assert linearise(large).p == pytest.approx(linearise(small).p / sqrt(s), rel=1e-9)
+    large = wall(size=s, law=JointLaw(LAW.stiffness, s * LAW.strength)).oscillator.positive
+    small = wall().oscillator.positive
+    assert large.linearised.p == pytest.approx(small.linearised.p / sqrt(s), rel=1e-9)
     assert large.overturning_flexible == pytest.approx(small.overturning_flexible, rel=1e-9)
     assert large.restitution == pytest.approx(small.restitution, rel=1e-12)
     assert resisted(large) == pytest.approx(resisted(small), rel=1e-9)
@@ -393,9 +390,9 @@ def test_larger_walls_of_the_same_shape_rock_more_slowly():
 @pytest.mark.parametrize("made", [wall, storey, portal], ids=["wall", "storey", "portal"])
 def test_stiff_strong_joints_tend_to_the_rigid_oscillator(made):
     """At the root of the stiffness, in overturning and in the largest multiplier."""
-    rigid = [oscillator(made(law=JointLaw(inf, 1e15), model="rigid")).positive]
+    rigid = [made(law=JointLaw(inf, 1e15), model="rigid").oscillator.positive]
     stiff = 10.0 ** np.arange(12.0, 16.0)
-    found = [oscillator(made(law=JointLaw(k, inf))).positive for k in stiff]
+    found = [made(law=JointLaw(k, inf)).oscillator.positive for k in stiff]
     off = np.array([side.overturning - side.overturning_flexible for side in found])
     assert np.polyfit(np.log(stiff), np.log(off), 1)[0] == pytest.approx(-0.5, abs=0.01)
     assert found[-1].restitution == pytest.approx(rigid[0].restitution, rel=1e-9)  # no strength: a_SF = 0
@@ -409,7 +406,7 @@ def test_stiff_strong_joints_tend_to_the_rigid_oscillator(made):
 
 def test_semi_flexible_has_a_fixed_inertia_and_everything_else_as_flexible():
     """I_SF = I_C + W / g R_P^2 about the hinge a_SF = 2 W / (3 f l) inside the edge (thesis 6.55-6.59; errata 5)."""
-    flexible, fixed = (oscillator(wall(model=model)).positive for model in ("flexible", "semi-flexible"))
+    flexible, fixed = (wall(model=model).oscillator.positive for model in ("flexible", "semi-flexible"))
     a_SF = 2 * W / (3 * LAW.strength * L)
     I_SF = MASS * (B**2 + H**2) / 12 + MASS * ((B / 2 - a_SF) ** 2 + (H / 2) ** 2)
     np.testing.assert_allclose(fixed.inertia, I_SF, rtol=1e-12)
@@ -420,7 +417,7 @@ def test_semi_flexible_has_a_fixed_inertia_and_everything_else_as_flexible():
 
 
 def test_a_block_of_the_same_constants_at_any_rotation_is_6_50_to_6_52():
-    side = oscillator(wall(model="flexible-thesis")).positive
+    side = wall(model="flexible-thesis").oscillator.positive
     for phi in (0.01, 0.05, 0.1):
         found = block_at(side, phi, mass=MASS)
         a = shift(phi)
@@ -431,5 +428,5 @@ def test_a_block_of_the_same_constants_at_any_rotation_is_6_50_to_6_52():
 
 
 def test_equivalent_block_at_rest_stands_on_the_middle_of_its_joint():
-    found = equivalent_block(oscillator(wall()).positive, mass=MASS)
+    found = equivalent_block(wall().oscillator.positive, mass=MASS)
     assert (found.radius, found.slenderness) == pytest.approx((H / 2, 0.0), rel=1e-9, abs=1e-12)

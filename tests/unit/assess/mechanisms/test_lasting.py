@@ -17,12 +17,13 @@ from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.loads.load import Force, PointMass, Tie, lasts, mirrored
+from assess.loads.load import Force, PointMass, Tie, lasts, mirror_load
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.lasting import collapse_branch, held_above, limits, variants
+from assess.mechanisms.limits import held_above, limits
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from assess.mechanisms.variants import collapse_branch
 from assess.oscillator import interpolant, restoring
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
@@ -40,7 +41,7 @@ def wall(*loads, sides="two"):
 
 
 def found(*loads, sides="two"):
-    return variants(wall(*loads, sides=sides))
+    return wall(*loads, sides=sides).variants
 
 
 def d0(rocker):
@@ -167,7 +168,7 @@ def test_a_force_acts_where_it_drives_and_not_where_it_resists():
 def test_a_mechanism_that_stands_by_such_a_tie_alone_has_no_curve_of_collapse():
     heavy, holding = Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)
     ways = found(heavy, holding)
-    assert (ways.breaking, ways.collapse, ways.standing_by) == (None, None, ("tie",))
+    assert (ways.breaking, ways.collapse, ways.depends_on) == (None, None, ("tie",))
     assert ways.deciding is ways.starting
     assert limits(wall(heavy, holding)) == ()
     breaking = found(heavy, replace(holding, until=0.1))
@@ -194,14 +195,14 @@ CASES = [
 
 @pytest.mark.parametrize("loads", CASES)
 def test_the_mirror_image_has_the_branches_of_the_other_side(loads):
-    one, two = found(*loads), found(*(mirrored(load) for load in loads))
+    one, two = found(*loads), found(*(mirror_load(load) for load in loads))
     for name in ("starting", "breaking", "collapse"):
         a, b = getattr(one, name), getattr(two, name)
         for here, there in ((a.positive, b.negative), (a.negative, b.positive)):
             np.testing.assert_allclose(here.rotation, there.rotation, rtol=1e-12)
             np.testing.assert_allclose(here.restoring, there.restoring, rtol=0.0, atol=1e-9 * M * g)
     ends = {(each.what, each.branch): each.rotation for each in limits(wall(*loads))}
-    other = {(each.what, each.branch): each.rotation for each in limits(wall(*(mirrored(load) for load in loads)))}
+    other = {(each.what, each.branch): each.rotation for each in limits(wall(*(mirror_load(load) for load in loads)))}
     assert {(what, {"positive": "negative", "negative": "positive"}[branch]) for what, branch in ends} == set(other)
 
 
@@ -238,8 +239,8 @@ def test_a_wall_of_two_blocks_with_a_tie_that_breaks():
     }
     tie = Tie("tie", 500.0, (0.2, 2.0), direction=(-1.0, 0.0), until=0.08)
     ways, plain = (
-        variants(two_block("w", low, high, loads=(tie,), **hinges)),
-        variants(two_block("w", low, high, **hinges)),
+        two_block("w", low, high, loads=(tie,), **hinges).variants,
+        two_block("w", low, high, **hinges).variants,
     )
     side, at = ways.breaking.positive, 2 * asin(0.08 / (2 * 2.0))
     assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([at], rel=1e-12)
@@ -250,9 +251,9 @@ def test_a_wall_of_two_blocks_with_a_tie_that_breaks():
 
 def test_on_stiff_joints_the_variants_tend_to_the_rigid_ones():
     loads = (THRUST, replace(INWARD, pull=6000.0, until=0.15), Force("beam", (0.0, -4000.0), (-0.1, 5.0)))
-    rigid, distance = variants(wall(*loads)), []
+    rigid, distance = wall(*loads).variants, []
     for stiffness in (1e10, 1e11, 1e12):
-        soft = variants(on_joint(stiffness, *loads))
+        soft = on_joint(stiffness, *loads).variants
         shares = [
             getattr(soft, name).positive.unstable / getattr(rigid, name).positive.overturning - 1.0
             for name in ("starting", "breaking", "collapse")
@@ -265,8 +266,8 @@ def test_on_stiff_joints_the_variants_tend_to_the_rigid_ones():
 def test_on_joints_it_drops_by_the_tie_too_and_normal_forces_follow():
     """A stay that pulls down presses on the joint; as it goes, the resultant moves, so more goes than its moment."""
     stay = Tie("stay", 9000.0, (-0.4, 4.5), direction=(0.0, -1.0), until=0.1)
-    side = variants(on_joint(1e9, stay)).breaking.positive
-    plain = variants(on_joint(1e9)).starting.positive
+    side = on_joint(1e9, stay).variants.breaking.positive
+    plain = on_joint(1e9).variants.starting.positive
     jumps = (np.diff(side.rotation) == 0.0) & (np.abs(np.diff(side.restoring)) > 1.0)
     (jump,) = np.flatnonzero(jumps & (side.rotation[1:] < side.unstable))
     assert side.rotation[jump] == pytest.approx(2 * asin(0.1 / (2 * hypot(0.8, 4.5))), rel=1e-12)
@@ -279,7 +280,7 @@ def test_on_joints_it_drops_by_the_tie_too_and_normal_forces_follow():
 def test_a_weight_that_crushes_the_joint_does_not_leave_to_make_the_wall_stand_longer(at):
     """Near the edge it resists by its lever, and takes more by what it presses with."""
     weight = Force("beam", (-500.0, -40000.0), (at, 3.4))
-    ways = variants(on_joint(1e9, weight, strength=5e5))
+    ways = on_joint(1e9, weight, strength=5e5).variants
     for name in ("breaking", "collapse"):
         for side, first in zip(getattr(ways, name).branches, ways.starting.branches, strict=True):
             assert side.unstable <= first.unstable * (1.0 + 1e-6)
@@ -290,7 +291,7 @@ def test_one_chain_alone_has_the_same_curve_of_collapse():
     for loads in ((THRUST, INWARD), (THRUST, VOUCHED), (brittle,)):
         mechanism = wall(*loads)
         side = collapse_branch(on_joint(1e9, *loads).positive, name="w")
-        np.testing.assert_array_equal(side.restoring, variants(mechanism).collapse.positive.restoring)
+        np.testing.assert_array_equal(side.restoring, mechanism.variants.collapse.positive.restoring)
     with pytest.raises(FallingError):
         collapse_branch(wall(Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)).positive, name="w")
 

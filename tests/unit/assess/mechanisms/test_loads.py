@@ -13,10 +13,9 @@ from assess.geometry.planar import join_planar, planar_body, planar_body_from_va
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import require_stable
-from assess.oscillator import linearise, multiplier, participation_ratio, restoring
+from assess.oscillator import multiplier, participation_ratio, restoring
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
@@ -27,7 +26,7 @@ THRUST = Force("thrust", (3000.0, 0.0), (-0.4, 3.5))
 
 
 def rocker(*loads, sides="two"):
-    return oscillator(single_block("w", WALL, loads=loads, sides=sides))
+    return single_block("w", WALL, loads=loads, sides=sides).oscillator
 
 
 def polar(at):
@@ -46,7 +45,7 @@ def test_static_multiplier_by_moments_about_the_hinge():
 def test_thesis_closed_form_with_bearing_mass_and_force():
     """3.22, 3.24-3.26: K, M, phi_cr and phi_ov; 3.21 for I."""
     branch = rocker(FLOOR, THRUST).positive
-    linear = linearise(branch)
+    linear = branch.linearised
     total = M + 900.0
     centre = tuple((M * wall + 900.0 * floor) / total for wall, floor in zip((0.0, H / 2), FLOOR.at, strict=True))
     (R_c, alpha_c), (R_f, alpha_f), (R_i, _) = polar(centre), polar(THRUST.at), polar(FLOOR.at)
@@ -75,7 +74,7 @@ def test_mass_that_is_not_bearing_has_horizontal_inertia_and_no_weight():
 def test_bearing_mass_is_a_small_heavy_body_welded_on():
     heavy = planar_body_from_values(mass=900.0, centroid=FLOOR.at, inertia=0.0, name="floor")
     welded = join_planar([WALL, heavy], name="w")
-    one, two = rocker(FLOOR), oscillator(single_block("w", welded, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0)))
+    one, two = rocker(FLOOR), single_block("w", welded, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0)).oscillator
     for side in ("positive", "negative"):
         a, b = getattr(one, side), getattr(two, side)
         np.testing.assert_allclose(a.restoring, b.restoring, rtol=1e-12, atol=1e-9 * M * g)
@@ -123,7 +122,7 @@ def test_loads_mirror_with_the_direction():
 def test_tables_reach_the_point_of_linearisation_under_a_strong_thrust():
     branch = rocker(Force("thrust", (12000.0, 0.0), (0.0, 4.5)), sides="one").positive
     assert branch.overturning < 0.5 * branch.critical < branch.critical < branch.rotation[-1]
-    assert linearise(branch).overturning == pytest.approx(branch.overturning, rel=0.1)  # fitted far away, at phi_cr
+    assert branch.linearised.overturning == pytest.approx(branch.overturning, rel=0.1)  # fitted far away, at phi_cr
 
 
 @pytest.mark.parametrize(

@@ -15,11 +15,10 @@ from assess.geometry.solid import box
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.motion import move, trace_point
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import virtual_work
-from assess.oscillator import energy, linearise, participation_ratio, restoring
+from assess.oscillator import energy, participation_ratio, restoring
 from assess.oscillator import equivalent_block as at_rest
 
 WALL = {"thickness": 0.8, "length": 2.0, "height": 5.0, "base": (0.0, 0.0, 0.0), "density": 1900.0, "name": "wall"}
@@ -46,7 +45,7 @@ def test_rates_are_the_derivatives_of_the_turned_centroid():
 def test_rectangle_has_the_closed_form_of_a_single_block():
     b, h = WALL["thickness"] / 2, WALL["height"] / 2
     R, alpha = hypot(b, h), atan2(b, h)
-    rocker = oscillator(single_block("w", wall_in_plane()))
+    rocker = single_block("w", wall_in_plane()).oscillator
     M, branch = rocker.mass, rocker.positive
     assert pytest.approx(1900 * 0.8 * 2.0 * 5.0) == M
     assert branch.overturning == pytest.approx(alpha, rel=1e-13)
@@ -56,7 +55,7 @@ def test_rectangle_has_the_closed_form_of_a_single_block():
         energy(branch, phi), M * g * R * (np.cos(alpha - phi) - cos(alpha)), atol=1e-11 * M * g * R
     )
     np.testing.assert_allclose(branch.inertia, 4 / 3 * M * R**2, rtol=1e-12)
-    linear = linearise(branch)
+    linear = branch.linearised
     assert linear.p == pytest.approx(np.sqrt(3 * g / (4 * R)), rel=1e-9)  # Housner 1963
     assert linear.multiplier == pytest.approx(alpha, rel=1e-9)  # thesis 3.11: K phi_cr / (g B)
     assert linear.overturning == pytest.approx(alpha, rel=1e-12)
@@ -64,7 +63,7 @@ def test_rectangle_has_the_closed_form_of_a_single_block():
 
 
 def test_restoring_moment_is_the_derivative_of_the_potential():
-    branch = oscillator(single_block("w", wall_in_plane())).positive
+    branch = single_block("w", wall_in_plane()).oscillator.positive
     phi, step = np.array([0.01, 0.05, 0.1]), 1e-5
     slope = (energy(branch, phi + step) - energy(branch, phi - step)) / (2 * step)
     np.testing.assert_allclose(slope, restoring(branch, phi), rtol=1e-8)
@@ -73,8 +72,8 @@ def test_restoring_moment_is_the_derivative_of_the_potential():
 def test_a_block_made_of_welded_parts_is_the_same_oscillator():
     lower = wall_in_plane(height=2.0)
     upper = wall_in_plane(height=3.0, base=(0.0, 0.0, 2.0))
-    whole = oscillator(single_block("w", wall_in_plane()))
-    welded = oscillator(single_block("w", join_planar([lower, upper], name="w")))
+    whole = single_block("w", wall_in_plane()).oscillator
+    welded = single_block("w", join_planar([lower, upper], name="w")).oscillator
     for column in ("rotation", "inertia", "restoring", "excitation", "participation", "lift"):
         expected = getattr(whole.positive, column)
         np.testing.assert_allclose(
@@ -85,8 +84,8 @@ def test_a_block_made_of_welded_parts_is_the_same_oscillator():
 def test_a_leaning_block_has_two_different_branches_and_mirrors_with_its_direction():
     leaning = planar_body_from_values(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
     mirrored = planar_body_from_values(mass=1000.0, centroid=(-0.1, 2.0), inertia=900.0, name="leaning")
-    one = oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
-    two = oscillator(single_block("a", mirrored, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
+    one = single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)).oscillator
+    two = single_block("a", mirrored, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)).oscillator
     assert one.positive.overturning < one.negative.overturning
     np.testing.assert_allclose(one.positive.restoring, two.negative.restoring, rtol=1e-14)
     np.testing.assert_allclose(one.negative.restoring, two.positive.restoring, rtol=1e-14)
@@ -109,7 +108,7 @@ def test_default_hinges_of_a_sloping_base_are_its_ends_each_at_its_elevation():
     assert mechanism.positive.hinges == ((0.4, 1.3),)
     assert mechanism.negative.hinges == ((0.4, 1.0),)  # mirrored
     assert mechanism.elevation == 1.3
-    assert [text.split(" though")[0] for text in mechanism.notices] == ["restitution 1.011 is above 1"]
+    assert [text.split(" though")[0] for text in mechanism.warnings] == ["restitution 1.011 is above 1"]
     r_old, r_new = np.array([-0.4, 1.2]), np.array([0.4, 1.5])  # hinge to centroid
     J = sloping.inertia
     about_new = J + sloping.mass * r_new @ r_old
@@ -120,8 +119,8 @@ def test_default_hinges_of_a_sloping_base_are_its_ends_each_at_its_elevation():
 def test_a_given_hinge_is_looked_for_on_the_sloping_base(hinge, doubts):
     sloping = replace(wall_in_plane(), base=((-0.4, 1.0), (0.4, 1.3)))
     mechanism = single_block("w", sloping, hinge=hinge, sides="one", restitution=(0.5, 0.5))
-    assert len(mechanism.notices) == doubts
-    assert all("reaches from (-0.4, 1) to (0.4, 1.3) m" in text for text in mechanism.notices)
+    assert len(mechanism.warnings) == doubts
+    assert all("reaches from (-0.4, 1) to (0.4, 1.3) m" in text for text in mechanism.warnings)
 
 
 def test_momentum_is_housners_for_a_symmetric_block():
@@ -134,8 +133,8 @@ def test_momentum_is_housners_for_a_symmetric_block():
 
 def test_equivalent_block_returns_itself():
     mechanism = equivalent_block("W0a", p=1.6, uplift=0.14, radius=2.84, mass=7.0)
-    rocker = oscillator(mechanism)
-    block, linear = at_rest(rocker.positive, mass=7.0), linearise(rocker.positive)
+    rocker = mechanism.oscillator
+    block, linear = at_rest(rocker.positive, mass=7.0), rocker.positive.linearised
     assert (linear.p, linear.multiplier) == pytest.approx((1.6, 0.14), rel=1e-9)
     assert (block.radius, block.slenderness, block.mass) == pytest.approx((2.84, 0.14, 7.0), rel=1e-12)
     assert rocker.positive.overturning == pytest.approx(0.14, rel=1e-12)
@@ -153,13 +152,13 @@ def test_one_sided_rocking_rebounds_by_sorrentinos_formula():
     signed = (1 - 1.5 * s) ** 2 * (1 - 1.5 * c)
     assert signed < 0
     assert mechanism.restitution[0] == pytest.approx(-signed, rel=1e-12)
-    assert oscillator(mechanism).negative is None
+    assert mechanism.oscillator.negative is None
 
 
 def test_one_sided_stocky_block_does_not_rebound_and_says_so():
     mechanism = single_block("w", wall_in_plane(thickness=4.9), sides="one")
     assert mechanism.restitution[0] == 0.0
-    assert "no rebound" in mechanism.notices[0]
+    assert "no rebound" in mechanism.warnings[0]
 
 
 @pytest.mark.parametrize(
@@ -199,20 +198,20 @@ def test_a_restitution_above_one_says_that_energy_is_kept():
     old, new = J + m * (height**2 + half**2), J + m * ((height - 1.5) ** 2 + half**2)
     eta = (J + m * (height * (height - 1.5) - half**2)) / new
     assert mechanism.restitution[0] == pytest.approx(eta, rel=1e-12)
-    (told,) = [text for text in mechanism.notices if "restitution" in text]
+    (told,) = [text for text in mechanism.warnings if "restitution" in text]
     assert told.startswith(f"restitution {eta:.4g} is above 1 though energy is lost")
     assert told.endswith(f"keeps {100 * eta**2 * new / old:.3g} % of the energy")
 
 
 def test_a_block_that_is_the_same_both_ways_has_one_branch():
-    assert oscillator(single_block("w", wall_in_plane())).symmetric
+    assert single_block("w", wall_in_plane()).oscillator.symmetric
     leaning = planar_body_from_values(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
-    assert not oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))).symmetric
+    assert not single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)).oscillator.symmetric
 
 
 @pytest.mark.parametrize(("off", "symmetric"), [(1e-15, True), (1e-9, False)])
 def test_rounding_does_not_make_two_branches_of_one(off, symmetric):
     body = planar_body_from_values(mass=1000.0, centroid=(off, 2.0), inertia=900.0, name="w")
-    both = oscillator(single_block("a", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
+    both = single_block("a", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)).oscillator
     assert both.symmetric == symmetric
     np.testing.assert_allclose(both.negative.restoring, both.positive.restoring, rtol=1e-7, atol=1e-6)

@@ -45,7 +45,7 @@ def test_a_support_that_would_have_to_pull_is_told() -> None:
         for each in (COLUMN, BEAM, FAR)
     ]
     loads = (Force("lift", (0.0, lift), HINGES[3], 2),)
-    told = four_hinge("m", bodies, hinges=HINGES, sides="one", loads=loads).notices
+    told = four_hinge("m", bodies, hinges=HINGES, sides="one", loads=loads).warnings
     assert [text for text in told if text.startswith("hinge D would have to pull its block down")]
     assert not any("hinge A would" in text for text in told)
 

@@ -11,7 +11,6 @@ import trimesh
 from scipy.constants import g
 
 from assess.errors import AssessError
-from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import elastic_frequency
 from assess.project.build import build
 from assess.project.schema import load
@@ -101,11 +100,11 @@ def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
 def test_an_oblique_direction_is_told_with_how_far_the_resultant_leaves_the_plane(tmp_path):
     """A rectangle is not symmetric about an oblique plane: at a corner that alone bears, the resultant is there."""
     c, s = cos(radians(30.0)), sin(radians(30.0))
-    (text,) = [n for n in mechanism(tmp_path, SOFT, text=towards(c, s)).notices if "symmetric" in n][:1]
+    (text,) = [n for n in mechanism(tmp_path, SOFT, text=towards(c, s)).warnings if "symmetric" in n][:1]
     assert text.startswith(
         "interface A: the contact is not symmetric about the plane of motion: its resultant moves by"
     )
-    straight = [n for n in mechanism(tmp_path, SOFT).notices if "symmetric" in n]
+    straight = [n for n in mechanism(tmp_path, SOFT).warnings if "symmetric" in n]
     assert straight == []
     moved = float(text.split("up to ")[1].split(" m")[0])
     corner = abs(0.5 * s - 1.0 * c)  # across, of the extreme corner from the middle
@@ -160,7 +159,7 @@ def test_outline_of_a_hollow_tower(tmp_path):
     assert joint.section.area == pytest.approx(4 - 1.44, rel=1e-6)  # STL holds seven digits
     assert joint.section.centroid == pytest.approx(1.0, rel=1e-6)
     W, I = (4 - 1.44) * 8 * 1800 * g, (2**4 - 1.2**4) / 12  # noqa: E741
-    side = oscillator(of_mesh(tmp_path, trimesh.creation.extrude_polygon(square, 8.0))).positive
+    side = of_mesh(tmp_path, trimesh.creation.extrude_polygon(square, 8.0)).oscillator.positive
     assert elastic_frequency(side) == pytest.approx(sqrt((2e8 * I - 4 * W) / side.inertia[0]) / 2 / pi, rel=1e-5)
 
 
@@ -229,21 +228,21 @@ def test_results_hold_every_hinge(tmp_path):
 def test_no_strength_known_is_told(tmp_path):
     text = (STONE + SINGLE).replace('compressive_strength = "1.5 MPa"\n', "")
     found = mechanism(tmp_path, SOFT, text=text)
-    assert any("interface A: no strength is known, so its joint never crushes" in text for text in found.notices)
+    assert any("interface A: no strength is known, so its joint never crushes" in text for text in found.warnings)
     asked = mechanism(tmp_path, SOFT.replace(" }", ', strength = "inf" }'), text=text)
-    assert not any("strength" in text for text in asked.notices)
+    assert not any("strength" in text for text in asked.warnings)
 
 
 @pytest.mark.parametrize(("x", "way"), [(0.4, "inside"), (0.6, "outside")])
 def test_a_hinge_away_from_the_edge_is_told(tmp_path, x, way):
     found = mechanism(tmp_path, f"hinges = {{ A = [{x}, 0, 0] }}\n" + SOFT)
-    (text,) = [text for text in found.notices if "edge of its contact" in text]
+    (text,) = [text for text in found.warnings if "edge of its contact" in text]
     assert text.startswith(f"interface A: the hinge lies 0.1 m {way} the edge of its contact, which is 1 m deep")
 
 
 def test_a_hinge_at_the_wrong_face_of_a_portal_is_told(tmp_path):
     text = (STONE + LEGS).replace("C = [4.3, 3], D = [4.9, 0] }\nh", "C = [4.9, 3], D = [4.9, 0] }\nh")
-    (told,) = [text for text in mechanism(tmp_path, SOFT, text=text).notices if "edge of its contact" in text]
+    (told,) = [text for text in mechanism(tmp_path, SOFT, text=text).warnings if "edge of its contact" in text]
     assert told.startswith("interface C: the hinge lies 0.6 m inside the edge of its contact, which is 0.6 m deep")
 
 
@@ -397,8 +396,8 @@ def test_joints_of_an_arch_lie_in_the_planes_of_its_voussoirs(tmp_path):
 
 def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
     stiff = 'interface = { model = "flexible", stiffness = "1e12 Pa/m", strength = "inf" }\n'
-    rigid = oscillator(mechanism(tmp_path, text=ARCH)).positive
-    found = oscillator(mechanism(tmp_path, stiff, text=ARCH)).positive
+    rigid = mechanism(tmp_path, text=ARCH).oscillator.positive
+    found = mechanism(tmp_path, stiff, text=ARCH).oscillator.positive
     assert found.overturning == pytest.approx(rigid.overturning, rel=1e-9)
     assert found.overturning_flexible == pytest.approx(rigid.overturning, rel=1e-2)
     assert found.overturning_flexible < rigid.overturning
@@ -406,8 +405,8 @@ def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
 
 def test_each_direction_of_an_arch_rests_on_joints_of_its_own(tmp_path):
     """It opens other joints each way, and a symmetric one alike."""
-    both = oscillator(mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', "")))
-    alone = oscillator(mechanism(tmp_path, SOFT, text=ARCH))
+    both = mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', "")).oscillator
+    alone = mechanism(tmp_path, SOFT, text=ARCH).oscillator
     assert both.negative is not None
     assert both.equilibrium == pytest.approx(alone.equilibrium, rel=1e-9)
     assert both.equilibrium_negative == pytest.approx(alone.equilibrium, rel=1e-6)

@@ -45,7 +45,7 @@ def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", d
 
 
 def of_bodies(made: Study) -> list[Message]:
-    """The notices on bodies."""
+    """The warnings on bodies."""
     return [notice for notice in made.messages if notice.key in ("mesh", "size", "overlap")]
 
 
@@ -121,11 +121,11 @@ def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("x", "told"), [(0.4, "0.8 m3, 25 %"), (0.0, "3.2 m3, 100 %"), (0.5, None)])
 def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float, told: str | None) -> None:
     bodies = body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=x), material="rubble")
-    notices = of_bodies(study(tmp_path, bodies, blocks='["w", "v"]'))
+    warnings = of_bodies(study(tmp_path, bodies, blocks='["w", "v"]'))
     if told is None:
-        assert notices == []
+        assert warnings == []
         return
-    (notice,) = notices
+    (notice,) = warnings
     assert (notice.key, notice.where) == ("overlap", "mechanisms.m")
     assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
 
@@ -150,8 +150,8 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     bodies = body("w", box_form(0.6, 4.5)) + body("v", over) + body("u", box_form(0.6, 4.5, x=4.0))
     chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
     (tmp_path / "project.toml").write_text(HEAD + bodies + chain)
-    notices = of_bodies(build(load(tmp_path)))
-    told = [(each.key, each.where, each.text.split(" one;")[0]) for each in notices]
+    warnings = of_bodies(build(load(tmp_path)))
+    told = [(each.key, each.where, each.text.split(" one;")[0]) for each in warnings]
     shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
     named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
     assert told == [("overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]
@@ -172,7 +172,7 @@ def test_hinges_and_radius_of_a_hollow_and_an_eroded_base(
     for branch, foot in ((found.oscillator_negative, feet[0]), (found.oscillator, feet[1])):
         assert branch is not None
         assert branch.radius_m == pytest.approx(np.hypot(centre.x - foot, centre.y), rel=1e-12)
-    assert not any("lowest face" in text for text in made.mechanisms[0].notices)
+    assert not any("lowest face" in text for text in made.mechanisms[0].warnings)
 
 
 def test_a_base_that_is_not_plane_is_told(tmp_path: Path) -> None:
@@ -181,11 +181,11 @@ def test_a_base_that_is_not_plane_is_told(tmp_path: Path) -> None:
     (mechanism,) = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3")).mechanisms
     assert mechanism.negative is not None
     assert mechanism.negative.hinges[0][0] == 0.0
-    assert any("lowest face alone, 1 m wide" in text and "is 2 m wide" in text for text in mechanism.notices)
+    assert any("lowest face alone, 1 m wide" in text and "is 2 m wide" in text for text in mechanism.warnings)
     cut = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3"), more="cut = 0.0002\n").mechanisms[0]
     assert cut.negative is not None
     assert cut.negative.hinges[0][0] == pytest.approx(1.0, rel=1e-12)
-    assert not any("lowest face" in text for text in cut.notices)
+    assert not any("lowest face" in text for text in cut.warnings)
 
 
 def test_a_wall_with_an_opening(tmp_path: Path) -> None:

@@ -10,7 +10,9 @@ from scipy.constants import g
 from assess.codes.registry import PROCEDURES as REGISTERED
 from assess.errors import ProjectError
 from assess.project.schema import json_schema, load, resolve
-from assess.project.sections import PROCEDURES, BoxBody, DirectBody, EquivalentBlock, MeshBody, ProfileBody, SingleBlock
+from assess.project.sections.bodies import BoxBody, DirectBody, MeshBody, ProfileBody
+from assess.project.sections.mechanisms import EquivalentBlock, SingleBlock
+from assess.project.sections.procedure_names import PROCEDURES
 
 PROJECT = """
 title = "A wall"
@@ -317,19 +319,21 @@ def test_json_schema_is_closed_and_strict() -> None:
 
 def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> None:
     slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 1.3, "0.01 g"]').replace('"0.25 g"', "0.15")
-    doubts = load(written(tmp_path, slip)).doubts
-    assert [(doubt.key, doubt.where, doubt.text) for doubt in doubts] == [
+    messages = load(written(tmp_path, slip)).messages
+    assert [(message.key, message.where, message.text) for message in messages] == [
         ("unit", "site.spectrum.s_d1", '0.15 m/s2 is 0.0153 g; write "0.15 g" if that was meant'),
         ("unit", "analysis.levels[1]", '0.1 m/s2 is 0.0102 g; write "0.1 g" if that was meant'),
     ]
-    assert load(written(tmp_path, PROJECT)).doubts == ()
+    assert load(written(tmp_path, PROJECT)).messages == ()
 
 
 def test_a_bare_size_that_is_hardly_a_wall_is_told(tmp_path: Path) -> None:
     thick = "[bodies.thick]\nmaterial = 'brick'\nbox = { thickness = 350, length = 2, height = 3 }\n"
-    (doubt,) = load(written(tmp_path, f"{PROJECT}\n{thick}")).doubts
-    assert (doubt.key, doubt.where) == ("box-size", "bodies.thick.box.thickness")
-    assert doubt.text == 'a number without a unit is in m, so this is 350 m; if another unit was meant, write "350 mm"'
+    (message,) = load(written(tmp_path, f"{PROJECT}\n{thick}")).messages
+    assert (message.key, message.where) == ("box-size", "bodies.thick.box.thickness")
+    assert (
+        message.text == 'a number without a unit is in m, so this is 350 m; if another unit was meant, write "350 mm"'
+    )
 
 
 @pytest.mark.parametrize(

@@ -190,8 +190,8 @@ def test_a_hazard_factor_in_per_cent_is_refused(tmp_path: Path) -> None:
 
 def test_bare_accelerations_of_every_code_are_told(tmp_path: Path) -> None:
     table = CODES["hazard"].replace('"0.05 g"', "0.05").replace('"0.16 g"', "0.16")
-    doubts = loaded(tmp_path, table).doubts
-    assert [doubt.where for doubt in doubts] == ["site.spectrum.hazard[1].a_g", "site.spectrum.hazard[2].a_g"]
+    messages = loaded(tmp_path, table).messages
+    assert [message.where for message in messages] == ["site.spectrum.hazard[1].a_g", "site.spectrum.hazard[2].a_g"]
 
 
 def test_a_parameter_can_be_swept(tmp_path: Path) -> None:

@@ -15,7 +15,6 @@ from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Block, Chain, mirror_chain
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
 from assess.study.drawing import SEEN, draw
@@ -71,7 +70,7 @@ def test_it_is_turned_far_enough_to_be_seen_and_no_farther_than_overturning():
     )
     for body, reaches in ((WALL, False), (slender, True)):
         mechanism = single_block("w", body)
-        rocker = oscillator(mechanism)
+        rocker = mechanism.oscillator
         displaced = draw(mechanism, rocker).displaced
         moved = max(dist(a, b) for a, b in zip(body.outline[0], displaced.blocks[0], strict=True))
         assert displaced.rotation_rad <= rocker.positive.overturning

@@ -11,7 +11,6 @@ from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.families import FAMILIES
 from assess.errors import AssessError
-from assess.mechanisms.lasting import variants
 from assess.study.context import context_of
 from assess.study.envelope_run import envelope
 from assess.study.parameters import parameters
@@ -179,5 +178,5 @@ def test_the_rest_of_it_is_printed(standing_by_its_tie):
     (mechanism,) = results.mechanisms
     assert mechanism.oscillator.uplift_multiplier > 0.0
     assert mechanism.deciding_curve is None
-    assert variants(study.mechanisms[0]).standing_by == ("tie 2",)
+    assert study.mechanisms[0].variants.depends_on == ("tie 2",)
     assert envelope(study, jobs=1).mechanisms[0].envelope is None

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.mechanisms.lasting import variants
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.project.build import build
 from assess.project.schema import load
@@ -49,7 +48,7 @@ def test_the_same_numbers_as_from_a_run(tmp_path: Path) -> None:
     (found,) = run(study, jobs=1).mechanisms
     assert study.spectrum is not None
     records = {each.record.id: each.record for each in motions_of(study, study.spectrum)}
-    oscillator = variants(study.mechanisms[0]).deciding
+    oscillator = study.mechanisms[0].variants.deciding
     assert {one.overturned for one in found.histories} == {True, False}
     for one in found.histories:
         body, scale = with_restitution_factor(oscillator, one.rebound), one.polarity * one.scale_factor

@@ -14,9 +14,9 @@ from assess.messages.message import Message, Quantity, note, warning
 from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
 from assess.project import sections
-from assess.project.asking import procedures_of
 from assess.project.bodies import bodies_of
 from assess.project.definitions import definitions_of
+from assess.project.procedures import procedures_of
 from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
 from assess.study.verdict import by_motion
@@ -25,12 +25,12 @@ CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
 
 
-def notices_of(
+def project_messages(
     content: sections.Content,
     solids: Mapping[str, Solid | None],
     study: Study,
 ) -> Iterator[Message]:
-    """What the engineer should know before reading any result."""
+    """Yield what the engineer should know before reading any result."""
     mechanisms = study.mechanisms
     for name, solid in solids.items():
         if solid is not None:
@@ -39,7 +39,7 @@ def notices_of(
     yield from overlaps_of(definitions, bodies)
     yield from gaps_of(definitions, bodies)
     for mechanism in mechanisms:
-        for text in mechanism.notices:
+        for text in mechanism.warnings:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
         yield from load_messages(mechanism)
         yield from mechanism.messages
@@ -55,7 +55,7 @@ def notices_of(
 def _of_amplification(
     raised: Sequence[str], amplified: Mapping[str, Amplified], question: Question
 ) -> Iterator[Message]:
-    """Which mechanisms above the ground feel the ground's motion as it is, and what is assumed for the others."""
+    """List mechanisms above the ground whose input is the ground's motion, and the assumptions for the others."""
     without = [name for name in raised if amplified[name].height is None]
     if without:
         bears = warning if by_motion(question) else note
@@ -66,7 +66,7 @@ def _of_amplification(
 
 
 def _of_two_first_modes(content: sections.Content) -> Iterator[Message]:
-    """A natural frequency of [building] beside a period that is not its reciprocal: two first modes of one building."""
+    """Warn if the natural frequency of [building] is not the reciprocal of its period."""
     building = content.building
     if building is None or building.natural_frequency is None or building.period is None:
         return
@@ -81,7 +81,7 @@ def _of_two_first_modes(content: sections.Content) -> Iterator[Message]:
 
 
 def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
-    """What the linearised equation leaves out of mechanisms on joints."""
+    """Warn that the linearised equation leaves out the flexibility of joints."""
     soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
     if equation == "linearised" and soft:
         yield warning("equation", "analysis.equation", mechanisms=", ".join(soft))
@@ -90,7 +90,7 @@ def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> 
 def _of_crushing(
     code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
 ) -> Iterator[Message]:
-    """Levels of knowledge and factors that do not decide, as the mechanism does not model crushing."""
+    """Warn of levels of knowledge and factors that have no effect, as the mechanism does not model crushing."""
     without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
     better = [name for name in without if options.knowledge_levels.get(name, options.knowledge_level) in ("LC2", "LC3")]
     lower = options.confidence_factor is not None and options.confidence_factor < LEAST_KNOWN
@@ -106,16 +106,16 @@ def _of_crushing(
 
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
-    """What was done to the mesh of a body, and a size or place that suggests a slip."""
+    """Report what was done to the mesh of a body, and an implausible size or place."""
     if isinstance(body, sections.MeshBody) and solid.history:
         yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.history))
-    doubt = size_warning(solid, unit=mesh_unit_of(body))
-    if doubt:
-        yield warning("size", f"bodies.{name}", text=doubt)
+    text = size_warning(solid, unit=mesh_unit_of(body))
+    if text:
+        yield warning("size", f"bodies.{name}", text=text)
 
 
 def mesh_unit_of(body: sections.Body) -> float | None:
-    """The unit that a mesh was read in [m], where the project states it or a metre stands in for it; else None."""
+    """Return the unit in which a mesh was read [m], if it is stated by the project or taken as metre; else None."""
     if not isinstance(body, sections.MeshBody):
         return None
     return body.mesh_unit or (1.0 if body.mesh.suffix.lower() in WITHOUT_UNIT else None)

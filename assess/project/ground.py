@@ -27,7 +27,7 @@ def base_elevation_of(section: sections.Mechanism) -> float | None:
 
 def ground_mechanism(section: sections.Mechanism, mechanism: Mechanism, ground: Ground) -> Grounded:
     """Return where a mechanism stands over the ground."""
-    by_table = isinstance(section, sections.EquivalentBlock) and section.given("elevation")
+    by_table = isinstance(section, sections.EquivalentBlock) and section.has_key("elevation")
     return stand_on(ground, mechanism, base_elevation=base_elevation_of(section), by_table=by_table)
 
 

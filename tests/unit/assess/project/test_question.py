@@ -11,7 +11,7 @@ from assess.codes.verdict import methods_of
 from assess.codes.verdict.question import SOURCES, Missing, once
 from assess.codes.verdict_text import toml_lines
 from assess.project.build import build
-from assess.project.deciding import facts_of, of_pga, question_of
+from assess.project.question import facts_of, of_pga, question_of
 from assess.project.schema import load
 from assess.project.site_spectrum import site_in, spectrum_of
 from assess.study.run import run

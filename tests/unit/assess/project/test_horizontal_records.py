@@ -3,7 +3,7 @@
 import pytest
 
 from assess.errors import ProjectError
-from assess.project.components import horizontal, left_out
+from assess.project.horizontal_records import horizontal_records, vertical_record_messages
 from records.record import Record, make_record
 
 
@@ -13,13 +13,13 @@ def record(component: str) -> Record:
 
 def test_horizontal_and_unnamed_components_are_kept_and_the_others_named() -> None:
     found = [record(name) for name in ("N28W", "UP", "", "HNZ")]
-    assert [one.component for one in horizontal(found)] == ["N28W", ""]
-    (notice,) = left_out(found)
+    assert [one.component for one in horizontal_records(found)] == ["N28W", ""]
+    (notice,) = vertical_record_messages(found)
     assert notice.text == "vertical components are not used: x UP, x HNZ"
-    assert list(left_out(horizontal(found))) == []
+    assert list(vertical_record_messages(horizontal_records(found))) == []
 
 
 def test_vertical_components_alone_are_an_error() -> None:
     with pytest.raises(ProjectError, match=r"records\.files: vertical components alone"):
-        horizontal([record("UP")])
-    assert horizontal([]) == ()
+        horizontal_records([record("UP")])
+    assert horizontal_records([]) == ()

@@ -17,7 +17,7 @@ from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
-from assess.project.sources import shown_by
+from assess.project.sources import source_of
 from spectra import ntc
 from spectra.spectrum import Spectrum
 
@@ -27,7 +27,7 @@ Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 
 
 def basis_of(content: sections.Content) -> Basis | None:
-    """The basis that the project names, or that of its site's spectrum; None on spectra that tell none."""
+    """Return the basis that the project names, or that of its site's spectrum; None if neither gives one."""
     named = content.verdict.basis
     if named == "own":
         return own_basis(content.verdict)
@@ -42,7 +42,7 @@ def basis_of(content: sections.Content) -> Basis | None:
 
 
 def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.0) -> Question:
-    """What the project asks of its basis, at the site's own action; scale: of the spectrum by `[site] pga` [-]."""
+    """Return what the project asks of its basis at the site's own action; scale: of the spectrum by `pga` [-]."""
     asked, building, basis = content.verdict, content.building, basis_of(content)
     return Question(
         basis=basis,
@@ -60,7 +60,7 @@ def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.
 
 
 def _scaled_down(content: sections.Content, scale: float) -> Iterator[Missing]:
-    """A PGA of the site below that of its own hazard, which is no action of any limit state."""
+    """Report a PGA of the site below that of its own hazard, which is not the action of any limit state."""
     if content.site is None or content.site.pga is None or scale > 1.0 - LIKE:
         return
     if isinstance(content.site.spectrum, sections.NtcHazardSpectrum):
@@ -69,10 +69,10 @@ def _scaled_down(content: sections.Content, scale: float) -> Iterator[Missing]:
 
 
 def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -> Action:
-    """What the site's own spectrum stands for: of a hazard over return periods the limit state that is chosen."""
+    """Return the action of the site's own spectrum; with hazard over return periods, at the limit state chosen."""
     if content.site is None:
         return Action(pga_g, None)
-    declared, spectrum = content.site.declared, content.site.spectrum
+    own, spectrum = content.site.own_limit_state, content.site.spectrum
     if isinstance(spectrum, sections.NtcHazardSpectrum):
         state, use_class = limit_state_of(content), use_class_of(content)
         if use_class is None:
@@ -80,21 +80,21 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
         life = ntc.reference_life(spectrum.nominal_life, use_class=use_class)
         return Action(pga_g, state, ntc.return_period(state, reference_life=life), over_periods=True)
     years = spectrum.return_period if isinstance(spectrum, sections.Nzs1170Spectrum) else None
-    return Action(pga_g, declared, years)
+    return Action(pga_g, own, years)
 
 
 def limit_state_of(content: sections.Content) -> str:
-    """The limit state of the site's own spectrum, where the site gives its hazard over return periods.
+    """Return the limit state of the site's own spectrum, if the site gives its hazard over return periods.
 
-    That of the site, else the one that decides, else the default of the basis: "SLV".
+    It is that of the site, else the deciding one, else the default of the basis: "SLV".
     """
-    declared, basis = None if content.site is None else content.site.declared, basis_of(content)
-    asked = (declared, content.verdict.limit_state, None if basis is None else basis.default)
+    own, basis = None if content.site is None else content.site.own_limit_state, basis_of(content)
+    asked = (own, content.verdict.limit_state, None if basis is None else basis.default)
     return next((state for state in asked if state is not None and state in ntc.EXCEEDANCE), "SLV")
 
 
 def use_class_of(content: sections.Content) -> str | None:
-    """The class of use: of a hazard over return periods, or of the building. Raises ProjectError where they differ."""
+    """Return the class of use of the hazard or of the building; raise ProjectError if they differ."""
     spectrum = None if content.site is None else content.site.spectrum
     of_site = spectrum.use_class if isinstance(spectrum, sections.NtcHazardSpectrum) else None
     of_building = None if content.building is None else content.building.use_class
@@ -106,7 +106,7 @@ def use_class_of(content: sections.Content) -> str | None:
 def facts_of(
     content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
 ) -> Mapping[str, Facts]:
-    """What the pass of each mechanism needs and nobody gave, and what it rests on, by its name."""
+    """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = () if question.basis is None else question.basis.premises
     holds = of_pga(content, spectrum)
     return {
@@ -116,7 +116,7 @@ def facts_of(
 
 
 def of_pga(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:
-    """What a pass rests on where `pga` of the site makes a single spectrum weaker than its own parameters do."""
+    """Return the condition of a pass if `[site] pga` makes a single spectrum weaker than its own parameters do."""
     site = content.site
     if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - LIKE:
         return ()
@@ -128,7 +128,7 @@ def of_pga(content: sections.Content, spectrum: Spectrum | None) -> tuple[Messag
 
 
 def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
-    """The masonry of a mechanism whose disintegration nobody excluded, with a source."""
+    """Yield the masonry of a mechanism whose disintegration is not excluded, with a source."""
     if Premise.SOUND_MASONRY not in premises:
         return
     for table, said in _masonry(content, name).items():
@@ -136,13 +136,13 @@ def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) 
         if said != "excluded":
             text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
             yield Missing(key, text, 'disintegration = "excluded"')
-        if said != "possible" and not shown_by(content, key):
+        if said != "possible" and not source_of(content, key):
             text = f'the source (survey, quality index, test) of {key} = "excluded"'
             yield Missing(SOURCES, text, f'"{key}" = "measured: …"')
 
 
 def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
-    """What is said of the disintegration of each masonry of a mechanism, by the table that says it."""
+    """Return the disintegration stated for each masonry of a mechanism, by the table that states it."""
     section = content.mechanisms[name]
     if isinstance(section, sections.EquivalentBlock):
         return {f"mechanisms.{name}": section.disintegration}
@@ -157,7 +157,7 @@ def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
 
 
 def _conditions(content: sections.Content, name: str, premises: Sequence[Premise]) -> tuple[Message, ...]:
-    """The premises of the basis that nobody can show here, and thrusts that ties are said to take."""
+    """Return the premises of the basis that cannot be verified here, and the thrusts that ties are stated to take."""
     keys = (f"premise-{premise.value}" for premise in premises if premise != Premise.SOUND_MASONRY)
     own = tuple(message(key, severity=Severity.WARNING) for key in keys)
     section = content.mechanisms[name]
@@ -167,7 +167,7 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
 
 
 def own_basis(section: sections.VerdictSection) -> Basis:
-    """The basis that a project states itself: what it lists, by its own rule."""
+    """Return the basis that a project states itself, with its own procedures and rule."""
     from assess.codes.bases.own import own
 
     return own(section.procedures or (), rule=section.rule or "all", statement=section.statement)

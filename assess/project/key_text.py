@@ -29,8 +29,8 @@ _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
 }
 
 
-def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
-    """The first error as "key: value: what is wrong; remedy", and how many more there are in the `raw` content."""
+def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
+    """Return the first error as "key: value: what is wrong; remedy", and how many more the `raw` content has."""
     by_key: dict[Key, ErrorDetails] = {}
     for found in error.errors(include_url=False):
         if found["type"] != "default_factory_not_called":
@@ -38,29 +38,29 @@ def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     by_key = {key: found for key, found in by_key.items() if not any(_below(other, key) for other in by_key)}
     key, first = next(iter(by_key.items()))
     known, value = look_up(raw, key)
-    parts = [key_text(key), *([shown(value)] if known else []), _sentence(first, known=known)]
+    parts = [key_text(key), *([value_text(value)] if known else []), _sentence(first, known=known)]
     return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
 
 
 def key_text(key: Key) -> str:
-    """A key as one writes it: `mechanisms.W1.hinges.A[2]`."""
-    text = "".join(f"[{step + 1}]" if isinstance(step, int) else f".{printable(step)}" for step in key)
+    """Write a key as users do: `mechanisms.W1.hinges.A[2]`."""
+    text = "".join(f"[{step + 1}]" if isinstance(step, int) else f".{escape_text(step)}" for step in key)
     return text.lstrip(".")
 
 
-def shown(value: Any) -> str:
-    """A value on one line, cut where it is long."""
-    text = printable(json.dumps(value, ensure_ascii=False, default=str))
+def value_text(value: Any) -> str:
+    """Write a value on one line, shortened if it is long."""
+    text = escape_text(json.dumps(value, ensure_ascii=False, default=str))
     return text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…"
 
 
-def printable(text: str) -> str:
-    """`text` with line breaks and control characters written as escapes, so that it stays on its line."""
+def escape_text(text: str) -> str:
+    """Escape line breaks and control characters, so that the text stays on one line."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def _key(error: ErrorDetails, raw: Mapping[str, Any]) -> Key:
-    """Where the error stands in the file, without the tags of pydantic's unions."""
+    """Return the key of the error in the file, without the tags of pydantic's unions."""
     below = tuple(error.get("ctx", {}).get("key", ()))
     key: list[str | int] = []
     for step in error["loc"]:

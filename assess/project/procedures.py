@@ -23,8 +23,8 @@ from assess.codes.registry import LIMIT_STATES, CodeOptions
 from assess.codes.verdict import methods_of
 from assess.errors import ProjectError
 from assess.project import sections
-from assess.project.deciding import question_of
-from assess.project.messages import shown
+from assess.project.key_text import value_text
+from assess.project.question import question_of
 from assess.project.section import Section
 from assess.results import Resolved
 from assess.study.verdict import states_of
@@ -40,15 +40,15 @@ SLIDING = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction i
 
 
 def procedures_of(content: sections.Content) -> tuple[str, ...]:
-    """The procedures that the project names, or all that apply at its site and have one of its limit states.
+    """Return the procedures named, or all that apply at the site and check one of the limit states requested.
 
-    Raises ProjectError for a procedure that is named and has none of the limit states asked for.
+    Raises ProjectError for a procedure that is named and checks none of them.
     """
     named = content.analysis.procedures
     if named is None:
         code = "" if content.site is None else content.site.spectrum.code
         rubs = any(material.friction is not None for material in content.materials.values())
-        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.offered, *(SLIDING if rubs else ()))
+        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.site_procedures, *(SLIDING if rubs else ()))
         return with_methods((name for name in unasked if not _silent(name, content)), content)
     for name in named:
         if states := _silent(name, content):
@@ -59,13 +59,13 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
 
 
 def with_methods(names: Iterable[str], content: sections.Content) -> tuple[str, ...]:
-    """The procedures with those that may decide, which run whatever else is asked."""
+    """Add the procedures that may decide, which run in any case."""
     deciding = () if content.site is None else methods_of(question_of(content, site_pga=0.0))
     return tuple(dict.fromkeys((*names, *deciding)))
 
 
 def _silent(name: str, content: sections.Content) -> tuple[str, ...]:
-    """The limit states asked for where a procedure has none of them; empty where it has an answer."""
+    """Return the limit states requested if the procedure checks none of them, else nothing."""
     if name not in LIMIT_STATES:
         return ()
     states: tuple[str, ...] = getattr(content.procedures, name.split("-")[0]).limit_states
@@ -73,7 +73,7 @@ def _silent(name: str, content: sections.Content) -> tuple[str, ...]:
 
 
 def with_asked_procedures(resolved: Mapping[str, Resolved], content: sections.Content) -> dict[str, Resolved]:
-    """The values of the project with the procedures that are asked, and without default options of other codes."""
+    """Add the procedures that run to the values of the project, and leave out default options of other codes."""
     names = procedures_of(content)
     codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}
     idle = {key for key, code in codes.items() if not any(name.startswith(f"{code}-") for name in names)}
@@ -82,7 +82,7 @@ def with_asked_procedures(resolved: Mapping[str, Resolved], content: sections.Co
 
 
 def options_of(content: sections.Content) -> CodeOptions:
-    """The options of every code, with the limit states that decide among theirs."""
+    """Return the options of every code; the limit states that decide are among theirs."""
     section, deciding = content.procedures, states_of(question_of(content, site_pga=0.0))
     dmi2008, ntc2018 = section.dmi2008, section.ntc2018
     return CodeOptions(
@@ -96,7 +96,7 @@ def options_of(content: sections.Content) -> CodeOptions:
 
 
 def in_g(section: Section, key: str) -> dict[str, Any]:
-    """The options of a section as they are, but for one acceleration, which its clause takes in g."""
+    """Return the options of a section, with one acceleration in g as its clause takes it."""
     options = section.model_dump()
     return {**options, key: None if options[key] is None else options[key] / g}
 
@@ -106,7 +106,7 @@ def _states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...
 
 
 def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
-    """Level of knowledge by mechanism and code, where one is given. Raises ProjectError for a name that is none."""
+    """Return the level of knowledge by mechanism and code; raise ProjectError for an unknown mechanism."""
     found: dict[str, dict[str, str]] = {name: {} for name in content.mechanisms}
     for code in ("dmi2008", "ntc2018"):
         section: sections.Italian = getattr(content.procedures, code)
@@ -119,7 +119,7 @@ def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
 
 
 def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
-    """T_0 by mechanism. Raises ProjectError for a name that is no mechanism."""
+    """Return T_0 by mechanism; raise ProjectError for an unknown one."""
     given = content.procedures.ntc2018.free_periods
     _require_mechanisms(content, "procedures.ntc2018.free_periods", given)
     return {
@@ -135,4 +135,4 @@ def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str
     for name in names:
         if name not in content.mechanisms:
             known = ", ".join(content.mechanisms)
-            raise ProjectError(f"{key}: {shown(name)}: no such mechanism; known: {known}")
+            raise ProjectError(f"{key}: {value_text(name)}: no such mechanism; known: {known}")

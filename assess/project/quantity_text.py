@@ -27,7 +27,7 @@ class QuantityError(ProjectError):
 
 
 def number_and_unit(text: str) -> tuple[str, str]:
-    """The number in front of a quantity and the unit behind it, both in plain signs. Raises QuantityError."""
+    """Split a quantity into its number and its unit, both in plain signs; raise QuantityError if it has none."""
     plain = " ".join(text.translate(_PLAIN).split())
     found = _NUMBER.match(plain)
     unit = plain[found.end() :] if found else ""
@@ -40,7 +40,7 @@ def number_and_unit(text: str) -> tuple[str, str]:
 
 
 def _separated(text: str) -> str:
-    """What is wrong with a number that has commas, or its thousands set apart; empty where it has not."""
+    """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
     found = _SEPARATED.match(text)
     if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
         return ""
@@ -58,5 +58,5 @@ def _separated(text: str) -> str:
 
 
 def _in_two_units(unit: str) -> str:
-    """What is wrong with feet and inches in one."""
+    """Say what is wrong with feet and inches in one quantity."""
     return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""

@@ -14,6 +14,7 @@ from assess.loads.definitions import LoadDefinition, Place
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.messages.message import Message, warning
+from assess.model.as_floats import with_floats
 from assess.model.body import Bodies, Body, solids_of
 from assess.model.check import check_definition
 from assess.model.definitions import (
@@ -327,6 +328,7 @@ def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Blo
     if len(by_name) < len(bodies):
         twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})
         raise MechanismError(f'mechanism "{name}": several bodies are called {", ".join(twice)}; give each its name')
+    definition = with_floats(definition)
     check_definition(name, definition, by_name)
     built = mechanism_in_direction(name, definition, by_name)
     return Block(name, definition, by_name, built.mechanism, built.scene)

@@ -1,6 +1,7 @@
 """What one can do: ask one mechanism for its motions and checks, and run a project and write its report.
 
-The command line is made of these calls; what is heavy is imported when a verb is called.
+`assess run` does what `load`, `run` and `write_report` do, with its own progress and exit code. What is heavy is
+imported when a verb is called.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 Progress = Callable[[str, int, int], None]
 """Hears of long work: the stage, how many of its parts are done, and how many there are."""
 REPORT = ("report.pdf", "report.html", "tables.xlsx")
-"""What the report is, beside its tables and figures."""
+"""Files of the report besides its tables and figures."""
 
 
 def silent(stage: str, done: int, total: int) -> None:

@@ -184,6 +184,22 @@ def test_what_a_wall_of_two_blocks_would_ignore_is_refused():
         assess.two_block(lower, direction=(1.0, 0.0, 0.0), hinges=((0.3, 0.0), (0.3, 1.0)))
 
 
+def test_whole_numbers_are_floats():
+    wall = assess.box(thickness=0.6, length=4.0, height=4.0, density=2000.0)
+    load = {"mass": 1000.0, "at": (0.0, 4.0)}
+    for whole, floats in (
+        (assess.two_block(wall, crack=2), assess.two_block(wall, crack=2.0)),
+        (
+            assess.single_block(wall, direction=(1, 0, 0), cut=1, loads=[assess.MassLoad(mass=1000, at=(0, 4))]),
+            assess.single_block(wall, direction=(1.0, 0.0, 0.0), cut=1.0, loads=[assess.MassLoad(**load)]),
+        ),
+    ):
+        assert whole.definition == floats.definition
+        assert whole.oscillator == floats.oscillator
+    assert assess.two_block(wall, crack=2).mechanism.positive.hinges[1][1] == 2.0
+    assert assess.model.crack(wall, direction=(1, 0, 0), method=2).elevation == 2.0
+
+
 PORTAL = ((1.0, 0.0), (0.0, 3.0), (4.0, 3.0), (5.0, 0.0))
 
 

@@ -67,7 +67,9 @@ def test_every_definition_has_its_kind() -> None:
 @every_kind
 def test_python_has_a_verb_for_it(kind: str) -> None:
     verb = kind.replace("-", "_")
-    assert verb in assess.__all__, f"add {verb}, of assess/study/block_kinds.py, to __all__ and _HOMES of assess/__init__.py"
+    assert verb in assess.__all__, (
+        f"add {verb}, of assess/study/block_kinds.py, to __all__ and _HOMES of assess/__init__.py"
+    )
     assert callable(getattr(assess, verb))
 
 

@@ -60,7 +60,37 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
     """
     from assess.study.response import respond as solve
 
+    _check_block(block)
     return solve(block.rocking, record, scale=scale, equation=equation or block.equation)
+
+
+def _check_block(block: Block) -> None:
+    """Raise MechanismError for what is no mechanism."""
+    from assess.errors import MechanismError
+    from assess.study.block import Block as Known
+
+    if not isinstance(block, Known):
+        raise MechanismError(f"block: {type(block).__name__} given; give a mechanism, as single_block returns it")
+
+
+def _check_jobs(jobs: int) -> None:
+    """Raise AssessError for what is no number of threads."""
+    from assess.errors import AssessError
+
+    if not isinstance(jobs, int) or jobs < 0:
+        raise AssessError(f"jobs = {jobs!r:.60}: give a whole number, 0 for all cores")
+
+
+def _check_site(target: Spectrum, building: Building | None) -> None:
+    """Raise ProcedureError for what is no spectrum, and for what is no building."""
+    from assess.codes.context import Building as KnownBuilding
+    from assess.errors import ProcedureError
+    from spectra.spectrum import Spectrum as KnownSpectrum
+
+    if not isinstance(target, KnownSpectrum):
+        raise ProcedureError(f"target: {type(target).__name__} given; give a spectrum, as assess.spectrum returns it")
+    if building is not None and not isinstance(building, KnownBuilding):
+        raise ProcedureError(f"building: {type(building).__name__} given; give what assess.building returns")
 
 
 def envelope(
@@ -89,6 +119,8 @@ def envelope(
     """
     from assess.study.pulse_envelope import envelope as find
 
+    _check_block(block)
+    _check_jobs(jobs)
     return find(
         block.rocking,
         pulse,
@@ -134,6 +166,9 @@ def answers(
     """
     from assess.study.answers import answers as find
 
+    _check_block(block)
+    _check_jobs(jobs)
+    _check_site(target, building)
     return find(
         block.mechanism,
         target,
@@ -154,8 +189,11 @@ def load(path: str | Path) -> Project:
     ------
     ProjectError : the file cannot be read, or holds an unknown key, a wrong unit or a wrong value
     """
+    from assess.errors import ProjectError
     from assess.project.schema import load as read
 
+    if not isinstance(path, str | Path):
+        raise ProjectError(f"{path!r:.60} is no path; give a project file or its folder")
     return read(Path(path))
 
 
@@ -205,9 +243,11 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
     AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
     """
     from assess.project.build import build
+    from assess.project.schema import Project
     from assess.study.run import run as assess
 
-    loaded = load(project) if isinstance(project, str | Path) else project
+    loaded = project if isinstance(project, Project) else load(project)
+    _check_jobs(jobs)
     return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or silent))
 
 
@@ -234,11 +274,20 @@ def write_report(
     ------
     OutputError : the folder cannot be written, or holds files that may not be replaced
     """
+    from assess.errors import OutputError
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RESULTS
     from assess.results.json import dumps
+    from reports.language.catalogue import languages
     from reports.writing import write_all
 
+    if not isinstance(run, Run):
+        raise OutputError(f"run: {type(run).__name__} given; give what assess.run returns")
+    if not isinstance(folder, str | Path) or "\0" in str(folder):
+        raise OutputError(f"folder = {folder!r:.60}: give the path of a folder")
+    if language is not None and language not in languages():
+        raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
+    _check_jobs(jobs)
     place, said = Path(folder), progress or silent
     with output_folder(place, command="write_report", wanted=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())

@@ -35,9 +35,16 @@ def read_record(
     ------
     RecordError : as `read_with`
     """
-    overrides = HeaderOverrides(unit, step, None if response is None else Path(response))
-    records = read_with(Path(path), overrides)
+    overrides = HeaderOverrides(unit, step, None if response is None else _path(response))
+    records = read_with(_path(path), overrides)
     return records[0] if len(records) == 1 else list(records)
+
+
+def _path(given: str | Path) -> Path:
+    """Return a path; raise RecordError for what is none."""
+    if not isinstance(given, str | Path) or "\0" in str(given):
+        raise RecordError(f"{given!r:.60} is no path; give the path of one file")
+    return Path(given)
 
 
 def read_records(

@@ -53,7 +53,7 @@ def figure_names(document: Document, results: Results, mechanism: str | None) ->
     Raises AssessError for an unknown mechanism.
     """
     stems = {each.name: f"{file_stem(each.name, place)}-" for place, each in enumerate(results.mechanisms, start=1)}
-    if mechanism is not None and mechanism not in stems:
+    if mechanism is not None and mechanism not in tuple(stems):
         raise AssessError(f'there is no mechanism "{mechanism}"; known are {", ".join(stems)}')
     if mechanism is None and len(stems) > 1:
         return {each.name: each.name for each in document.figures if not each.name.startswith(tuple(stems.values()))}

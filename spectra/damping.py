@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from spectra.arrays import is_number
 from spectra.errors import SpectrumError
 
 B_DAMPING = (0.02, 0.05, 0.10, 0.20, 0.30, 0.40, 0.50, 0.60, 0.70, 0.80, 0.90, 1.00)
@@ -33,6 +34,6 @@ def ec8_eta(damping: float) -> float:
 
 def check_damping(damping: float) -> float:
     """Return the damping ratio [-]; refuse one that is negative or not finite."""
-    if not (np.isfinite(damping) and damping >= 0.0):
+    if not (is_number(damping) and np.isfinite(damping) and damping >= 0.0):
         raise SpectrumError(f"damping ratio {damping}: it must be a number from 0 up (0.05 is 5 % of critical)")
     return damping

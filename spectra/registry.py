@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from inspect import Parameter, signature
@@ -93,6 +93,10 @@ def _check_names(code: str, form: Form, parameters: Mapping[str, Any]) -> None:
     if missing:
         raise SpectrumError(f"{code} spectrum: {missing[0]} is missing; needed are {', '.join(needed)}")
     for name, value in parameters.items():
+        if name in TEXTS and not isinstance(value, Hashable):
+            raise SpectrumError(f"{code} spectrum: {name} = {value}; give one text")
+        if name == "file" and not isinstance(value, str | Path):
+            raise SpectrumError(f"{code} spectrum: file = {value}; give the path of a CSV file")
         if isinstance(value, str) and name not in TEXTS and not (name == "hazard" and code in EDITIONS):
             raise SpectrumError(f'{code} spectrum: {name} = "{value}"; give a number in SI units')
 

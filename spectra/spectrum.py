@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import g
 
-from spectra.arrays import FloatArray
+from spectra.arrays import FloatArray, is_number
 from spectra.errors import SpectrumError
 
 Ordinates = Callable[[FloatArray, float], FloatArray]
@@ -86,7 +86,7 @@ def check_periods(period: FloatArray) -> FloatArray:
 def check_positive(code: str, **values: float) -> None:
     """Raise SpectrumError, naming the `code`, for the first of `values` that is not a positive number."""
     for name, value in values.items():
-        if not (np.isfinite(value) and value > 0.0):
+        if not (is_number(value) and np.isfinite(value) and value > 0.0):
             raise SpectrumError(f"{code} spectrum: {name} = {value}; it must be a positive number")
 
 

@@ -77,6 +77,8 @@ def read_table(path: Path, *, damping: float = 0.05, pga: float | None = None) -
         return table_spectrum(seconds * columns.values[:, 0], si * columns.values[:, 1], damping=damping, pga=pga)
     except (ColumnError, SpectrumError) as error:
         raise SpectrumError(_naming(path, str(error))) from None
+    except OSError as error:
+        raise SpectrumError(f"{path}: the file cannot be read: {error.strerror}") from None
 
 
 def _naming(path: Path, text: str) -> str:
@@ -116,7 +118,10 @@ class _Points:
 
 def _check(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
     """Return both columns as arrays [n], once they make a spectrum."""
-    T, S_a = np.array(period, dtype=np.float64), np.array(acceleration, dtype=np.float64)
+    try:
+        T, S_a = np.array(period, dtype=np.float64), np.array(acceleration, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise SpectrumError("spectrum table: give period [s] and acceleration [m/s2] as rows of numbers") from None
     if T.ndim != 1 or T.shape != S_a.shape or T.size == 0:
         raise SpectrumError(
             f"spectrum table: {T.size} periods and {S_a.size} accelerations; one of each per point is needed"

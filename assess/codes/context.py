@@ -12,6 +12,7 @@ from assess.errors import ProcedureError
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message
 from assess.oscillator import Oscillator
+from spectra.arrays import is_number
 from spectra.spectrum import Spectrum
 
 Support = Literal["free", "spanning", "hinged"]
@@ -117,8 +118,10 @@ def building(
     ProcedureError : a value is not positive, or not finite
     """
     for name, value in (("height", height), ("storeys", storeys), ("period", period), ("damping", damping)):
-        if value is not None and not 0.0 < value < inf:
-            raise ProcedureError(f"building: {name} = {value:g}: give a finite number greater than 0")
+        if (value is not None or name == "height") and not (is_number(value) and 0.0 < value < inf):
+            raise ProcedureError(f"building: {name} = {value}: give a finite number greater than 0")
+    if storeys is not None and storeys != int(storeys):
+        raise ProcedureError(f"building: storeys = {storeys}: give a whole number")
     return Building(height, storeys, default_period(height) if period is None else period, damping)
 
 

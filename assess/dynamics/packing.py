@@ -37,7 +37,7 @@ class Packed(ShortRepr):
 def pack(oscillator: Oscillator, equation: Equation) -> Packed:
     """Pack an oscillator for the kernel. Raises MechanismError for a branch that cannot rock."""
     if equation not in _PACKING:
-        raise ValueError(f'equation "{equation}" is not known; the equations are {", ".join(_PACKING)}')
+        raise MechanismError(f'equation "{equation}" is not known; the equations are {", ".join(_PACKING)}')
     return _PACKING[equation](oscillator)
 
 

@@ -19,7 +19,7 @@ from assess.geometry.repair import repair
 from assess.geometry.self_overlap import self_overlap_warnings
 from assess.geometry.solid import Solid, polyhedron
 from assess.geometry.surface import Surface, merge_vertices
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import FloatArray, IntArray, is_number
 
 FARTHEST = 1e12  # of any unit: no coordinate of a map in any unit is larger
 SINGLE = (".glb", ".gltf", ".3dm")  # formats of single precision, beside binary STL and some PLY
@@ -163,6 +163,8 @@ def _axis_warnings(content: Model, *, given: Up | None) -> tuple[str, ...]:
 
 def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
     """Return the length of the mesh's unit [m]: the given, the file's own or the metre; warn where they differ."""
+    if given is not None and not is_number(given):
+        raise GeometryError(f"{where}: its unit is {given!r}; give its length in metres, such as 0.001")
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
     if given is None and content.unit is None and content.file.suffix.lower() not in WITHOUT_UNIT:

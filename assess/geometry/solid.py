@@ -24,7 +24,7 @@ from assess.errors import GeometryError
 from assess.geometry.simple_polygon import find_crossing, remove_repeats
 from assess.geometry.surface import tetrahedra
 from assess.short_repr import ShortRepr
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import FloatArray, IntArray, is_number
 
 THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
 
@@ -273,6 +273,8 @@ def _refuse_volume(volume: float, *, rounding: float, name: str) -> None:
 
 def _check_positive(value: float, *, quantity: str, unit: str, name: str) -> None:
     """Raise unless the value is a positive finite number."""
+    if not is_number(value):
+        raise GeometryError(f'body "{name}": {quantity} is {value!r:.60}; give a number [{unit}]')
     if not (np.isfinite(value) and value > 0.0):
         raise GeometryError(f'body "{name}": {quantity} is {value:g} {unit}; give a positive finite number')
 

@@ -1,10 +1,12 @@
-"""The numbers of a definition as floats, as a project file gives them."""
+"""The numbers of a definition as floats and its lists as tuples, as a project file gives them."""
 
 from __future__ import annotations
 
 from dataclasses import fields, is_dataclass, replace
 from numbers import Real
 from typing import Any, TypeVar
+
+import numpy as np
 
 D = TypeVar("D")
 
@@ -13,7 +15,7 @@ COUNTS = ("block", "construction", "count")
 
 
 def with_floats(data: D) -> D:
-    """Return a definition whose lengths, masses and the like are floats, where whole or numpy numbers were given."""
+    """Return a definition whose lengths and masses are floats and whose places are tuples, however they were given."""
     changed = {
         field.name: as_floats(getattr(data, field.name))
         for field in fields(data)  # type: ignore[arg-type]
@@ -23,8 +25,10 @@ def with_floats(data: D) -> D:
 
 
 def as_floats(value: Any) -> Any:
-    """Return a value with every number in it as a float; truth values and texts stay."""
-    if isinstance(value, tuple):
+    """Return a value with every number in it as a float and every list as a tuple; truth values and texts stay."""
+    if isinstance(value, np.ndarray):
+        return as_floats(value.tolist())
+    if isinstance(value, tuple | list):
         return tuple(map(as_floats, value))
     if isinstance(value, dict):
         return {key: as_floats(each) for key, each in value.items()}

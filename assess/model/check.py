@@ -15,6 +15,7 @@ from assess.interfaces.definition import Interface, Shape
 from assess.mechanisms.chain import HINGES
 from assess.model.body import Bodies
 from assess.model.check_loads import load_problems, place_problems
+from assess.model.check_types import type_problems
 from assess.model.definitions import (
     Chained,
     CutAngle,
@@ -27,6 +28,7 @@ from assess.model.definitions import (
     TwoBlock,
 )
 from assess.model.ranges import CRACKS, INERTIA_RATIOS, MOST_VOUSSOIRS, RESTITUTIONS
+from spectra.arrays import is_number
 
 MODELS = ("rigid", "flexible", "semi-flexible", "flexible-thesis")
 POSITIVE = frozenset(
@@ -50,6 +52,7 @@ POSITIVE = frozenset(
     ]
 )
 TINY = 5e-324  # the least number above 0
+TINIEST = 1e-150  # of a frequency parameter: its square is a number
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 
 
@@ -68,6 +71,7 @@ def check_definition(name: str, definition: Definition, bodies: Bodies) -> None:
 
 
 def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
+    yield from type_problems(definition)
     yield from _numbers(definition, "")
     yield from _restitution(definition.restitution)
     if definition.sides not in ("one", "two", None):
@@ -97,7 +101,7 @@ def _parameters(block: EquivalentBlock) -> Iterator[str]:
     if not block.uplift < pi / 2.0:
         yield f"uplift = {block.uplift:g}: must be less than pi / 2; it is taken as the slenderness [rad]"
     least, most = INERTIA_RATIOS
-    ratio = g / (block.p**2 * block.radius)
+    ratio = inf if block.p < TINIEST else g / (block.p * block.p * block.radius)
     if not least <= ratio <= most:
         low, high = (sqrt(g / (each * block.radius)) for each in (most, least))
         yield (
@@ -122,9 +126,10 @@ def _materials(bodies: Bodies) -> Iterator[str]:
         for key in ("young_modulus", "compressive_strength", "tensile_strength", "friction"):
             value = getattr(body.material, key, None)
             least = 0.0 if key in ("tensile_strength", "friction") else TINY
-            if value is not None and not least <= value < inf:
+            if value is not None and not (is_number(value) and least <= value < inf):
+                shown = f"{value:g}" if is_number(value) else repr(value)
                 bound = "0 or more" if least == 0.0 else "more than 0"
-                yield f'body "{name}": {key} = {value:g}: give a finite number, {bound}'
+                yield f'body "{name}": {key} = {shown}: give a finite number, {bound}'
 
 
 def _cut(definition: Chained) -> Iterator[str]:
@@ -233,6 +238,8 @@ def _interface(interface: Interface) -> Iterator[str]:
         yield f'interface.{given[0]}: is for flexible interfaces; give model = "flexible", or remove it'
     if interface.model != "rigid" and len(given) != 1:
         yield "interface.stiffness: give either stiffness or course_thickness"
+    if interface.shape != "outline" and not isinstance(interface.shape, Shape):
+        yield f'interface.shape = {interface.shape!r}: give "outline" or a Shape'
     if isinstance(interface.shape, Shape):
         sizes = [field.name for field in fields(Shape) if getattr(interface.shape, field.name) is not None]
         if len(sizes) != 1:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
+from assess.errors import GeometryError
 from assess.geometry import mesh as meshes
 from assess.geometry import solid as solids
 from assess.geometry.models import read_models
@@ -85,6 +86,12 @@ def mesh(
     ------
     GeometryError : the file cannot be read, or its mesh cannot be closed
     """
+    if not isinstance(path, str | Path):
+        raise GeometryError(f'body "{name}": path = {path!r:.60}: give the path of one file')
+    if element is not None and not isinstance(element, str):
+        raise GeometryError(f'body "{name}": element = {element!r:.60}: give a text')
+    if up not in ("y", "z", None):
+        raise GeometryError(f'body "{name}": up = {up!r}: write "y" or "z"')
     masonry, asked = _masonry(density, name), (Path(path), element)
     model = read_models({name: asked})[asked]
     made = meshes.solid_of(model, density=masonry.density, name=name, scale=unit, up=up)
@@ -92,4 +99,7 @@ def mesh(
 
 
 def _masonry(density: float | Material, name: str) -> Material:
+    """Return the masonry of a body; raise GeometryError for a name that mechanisms cannot call it by."""
+    if not isinstance(name, str) or not name:
+        raise GeometryError(f"name = {name!r:.60}: give a text, by which mechanisms call the body")
     return density if isinstance(density, Material) else Material(name=name, density=density)

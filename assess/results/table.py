@@ -70,7 +70,7 @@ def table(results: Results, name: str) -> DataFrame:
     """
     import pandas as pd  # late: it takes a third of a second
 
-    if name not in TABLES:
+    if name not in tuple(TABLES):
         raise AssessError(f'there is no table "{name}" of results; known are {", ".join(TABLES)}')
     columns, rows = TABLES[name]
     frame = pd.DataFrame.from_records(list(rows(results)), columns=list(columns))

@@ -29,9 +29,11 @@ from assess.study.rocking_case import RockingCase, RockingHistories
 from assess.study.study import Amplified, Fitting, Study
 from assess.study.suite_faults import suite_faults
 from records.band import Band
+from records.errors import RecordError
 from records.orientation import is_vertical
 from records.record import Record
 from records.scaling import SCALING_PERIODS
+from spectra.arrays import is_number
 from spectra.spectrum import Spectrum
 
 EVERY_PERIOD = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
@@ -78,7 +80,10 @@ def answers(
     ProcedureError
         Where a procedure or the level of knowledge is not known, no procedure is named, or a record is vertical.
     """
-    suite = (records,) if isinstance(records, Record) else tuple(records)
+    suite = (records,) if isinstance(records, Record) else records
+    if not isinstance(suite, Sequence) or isinstance(suite, str):
+        raise RecordError(f"records = {records!r:.60}: give one record, or a list of them")
+    suite = tuple(suite)
     _check_inputs(procedures, knowledge_level, suite, base_elevation)
     grounded = _grounded(mechanism, base_elevation, lowest, building)
     study = Study(
@@ -132,12 +137,16 @@ def _check_inputs(
     """Raise ProcedureError for an unknown name, a vertical record or a height that is not finite."""
     if isinstance(procedures, str):
         raise ProcedureError(f'procedures: "{procedures}" given; give a list of names, ["{procedures}"]')
-    if base_elevation is not None and not isfinite(base_elevation):
+    if base_elevation is not None and not (is_number(base_elevation) and isfinite(base_elevation)):
         raise ProcedureError(f"base_elevation = {base_elevation}: give a finite height above the ground [m]")
+    if not isinstance(procedures, Sequence):
+        raise ProcedureError(
+            f"procedures = {procedures!r:.60}: give a list of names; known are: {', '.join(PROCEDURES)}"
+        )
     if not procedures:
         raise ProcedureError(f"procedures: name one at least; known are: {', '.join(PROCEDURES)}")
     for name in procedures:
-        if name not in PROCEDURES:
+        if name not in tuple(PROCEDURES):
             raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
     if knowledge_level is not None and knowledge_level not in LEVELS:
         raise ProcedureError(f'knowledge_level "{knowledge_level}" is not known; known are: {", ".join(LEVELS)}')

@@ -149,6 +149,8 @@ def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Blo
     ------
     MechanismError : two bodies have one name, or a value is one that no mechanism can have
     """
+    if not isinstance(name, str) or not name:
+        raise MechanismError(f"name = {name!r:.60}: give a text, by which messages call the mechanism")
     by_name = {body.name: body for body in bodies}
     if len(by_name) < len(bodies):
         twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from assess.errors import MechanismError
@@ -70,7 +70,7 @@ def single_block(
         hinges_negative=None if hinge_negative is None else (hinge_negative,),
         **_common(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*moving, *around))
+    return make_block(name, definition, (*moving, *_bodies("around", around)))
 
 
 def two_block(
@@ -83,6 +83,7 @@ def two_block(
     sides: Sides | None = None,
     loads: Sequence[LoadDefinition] = (),
     interface: Interface | None = None,
+    interfaces: Mapping[str, Interface] | None = None,
     restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
     hinges: tuple[Place, ...] | None = None,
     hinges_negative: tuple[Place, ...] | None = None,
@@ -95,6 +96,7 @@ def two_block(
     body : one body, cut at the crack, or two, the lower first
     crack : an elevation [m], "sorrentino" (thesis eq. 3.27) or "minimum" (least uplift multiplier)
     hinges, hinges_negative : A, B and C, where they are given
+    interfaces : what single hinges press on, by letter, in place of `interface`
     others : as for `single_block`
 
     Raises
@@ -108,9 +110,10 @@ def two_block(
         cut=cut,
         hinges=hinges,
         hinges_negative=hinges_negative,
+        interfaces={} if interfaces is None else interfaces,
         **_common(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*moving, *around))
+    return make_block(name, definition, (*moving, *_bodies("around", around)))
 
 
 def four_hinge(
@@ -124,6 +127,7 @@ def four_hinge(
     sides: Sides | None = None,
     loads: Sequence[LoadDefinition] = (),
     interface: Interface | None = None,
+    interfaces: Mapping[str, Interface] | None = None,
     restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
     around: Sequence[Body] = (),
 ) -> Block:
@@ -135,6 +139,7 @@ def four_hinge(
     hinges, hinges_negative : A, B, C and D of each rotation, or "minimum" for an arch with `joints`
     sides : "one" where something stops negative rotation, which then has no hinges
     joints : where an arch may open, in order
+    interfaces : what single hinges press on, by letter, in place of `interface`
     others : as for `single_block`
 
     Raises
@@ -146,10 +151,11 @@ def four_hinge(
         blocks=tuple((each.name,) for each in moving),
         hinges=hinges,
         hinges_negative=hinges_negative,
+        interfaces={} if interfaces is None else interfaces,
         joints=joints,
         **_common(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*moving, *around))
+    return make_block(name, definition, (*moving, *_bodies("around", around)))
 
 
 def equivalent_block(
@@ -190,10 +196,17 @@ def equivalent_block(
 
 def _several(body: BodyOrBodies) -> tuple[Body, ...]:
     """One body or several, at least one; raise MechanismError for anything else."""
-    several = (body,) if isinstance(body, Body) else tuple(body)
-    if not several or not all(isinstance(each, Body) for each in several):
-        raise MechanismError(f"body = {body!r}: give one body or more, as box, profile and mesh return them")
+    several = (body,) if isinstance(body, Body) else _bodies("body", body)
+    if not several:
+        raise MechanismError("body = (): give one body or more, as box, profile and mesh return them")
     return several
+
+
+def _bodies(key: str, given: Any) -> tuple[Body, ...]:
+    """Return a row of bodies; raise MechanismError for anything else."""
+    if not isinstance(given, tuple | list) or not all(isinstance(each, Body) for each in given):
+        raise MechanismError(f"{key} = {given!r:.60}: give a list of bodies, as box, profile and mesh return them")
+    return tuple(given)
 
 
 def _common(
@@ -207,21 +220,32 @@ def _common(
     return {
         "direction": _direction(direction),
         "sides": sides,
-        "loads": tuple(loads),
-        "interface": interface or Interface(),
+        "loads": _loads(loads),
+        "interface": Interface() if interface is None else interface,
         "restitution": _restitution(restitution),
     }
+
+
+def _loads(given: Any) -> tuple[LoadDefinition, ...]:
+    """Return a row of loads, whose kinds are checked with the mechanism; raise MechanismError for what is no row."""
+    if not isinstance(given, tuple | list):
+        raise MechanismError(f"loads = {given!r:.60}: give a list of loads")
+    return tuple(given)
 
 
 def _direction(given: Any) -> Any:
     """The direction as definitions have it: a tuple of floats, a word, or None for the weakest."""
     if given is None or isinstance(given, str):
         return None if given == "weakest" else given
-    return tuple(map(float, given))
+    try:
+        return tuple(map(float, given))
+    except (TypeError, ValueError):
+        raise MechanismError(f'direction = {given!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
 
 
 def _restitution(given: Any) -> Restitution:
     """One choice for both impacts, or one for each."""
-    if isinstance(given, tuple) and len(given) != 2:
+    pair = isinstance(given, tuple | list)
+    if pair and len(given) != 2:
         raise MechanismError(f"restitution = {given}: give one value, or one for each of two impacts")
-    return Restitution(*given) if isinstance(given, tuple) else Restitution(given, given)
+    return Restitution(*given) if pair else Restitution(given, given)

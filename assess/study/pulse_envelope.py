@@ -56,9 +56,12 @@ def envelope(
         If a branch cannot rock.
         If frequencies or amplitudes are not finite, positive and rising.
     """
+    made = shape(pulse) if isinstance(pulse, str) else pulse
+    if not isinstance(made, Shape):
+        raise RecordError(f'pulse = {pulse!r:.60}: give the name of a pulse, such as "sine"')
     return pulses.envelope(
         oscillator,
-        shape(pulse) if isinstance(pulse, str) else pulse,
+        made,
         _rising("frequency", frequency, least=TINY),
         _rising("amplitude", amplitude, least=0.0),
         equation=equation,
@@ -68,7 +71,10 @@ def envelope(
 
 def _rising(name: str, given: Sequence[float] | FloatArray, *, least: float) -> FloatArray:
     """Return an axis of the grid; raise RecordError where it is not finite, rising, or within its bounds."""
-    values = np.atleast_1d(np.array(given, dtype=np.float64))
+    try:
+        values = np.atleast_1d(np.array(given, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise RecordError(f"{name} = {given!r:.60}: give rising numbers above 0") from None
     if values.ndim != 1 or not values.size or not np.isfinite(values).all():
         raise RecordError(f"{name}: give one finite number or more")
     if values[0] < least or values[-1] <= 0.0 or (np.diff(values) <= 0.0).any():

@@ -12,8 +12,8 @@ from assess.dynamics.packing import Equation
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from records.errors import RecordError
-from records.record import Record
-from spectra.arrays import FloatArray
+from records.record import STRONGEST, Record
+from spectra.arrays import FloatArray, is_number
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,8 +74,10 @@ def respond(oscillator: Oscillator, record: Record, *, scale: float = 1.0, equat
         If it is not one record of finite samples, or the scale is not finite.
     """
     check_record(record)
-    if not isfinite(scale):
+    if not (is_number(scale) and isfinite(scale)):
         raise RecordError(f'record "{record.id}": scale = {scale}: give a finite number')
+    if abs(scale) * record.pga > STRONGEST:
+        raise RecordError(f'record "{record.id}": scale = {scale:g}: its peak is over {STRONGEST:g} m/s2; check it')
     one = np.zeros(1, dtype=np.int64)
     found = peaks([oscillator], [record], Jobs(one, one, np.array([scale])), equation=equation, threads=1)
     path = trace(oscillator, record, scale=scale, equation=equation)
@@ -100,7 +102,10 @@ def check_record(record: Record) -> None:
     """Raise RecordError for what is no record of finite samples at a time step."""
     if not isinstance(record, Record):
         raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
-    if record.npts < 2 or not np.isfinite(record.acceleration).all():
+    samples = record.acceleration
+    if not isinstance(samples, np.ndarray) or samples.ndim != 1 or samples.dtype.kind not in "iuf":
+        raise RecordError(f'record "{record.id}": give its accelerations [m/s2] as an array of numbers [n]')
+    if record.npts < 2 or not np.isfinite(samples).all():
         raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
-    if not (isfinite(record.dt) and record.dt > 0.0):
-        raise RecordError(f'record "{record.id}": time step {record.dt:g} s; give one greater than 0')
+    if not (is_number(record.dt) and isfinite(record.dt) and record.dt > 0.0):
+        raise RecordError(f'record "{record.id}": time step {record.dt} s; give one greater than 0')

@@ -7,6 +7,7 @@ from math import isfinite
 from pathlib import Path
 
 from records.errors import RecordError
+from spectra.arrays import is_number
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 GIVE_UNIT = 'give unit (--unit g on the command line, unit = "g" under [records] of a project)'
@@ -48,11 +49,15 @@ NO_OVERRIDES = HeaderOverrides()
 def check_overrides(overrides: HeaderOverrides) -> None:
     """Raise RecordError for an unknown unit, a step that is not positive, or a response file that does not exist."""
     if overrides.unit is not None:
+        if not isinstance(overrides.unit, str):
+            raise RecordError(f'of files that do not say theirs: unit {overrides.unit!r}; write it as text, like "g"')
         try:
             factor_of(overrides.unit, known=ACCELERATION_UNITS)
         except ColumnError as error:
             raise RecordError(f"of files that do not say theirs: {error}") from None
-    if overrides.step is not None and not (isfinite(overrides.step) and overrides.step > 0.0):
+    if overrides.step is not None and not (
+        is_number(overrides.step) and isfinite(overrides.step) and overrides.step > 0.0
+    ):
         raise RecordError(f"of files that do not say theirs: time step {overrides.step} s; it must be positive")
     if overrides.response is not None and not overrides.response.is_file():
         raise RecordError(f"{overrides.response}: no such file; give the StationXML of the instrument")

@@ -8,6 +8,7 @@ import pytest
 import assess
 from assess.errors import AssessError, MechanismError, ProcedureError
 from records.errors import RecordError
+from spectra.errors import SpectrumError
 
 PROJECT = """
 format = 1
@@ -157,7 +158,7 @@ def test_figures_and_tables_of_a_run(run):
         ({"loads": [assess.TieLoad(force=-3e4, at=(0.0, 4.0), direction=(-1.0, 0.0))]}, "force = -30000"),
         ({"loads": [assess.TieLoad(force=3e4, at=(0.0, 4.0), anchor=(9.0, 4.0), until=-0.1)]}, "until = -0.1"),
         ({"loads": [assess.MassLoad(mass=3.0, at=(0.0, 4.0), bearing=False, seat=0.1)]}, "only what bears"),
-        ({"loads": [assess.MassLoad(mass=3.0, at=[0.0, 4.0])]}, r"at = \[0.0, 4.0\]"),
+        ({"loads": [assess.MassLoad(mass=3.0, at=[4.0])]}, r"at = \(4.0,\): give"),
         ({"loads": [assess.BodyLoad(body="floor", share=1.5)], "around": [FLOOR]}, r"outside \(0, 1\]"),
         ({"loads": [assess.BodyLoad(body="floor", role="rooof")], "around": [FLOOR]}, "floor, roof, vault"),
         (
@@ -360,3 +361,202 @@ def test_every_result_has_a_repr_of_one_line(block, run, folder):
     for each in shown:
         assert "\n" not in repr(each)
         assert len(repr(each)) < 250, type(each)
+
+
+WALL = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+SIZES = {"thickness": 0.6, "length": 4.0, "height": 4.5, "density": 2000.0}
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"cut": "2"}, "cut = '2': give an elevation"),
+        ({"cut": True}, "cut = True: give an elevation"),
+        ({"cut": assess.CutAngle("a", 0.1)}, "cut.point = 'a': give \\(number, number, number\\)"),
+        ({"direction": 1}, r"direction = 1: give \(x, y, 0\)"),
+        ({"direction": ("a", "b", "c")}, r"give \(x, y, 0\)"),
+        ({"loads": assess.MassLoad(mass=1.0, at=(0.0, 1.0))}, "give a list of loads"),
+        ({"loads": ["tie"]}, "a MassLoad or"),
+        ({"loads": [assess.MassLoad(mass="3", at=(0.0, 1.0))]}, r"loads\[1\].mass = '3': give a number"),
+        ({"loads": [assess.MassLoad(mass=3.0, at=5.0)]}, r"loads\[1\].at = 5.0: give \(x, y, z\)"),
+        ({"loads": [assess.MassLoad(mass=3.0, at=(0.0, 1.0), bearing="yes")]}, "give True or False"),
+        ({"around": WALL}, "give a list of bodies"),
+        ({"interface": "flexible"}, "interface = 'flexible': give an Interface"),
+        ({"interface": assess.Interface(model="flexible", stiffness="10 GPa/m")}, "give a number"),
+        ({"interface": assess.Interface(model="flexible", stiffness=1e10, shape="round")}, '"outline" or a Shape'),
+        ({"restitution": {"positive": 0.9}}, "give a number"),
+        ({"restitution": True}, "give a number"),
+        ({"name": 3}, "give a text"),
+    ],
+)
+def test_values_of_another_kind_are_refused(given, said):
+    with pytest.raises(AssessError, match=said):
+        assess.single_block(WALL, **given)
+
+
+@pytest.mark.parametrize("body", [None, 3, "box", [3], []])
+def test_what_is_no_body_is_refused(body):
+    with pytest.raises(MechanismError, match=r"bodies|body"):
+        assess.single_block(body)
+
+
+@pytest.mark.parametrize("key", ["thickness", "length", "height", "density"])
+@pytest.mark.parametrize("value", ["0.6", "0.6 m", None, [1.0], True, np.array([1.0, 2.0]), 1j])
+def test_sizes_that_are_no_numbers_are_refused(key, value):
+    with pytest.raises(AssessError, match=key):
+        assess.box(**{**SIZES, key: value})
+
+
+CORNERS = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
+FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
+TETRAHEDRON = "solid w\n{}endsolid w\n".format(
+    "".join(
+        "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n".format(
+            "".join("vertex {} {} {}\n".format(*CORNERS[corner]) for corner in face)
+        )
+        for face in FACES
+    )
+)
+
+
+def test_a_mesh_is_read_from_its_file(tmp_path):
+    (tmp_path / "w.stl").write_text(TETRAHEDRON)
+    assert assess.mesh(tmp_path / "w.stl", density=2000.0).mass == pytest.approx(2000.0 / 6.0, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "given", [{"path": None}, {"path": b"w.stl"}, {"unit": "mm"}, {"up": "x"}, {"element": 3}, {"name": ""}]
+)
+def test_what_no_mesh_takes_is_refused(given, tmp_path):
+    (tmp_path / "w.stl").write_text(TETRAHEDRON)
+    with pytest.raises(AssessError, match=r"give|write"):
+        assess.mesh(**{"path": tmp_path / "w.stl", "density": 2000.0, **given})
+
+
+def test_joints_of_an_arch_that_are_none_are_refused():
+    ring = [(-2.5, 0), (-1.8, 1.8), (0, 2.5), (1.8, 1.8), (2.5, 0), (2, 0), (1.4, 1.4), (0, 2), (-1.4, 1.4), (-2, 0)]
+    arch = assess.profile(ring, length=1.0, density=2200.0)
+    for joints in (3, (1, 2, 3, 4), assess.RadialJoints("a", 3.0, 0.1, 8), assess.RadialJoints((0, 0), 3.0, 0.1, 8.5)):
+        with pytest.raises(MechanismError, match="joints"):
+            assess.four_hinge(arch, hinges="minimum", joints=joints)
+
+
+@pytest.mark.parametrize("p", ["1.6", None, [1.6], 1e300, 1e-300, 0.0, -1.0])
+def test_frequency_parameters_that_are_none_are_refused(p):
+    with pytest.raises(MechanismError, match="p = "):
+        assess.equivalent_block(p=p, uplift=0.1, radius=2.0)
+
+
+def test_lists_and_arrays_are_places_as_tuples_are():
+    tie = {"force": 2e3, "at": (-0.25, 0.0, 3.8), "anchor": (-3.0, 0.0, 3.8)}
+    one = assess.single_block(WALL, direction=(1.0, 0.0, 0.0), loads=[assess.TieLoad(**tie)])
+    lists = {key: list(value) if isinstance(value, tuple) else value for key, value in tie.items()}
+    other = assess.single_block(WALL, direction=np.array([1.0, 0.0, 0.0]), loads=[assess.TieLoad(**lists)])
+    assert one.oscillator == other.oscillator
+
+
+def test_a_hinge_has_its_own_joint():
+    soft = assess.Interface(model="flexible", stiffness=1e10)
+    load = assess.OverburdenLoad(force=4e4, eccentricity=0.0)
+    whole = assess.two_block(WALL, direction=(1.0, 0.0, 0.0), crack=2.4, loads=[load], interface=soft)
+    single = assess.two_block(
+        WALL, direction=(1.0, 0.0, 0.0), crack=2.4, loads=[load], interfaces=dict.fromkeys("ABC", soft)
+    )
+    assert whole.oscillator == single.oscillator
+    with pytest.raises(MechanismError, match="interfaces"):
+        assess.two_block(WALL, crack=2.4, interfaces={"A": "flexible"})
+
+
+def test_what_is_no_mechanism_moves_nowhere(block, folder):
+    record = assess.read_record(folder / "motion.csv")
+    target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
+    for other in (None, WALL, block.mechanism):
+        with pytest.raises(MechanismError, match="give a mechanism"):
+            assess.respond(other, record)
+        with pytest.raises(MechanismError, match="give a mechanism"):
+            assess.envelope(other, "sine", frequency=[1.0], amplitude=[1.0])
+        with pytest.raises(MechanismError, match="give a mechanism"):
+            assess.answers(other, target, procedures=["ntc2018-linear"])
+
+
+@pytest.mark.parametrize("given", [{"scale": "2"}, {"scale": None}, {"scale": 1e300}, {"equation": "x"}])
+def test_motions_that_cannot_be_solved_are_refused(block, folder, given):
+    with pytest.raises((RecordError, AssessError), match=r"scale|equation"):
+        assess.respond(block, assess.read_record(folder / "motion.csv"), **given)
+
+
+@pytest.mark.parametrize("samples", ["a", [1.0, 2.0], np.zeros((3, 3)), np.ones(3) * 1j, np.array(["a", "b"]), None])
+def test_samples_that_are_no_row_of_numbers_are_refused(block, samples):
+    with pytest.raises(RecordError, match="array of numbers"):
+        assess.respond(block, assess.Record(id="r", acceleration=samples, dt=0.01))
+
+
+@pytest.mark.parametrize(
+    "given", [{"pulse": 3}, {"frequency": ["a"]}, {"amplitude": "a"}, {"jobs": -1}, {"jobs": "a"}, {"equation": "x"}]
+)
+def test_envelopes_of_what_is_no_pulse_are_refused(block, given):
+    with pytest.raises((RecordError, AssessError)):
+        assess.envelope(block, **{"pulse": "sine", "frequency": [1.0, 2.0], "amplitude": [1.0, 2.0], **given})
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{"procedures": 3}, {"records": None}, {"base_elevation": "6 m"}, {"building": {"height": 9.0}}, {"target": "ec8"}],
+)
+def test_answers_on_what_is_no_site_are_refused(block, given):
+    target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
+    with pytest.raises((RecordError, AssessError), match="give"):
+        assess.answers(block, **{"target": target, "procedures": ["ntc2018-linear"], **given})
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{"height": "9"}, {"height": None}, {"storeys": 2.5}, {"storeys": "3"}, {"storeys": True}, {"damping": "5 %"}],
+)
+def test_structures_that_are_none_are_refused(given):
+    with pytest.raises(ProcedureError, match=next(iter(given))):
+        assess.building(**{"height": 9.0, **given})
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"a_g": None},
+        {"a_g": [1.0]},
+        {"ground_type": ["C"]},
+        {"damping": "5 %"},
+        {"pga": "0.2 g"},
+        {"importance_factor": None},
+    ],
+)
+def test_spectra_of_what_is_no_number_are_refused(given):
+    with pytest.raises(SpectrumError, match=next(iter(given))):
+        assess.spectrum("ec8", **{"a_g": 2.5, "ground_type": "C", **given})
+
+
+def test_tables_that_cannot_be_read_are_refused(tmp_path):
+    for given in ({"file": tmp_path / "none.csv"}, {"file": tmp_path}, {"file": 3}):
+        with pytest.raises(SpectrumError, match="file"):
+            assess.spectrum("table", **given)
+    with pytest.raises(SpectrumError, match="rows of numbers"):
+        assess.spectrum("table", period=["a", "b"], acceleration=[1.0, 2.0])
+
+
+@pytest.mark.parametrize("path", [None, 3, b"x", ["a"], "\0"])
+def test_what_is_no_path_is_refused(path):
+    with pytest.raises(AssessError, match="path"):
+        assess.load(path)
+    with pytest.raises(RecordError, match="path"):
+        assess.read_record(path)
+    with pytest.raises(AssessError, match="path"):
+        assess.run(path)
+
+
+def test_reports_that_cannot_be_written_are_refused(run, tmp_path):
+    (tmp_path / "file").write_text("x")
+    for given in ({"folder": None}, {"folder": "\0"}, {"language": "xx"}, {"jobs": -1}, {"folder": tmp_path / "file"}):
+        with pytest.raises(AssessError, match=r"give|choose"):
+            assess.write_report(run, **{"folder": tmp_path / "out", **given})
+    with pytest.raises(AssessError, match=r"what assess.run returns"):
+        assess.write_report(run.results, tmp_path / "out")
+    assert not (tmp_path / "out").exists()

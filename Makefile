@@ -17,7 +17,7 @@ demo: .venv/installed      ## the main job on the shipped example; the last line
 	@echo $(DEMO)/results/report.pdf
 
 test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
-	$(BIN)/python -m pytest -n 2 --dist loadfile
+	$(BIN)/python -m pytest -n 2 --dist worksteal
 
 check: .venv/installed     ## style, types, direction of imports
 	$(BIN)/ruff check .
@@ -25,13 +25,16 @@ check: .venv/installed     ## style, types, direction of imports
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-bench: .venv/installed     ## speed, as ratios measured in one run
+bench: .venv/installed     ## speed, as ratios measured in one run; then studies, and properties over many more cases
 	$(BIN)/python tests/benchmarks/bench_dynamics.py
+	$(BIN)/python -m tests.benchmarks.bench_growth
 	$(BIN)/python tests/benchmarks/bench_interfaces.py
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py
 	$(BIN)/python tests/benchmarks/bench_mesh.py
 	$(BIN)/python tests/benchmarks/bench_records.py
 	$(BIN)/python tests/benchmarks/bench_report.py
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m study
+	HYPOTHESIS_PROFILE=deep $(BIN)/python -m pytest -n 2 --dist worksteal tests/properties
 
 fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given: docs/robustness.md
 	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS))

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from assess.model.body import Body, Material
     from assess.model.definitions import CutAngle, CutPlane, RadialJoints
     from assess.model.make_body import box, mesh, profile
-    from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
+    from assess.study.block import Block
+    from assess.study.block_kinds import equivalent_block, four_hinge, single_block, two_block
     from assess.verbs import Run, answers, envelope, load, respond, run, write_report
     from records.reading import read_record
     from records.record import Record
@@ -67,7 +68,8 @@ _HOMES = {
     "assess.model.body": ("Body", "Material"),
     "assess.model.definitions": ("CutAngle", "CutPlane", "RadialJoints"),
     "assess.model.make_body": ("box", "mesh", "profile"),
-    "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
+    "assess.study.block": ("Block",),
+    "assess.study.block_kinds": ("equivalent_block", "four_hinge", "single_block", "two_block"),
     "assess.verbs": ("Run", "answers", "envelope", "load", "respond", "run", "write_report"),
     "records.reading": ("read_record",),
     "records.record": ("Record",),

@@ -1,6 +1,7 @@
 """What one can do: ask one mechanism for its motions and checks, and run a project and write its report.
 
-The command line is made of these calls; what is heavy is imported when a verb is called.
+`assess run` does what `load`, `run` and `write_report` do, with its own progress and exit code. What is heavy is
+imported when a verb is called.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 Progress = Callable[[str, int, int], None]
 """Hears of long work: the stage, how many of its parts are done, and how many there are."""
 REPORT = ("report.pdf", "report.html", "tables.xlsx")
-"""What the report is, beside its tables and figures."""
+"""Files of the report besides its tables and figures."""
 
 
 def silent(stage: str, done: int, total: int) -> None:
@@ -59,23 +60,7 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
     """
     from assess.study.response import respond as solve
 
-    _check_record(record)
     return solve(block.rocking, record, scale=scale, equation=equation or block.equation)
-
-
-def _check_record(record: Record) -> None:
-    """Raise RecordError for what is no record of finite samples at a time step."""
-    from numpy import isfinite
-
-    from records.errors import RecordError
-    from records.record import Record as Known
-
-    if not isinstance(record, Known):
-        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
-    if record.npts < 2 or not isfinite(record.acceleration).all():
-        raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
-    if not record.dt > 0.0:
-        raise RecordError(f'record "{record.id}": time step {record.dt:g} s; give one greater than 0')
 
 
 def envelope(
@@ -121,13 +106,14 @@ def answers(
     procedures: Sequence[str],
     knowledge_level: str | None = None,
     records: Record | Sequence[Record] = (),
-    base_elevation: float = 0.0,
+    base_elevation: float | None = None,
     building: Building | None = None,
     jobs: int = 0,
 ) -> tuple[Check, ...]:
     """Return what the procedures of the codes say of a mechanism on a spectrum.
 
-    The rules are those of a project: a check that lacks an input is not answered, and its reason names the remedy.
+    The rules are those of a project: a check that lacks an input is not answered, and its reason names the remedy. The
+    records act at the base as they are: above the ground nothing amplifies them, and a pass by them is no answer.
 
     Parameters
     ----------
@@ -136,13 +122,15 @@ def answers(
     procedures : names such as "ntc2018-nonlinear"
     knowledge_level : "LC1", "LC2" or "LC3", for the Italian codes
     records : horizontal ground motions, taken unscaled; without any, histories are not answered
-    base_elevation : height of the mechanism's base above the ground [m]
+    base_elevation : height of the mechanism's base above the ground [m]; as it is drawn over the lowest body where
+        None, which stands on the ground
     building : the structure below the mechanism
     jobs : threads that share the time histories, 0 for all cores
 
     Raises
     ------
     ProcedureError : a procedure or a level of knowledge is not known, or a record is vertical
+    RecordError : something is no record of finite samples
     """
     from assess.study.answers import answers as find
 
@@ -153,6 +141,7 @@ def answers(
         knowledge_level=knowledge_level,
         records=records,
         base_elevation=base_elevation,
+        lowest=block.lowest,
         building=building,
         threads=jobs,
     )

@@ -14,9 +14,6 @@ if TYPE_CHECKING:
     from assess.results import Results
     from reports.report_process import Begin
 
-WRITTEN = ("report.pdf", "report.html", "tables.xlsx")
-"""Files of the report besides its tables and figures."""
-
 
 def run(
     project: ProjectPath,
@@ -61,10 +58,11 @@ def _assess(project: Path, output: Path | None, jobs: int | None, report: Begin 
     from assess.project.build import build
     from assess.results.json import dumps
     from assess.study.run import run as run_study
+    from assess.verbs import REPORT
     from assess.workers import available_cores, process_pool
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
-    wanted = (RESULTS, *(WRITTEN if report else ()))
+    wanted = (RESULTS, *(REPORT if report else ()))
     with output_folder(folder, command="assess run", wanted=wanted, tell=print_message) as stage, progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)

@@ -23,13 +23,14 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.simple_polygon import find_crossing, remove_repeats
 from assess.geometry.surface import tetrahedra
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
 
 
-@dataclass(frozen=True)
-class Solid:
+@dataclass(frozen=True, repr=False)
+class Solid(ShortRepr):
     """A body with its mass properties and its surface.
 
     Attributes

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import Solid
+from assess.short_repr import ShortRepr
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,8 +34,8 @@ class PointValues:
     inertia: float
 
 
-@dataclass(frozen=True, kw_only=True)
-class Body:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Body(ShortRepr):
     """One body: a solid of a material, or values without geometry."""
 
     name: str

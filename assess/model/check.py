@@ -4,16 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
-from math import isfinite
+from math import inf, isfinite, pi, sqrt
+from numbers import Real
 from typing import Any
+
+from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.interfaces.definition import Interface, Shape
-from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, OverburdenLoad, TieLoad, bodies_of
+from assess.mechanisms.chain import HINGES
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, Definition, EquivalentBlock, Restitution, TwoBlock
+from assess.model.check_loads import load_problems, place_problems
+from assess.model.definitions import (
+    Chained,
+    CutAngle,
+    CutPlane,
+    Definition,
+    EquivalentBlock,
+    FourHinge,
+    RadialJoints,
+    Restitution,
+    TwoBlock,
+)
+from assess.model.ranges import CRACKS, INERTIA_RATIOS, MOST_VOUSSOIRS, RESTITUTIONS
 
-RULES = ("thesis", "housner", "sorrentino", "momentum")
 MODELS = ("rigid", "flexible", "semi-flexible", "flexible-thesis")
 POSITIVE = frozenset(
     [
@@ -35,6 +49,7 @@ POSITIVE = frozenset(
         "fill",
     ]
 )
+TINY = 5e-324  # the least number above 0
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 
 
@@ -58,12 +73,113 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
     if definition.sides not in ("one", "two", None):
         yield f'sides = {definition.sides!r}: write "one" or "two"'
     if isinstance(definition, EquivalentBlock):
+        yield from _parameters(definition)
         return
+    yield from _blocks(definition, bodies)
+    yield from _materials(bodies)
     yield from _direction(definition)
+    yield from _cut(definition)
+    yield from _hinges(definition)
+    if isinstance(definition, TwoBlock):
+        yield from _crack(definition)
+    if isinstance(definition, FourHinge):
+        yield from _arch(definition)
+    for letter in set(definition.interfaces) - set("ABCD"[: HINGES[definition.moving]]):
+        yield f"interfaces.{letter}: no such hinge; known: {', '.join('ABCD'[: HINGES[definition.moving]])}"
     for interface in (definition.interface, *definition.interfaces.values()):
         yield from _interface(interface)
     for number, load in enumerate(definition.loads, start=1):
-        yield from (f"loads[{number}]: {problem}" for problem in _load(load, definition, bodies))
+        yield from (f"loads[{number}]: {problem}" for problem in load_problems(load, definition, bodies))
+
+
+def _parameters(block: EquivalentBlock) -> Iterator[str]:
+    """Yield what is wrong with published parameters: an angle, and an inertia that no mechanism has."""
+    if not block.uplift < pi / 2.0:
+        yield f"uplift = {block.uplift:g}: must be less than pi / 2; it is taken as the slenderness [rad]"
+    least, most = INERTIA_RATIOS
+    ratio = g / (block.p**2 * block.radius)
+    if not least <= ratio <= most:
+        low, high = (sqrt(g / (each * block.radius)) for each in (most, least))
+        yield (
+            f"p = {block.p:g}: with a radius of {block.radius:.4g} m the inertia about the hinge is {ratio:.3g} M R^2, "
+            f"which no mechanism has; give {low:.3g} to {high:.3g} 1/s, or another radius"
+        )
+
+
+def _blocks(definition: Chained, bodies: Bodies) -> Iterator[str]:
+    count = len(definition.blocks)
+    most = definition.moving
+    if not 1 <= count <= most or not all(definition.blocks):
+        yield f"{count} blocks: give 1{f' to {most}' if most > 1 else ''}, each of one body or more"
+    for body in definition.bodies:
+        if body not in bodies:
+            yield f'"{body}" is no body; known: {", ".join(bodies)}'
+
+
+def _materials(bodies: Bodies) -> Iterator[str]:
+    """Yield what is wrong with the masonry of a body; its density is checked with its solid."""
+    for name, body in bodies.items():
+        for key in ("young_modulus", "compressive_strength", "tensile_strength", "friction"):
+            value = getattr(body.material, key, None)
+            least = 0.0 if key in ("tensile_strength", "friction") else TINY
+            if value is not None and not least <= value < inf:
+                bound = "0 or more" if least == 0.0 else "more than 0"
+                yield f'body "{name}": {key} = {value:g}: give a finite number, {bound}'
+
+
+def _cut(definition: Chained) -> Iterator[str]:
+    cut = definition.cut
+    if cut is not None and not isinstance(cut, Real | CutPlane | CutAngle):
+        yield f"cut = {cut!r}: give an elevation [m], a CutPlane or a CutAngle"
+
+
+def _hinges(definition: Chained) -> Iterator[str]:
+    """Yield what is wrong with given hinges: their number, and places that are none."""
+    count = HINGES[definition.moving]
+    for key in ("hinges", "hinges_negative"):
+        hinges = getattr(definition, key)
+        if hinges is None or (hinges == "minimum" and key == "hinges" and isinstance(definition, FourHinge)):
+            continue
+        if isinstance(hinges, str) or len(hinges) != count:
+            yield f"{key} = {hinges!r}: give {', '.join('ABCD'[:count])}, each a place"
+            continue
+        for letter, place in zip("ABCD", hinges, strict=False):
+            yield from place_problems(f"{key}.{letter}", place)
+
+
+def _crack(definition: TwoBlock) -> Iterator[str]:
+    crack = definition.crack
+    if len(definition.blocks) == 2 and crack is not None:
+        yield "crack: is for one body; two bodies part at their joint, so remove one of them"
+    if crack not in (None, *CRACKS) and not isinstance(crack, Real):
+        yield f"crack = {crack!r}: give an elevation, or one of {', '.join(CRACKS)}"
+
+
+def _arch(definition: FourHinge) -> Iterator[str]:
+    """Yield what does not suit three blocks between given hinges, or one arch whose hinges are searched for."""
+    one_sided = definition.sides == "one"
+    if definition.hinges != "minimum":
+        if len(definition.blocks) != 3:
+            yield f"{len(definition.blocks)} bodies with four hinges; give three, base first"
+        if definition.hinges_negative is None and not one_sided:
+            yield 'hinges_negative: missing; two-sided rocking has its own hinges each way: give them, or sides = "one"'
+        if definition.hinges_negative is not None and one_sided:
+            yield "hinges_negative: beside one-sided rocking; remove it"
+        if definition.joints is not None:
+            yield 'joints: are for an arch with hinges = "minimum"; remove one of them'
+        return
+    if definition.hinges_negative is not None:
+        yield 'hinges_negative: are searched for too with hinges = "minimum"; remove them'
+    if len(definition.blocks) != 1 or definition.joints is None:
+        yield 'hinges = "minimum" needs one arch, and joints where it may open'
+    if definition.loads:
+        yield 'loads: not with hinges = "minimum"; give the hinges that the messages of the arch without loads list'
+    joints = definition.joints
+    count = joints.count if isinstance(joints, RadialJoints) else len(joints or ()) - 1
+    if joints is not None and not 3 <= count <= MOST_VOUSSOIRS:
+        yield f"joints: {count} voussoirs between them; give 3 to {MOST_VOUSSOIRS}"
+    if isinstance(joints, RadialJoints) and joints.first == joints.last:
+        yield "joints.last: is the first joint again; give the angle of the other springing"
 
 
 def _numbers(data: Any, where: str) -> Iterator[str]:
@@ -93,8 +209,8 @@ def _entries(values: tuple[Any, ...], key: str) -> Iterator[str]:
 
 def _restitution(restitution: Restitution) -> Iterator[str]:
     for value in (restitution.positive, restitution.negative):
-        if isinstance(value, str) and value not in RULES:
-            yield f"restitution = {value!r}: write a number in [0, 1], or one of {', '.join(RULES)}"
+        if isinstance(value, str) and value not in RESTITUTIONS:
+            yield f"restitution = {value!r}: write a number in [0, 1], or one of {', '.join(RESTITUTIONS)}"
         if isinstance(value, float | int) and not 0.0 <= value <= 1.0:
             yield f"restitution = {value:g}: outside [0, 1]; it is velocity after over velocity before the impact"
 
@@ -121,22 +237,3 @@ def _interface(interface: Interface) -> Iterator[str]:
         sizes = [field.name for field in fields(Shape) if getattr(interface.shape, field.name) is not None]
         if len(sizes) != 1:
             yield f"interface.shape: one size is needed, not {len(sizes)}"
-
-
-def _load(load: LoadDefinition, definition: Chained, bodies: Bodies) -> Iterator[str]:
-    unknown = [body for body in bodies_of(load) if body not in bodies]
-    if unknown:
-        yield f'"{unknown[0]}" is no body here; give it in `around`'
-    if isinstance(load, OverburdenLoad):
-        if not isinstance(definition, TwoBlock):
-            yield "an overburden is for two-block mechanisms; use a mass or a force"
-        if (load.force is None) == (not load.bodies):
-            yield "give either force, or the bodies that press"
-    elif load.block is not None and not 0 <= load.block < definition.moving:
-        yield f"block = {load.block}: must be from 0 to {definition.moving - 1}, counted from the base"
-    if isinstance(load, TieLoad) and (load.direction is None) == (load.anchor is None):
-        yield "give either anchor or direction, the way the tie pulls"
-    if isinstance(load, ForceLoad) and isinstance(load.force, tuple) != (load.direction is None):
-        yield "give the force by its two components, or its size with a direction"
-    if isinstance(load, BodyLoad) and load.body in definition.bodies:
-        yield f'"{load.body}" is part of a block; name another body'

@@ -21,6 +21,7 @@ from assess.loads.overburden import through_of
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.hinge_forces import at_top
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.jointed_chain import JointedChain
@@ -134,8 +135,9 @@ def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]
     if law is None:
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
-    text = f"interface {hinge_names(seat.chain)[seat.number]}: no strength is known, so its joint never crushes"
-    warnings = (f"{text}; give strength",) if endless else ()
+    letter = hinge_names(seat.chain)[seat.number]
+    text = f"interface {letter}: no strength is known, so its joint never crushes; give strength"
+    warnings = (text,) if endless else ()
     shape, sense = interface.shape, float(JointedChain(seat.chain, seat.name).sense[seat.number])
     if isinstance(shape, Shape):
         joint, more = shaped_joint(seat, law, shape, sense=sense)
@@ -191,11 +193,6 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
 def material_of(definition: Chained, bodies: Bodies) -> Material | None:
     """Return the material of the first body of a mechanism that has one."""
     return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
-
-
-def at_top(chain: Chain, number: int) -> bool:
-    """Return whether a hinge is the support at the top of a wall."""
-    return len(chain.blocks) == number == 2
 
 
 def section_of_shape(shape: Shape, view: View) -> Section:

@@ -28,7 +28,9 @@ from assess.mechanisms.mechanism import Sides
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
+from assess.model.as_floats import with_floats
 from assess.model.body import Bodies, Body, Material
+from assess.model.check import check_definition
 from assess.model.definitions import TwoBlock, Vector
 from assess.model.loading import loads_of
 from assess.model.pieces import as_one, piece_above_cut, pieces_of
@@ -98,9 +100,13 @@ def crack(
     Raises
     ------
     CrackError : there is nothing to find the crack from
+    MechanismError : a value that no wall can have
     """
     bodies = {each.name: each for each in (body, *around)}
-    definition = TwoBlock(blocks=((body.name,),), direction=direction, crack=method, sides=sides, loads=tuple(loads))
+    definition = with_floats(
+        TwoBlock(blocks=((body.name,),), direction=direction, crack=method, sides=sides, loads=tuple(loads))
+    )
+    check_definition(body.name, definition, bodies)
     (whole,) = pieces_of(body.name, definition, bodies)
     return crack_of(definition, whole, bodies, lambda: loads_of(body.name, definition, (whole,), bodies), front=None)
 
@@ -122,8 +128,8 @@ def crack_of(
     crack = definition.crack
     if crack is None:
         crack = front[1][1] if front is not None else "sorrentino"
-    if isinstance(crack, float):
-        return Crack(crack)
+    if not isinstance(crack, str):
+        return Crack(float(crack))
     find = by_formula if crack == "sorrentino" else by_search
     load_set = loads()
     strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0

@@ -46,7 +46,7 @@ def _of(table: object) -> Iterable[tuple[str, Any]]:
 
 def _of_sizes(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
     """Warn of each size of a box or profile if one of them is huge and all are written without a unit."""
-    sizes = {key: (words, size) for key, words, size in _sizes(raw) if _is_number(size)}
+    sizes = {key: (words, size) for key, words, size in _sizes(raw) if is_number(size)}
     if not any(size > HUGE for _, size in sizes.values()):
         return
     units = [unit for unit in SHORTER if all(_is_built(words, size, unit) for words, size in sizes.values())]
@@ -71,7 +71,7 @@ def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[Key, str, Any]]:
 def _extent(corners: Sequence[Any], axis: int) -> float | None:
     """Return the extent along an axis of corners written without a unit."""
     along = [corner[axis] for corner in corners if isinstance(corner, list) and len(corner) == 2]
-    return max(along) - min(along) if along and all(map(_is_number, along)) else None
+    return max(along) - min(along) if along and all(map(is_number, along)) else None
 
 
 def _is_built(words: str, size: float, unit: str) -> bool:
@@ -79,7 +79,7 @@ def _is_built(words: str, size: float, unit: str) -> bool:
     return least <= size * float(USUAL["length"][unit]) <= most
 
 
-def _is_number(value: object) -> bool:
+def is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
@@ -87,7 +87,7 @@ def _of_material(material: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
     """Warn of each number of a material that no masonry has, with the unit that was likely meant."""
     for name, (dimension, ranges) in MATERIALS.items():
         value: Any = raw.get(name)
-        unit = next((unit for low, high, unit in ranges if _is_number(value) and low <= value < high), "")
+        unit = next((unit for low, high, unit in ranges if is_number(value) and low <= value < high), "")
         if unit:
             given = Quantity(value, dimension)
             yield warning(

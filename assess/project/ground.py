@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.geometry.solid import Solids
-from assess.loads.definitions import bodies_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.model.definitions import Chained, Definition
+from assess.model.definitions import Definition
 from assess.project import sections
-from assess.study.grounding import Ground, Grounded, stand_on
+from assess.study.grounding import Ground, Grounded, lowest_of, stand_on
 
 
 def ground_of(building: sections.Building | None, definitions: Mapping[str, Definition], solids: Solids) -> Ground:
@@ -29,12 +28,3 @@ def ground_mechanism(section: sections.Mechanism, mechanism: Mechanism, ground: 
     """Return where a mechanism stands over the ground."""
     by_table = isinstance(section, sections.EquivalentBlock) and section.has_key("elevation")
     return stand_on(ground, mechanism, base_elevation=base_elevation_of(section), by_table=by_table)
-
-
-def lowest_of(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
-    """Return the elevation of the lowest body [m] that is more than a load; None where there is none."""
-    chained = [each for each in definitions.values() if isinstance(each, Chained)]
-    used = {body for each in chained for body in each.bodies}
-    loads = {body for each in chained for load in each.loads for body in bodies_of(load)}
-    bodies = [solid for name, solid in solids.items() if solid is not None and (name in used or name not in loads)]
-    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

@@ -12,6 +12,7 @@ from typing import Any, get_args
 from pydantic.fields import FieldInfo
 
 from assess.errors import ProjectError
+from assess.project.bare_numbers import is_number
 from assess.project.key_text import escape_text, value_text
 from assess.project.section import Section
 from assess.project.sections.content import Content
@@ -33,7 +34,7 @@ class Place:
     @property
     def is_number(self) -> bool:
         """Whether the key holds a number or could."""
-        return self.kind is not None or _number(self.value)
+        return self.kind is not None or is_number(self.value)
 
 
 def places_of(content: Content) -> dict[str, Place]:
@@ -132,9 +133,5 @@ def value_at(content: Content, path: Key) -> Any:
 def one_number(value: Any) -> bool:
     """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
     if isinstance(value, Section):
-        return all(_number(item) for _, item in value)
-    return _number(value)
-
-
-def _number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+        return all(is_number(item) for _, item in value)
+    return is_number(value)

@@ -29,6 +29,7 @@ from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
 from assess.project.weight_densities import weight_density_messages
 from assess.results import Resolved
+from assess.short_repr import ShortRepr
 from records.paths import relative_path
 
 FORMAT = 1
@@ -37,8 +38,8 @@ _DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+,\d+)(?![.\d\]])")
 _UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from format n to n + 1; there is only one yet
 
 
-@dataclass(frozen=True)
-class Project:
+@dataclass(frozen=True, repr=False)
+class Project(ShortRepr):
     """A project file as read.
 
     content : its tables, every quantity an SI float, every path absolute or below `folder`

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import isfinite
 
 import numpy as np
 from scipy.constants import g
@@ -19,10 +20,11 @@ from assess.errors import ProcedureError
 from assess.mechanisms.mechanism import Mechanism
 from assess.study.checks import checks_of
 from assess.study.context import context_of
-from assess.study.grounding import Ground, stand_on
+from assess.study.grounding import Ground, Grounded, stand_on
 from assess.study.histories import run_histories
 from assess.study.mechanisms import further_levels, rocking_case
 from assess.study.motions import ScaledRecord, motions_of
+from assess.study.response import check_record
 from assess.study.rocking_case import RockingCase, RockingHistories
 from assess.study.study import Amplified, Fitting, Study
 from assess.study.suite_faults import suite_faults
@@ -42,7 +44,8 @@ def answers(
     procedures: Sequence[str],
     knowledge_level: str | None = None,
     records: Record | Sequence[Record] = (),
-    base_elevation: float = 0.0,
+    base_elevation: float | None = None,
+    lowest: float | None = None,
     building: Building | None = None,
     options: CodeOptions | None = None,
     threads: int = 0,
@@ -59,7 +62,8 @@ def answers(
     knowledge_level : "LC1", "LC2" or "LC3", which the Italian codes ask for where crushing is modelled; None: not given
     records : horizontal ground motions, taken unscaled as those of the spectrum; without any, procedures by time
         histories are not answered
-    base_elevation : height of the base of the mechanism above the ground [m]
+    base_elevation : height of the base of the mechanism above the ground [m]; None: as it is drawn over `lowest`
+    lowest : elevation of the lowest body [m], which stands on the ground; None: the ground is at elevation 0
     building : the structure below the mechanism; None: not known
     options : of the codes; None for their defaults
     threads : that share the time histories; 0 for all cores
@@ -75,8 +79,8 @@ def answers(
         Where a procedure or the level of knowledge is not known, no procedure is named, or a record is vertical.
     """
     suite = (records,) if isinstance(records, Record) else tuple(records)
-    _check_inputs(procedures, knowledge_level, suite)
-    ground = Ground(building_height=0.0 if building is None else building.height)
+    _check_inputs(procedures, knowledge_level, suite, base_elevation)
+    grounded = _grounded(mechanism, base_elevation, lowest, building)
     study = Study(
         spectrum=spectrum,
         vertical_ratio=0.0,
@@ -104,13 +108,32 @@ def answers(
         limit_state=None,
         question=Question(None, Action(spectrum.pga / g, None)),
         facts={},
-        grounded={mechanism.name: stand_on(ground, mechanism, base_elevation=base_elevation)},
+        grounded={mechanism.name: grounded},
     )
     return _checks(study, mechanism, spectrum, threads=threads)
 
 
-def _check_inputs(procedures: Sequence[str], knowledge_level: str | None, records: Sequence[Record]) -> None:
-    """Raise ProcedureError for a name that is not known, and for a vertical record."""
+def _grounded(
+    mechanism: Mechanism, base_elevation: float | None, lowest: float | None, building: Building | None
+) -> Grounded:
+    """Return where a mechanism stands: at the height given, else as drawn over the lowest body or elevation 0."""
+    height = 0.0 if building is None else building.height
+    if base_elevation is not None:
+        return stand_on(Ground(None, lowest, height), mechanism, base_elevation=base_elevation)
+    return stand_on(Ground(0.0 if lowest is None else lowest, lowest, height), mechanism)
+
+
+def _check_inputs(
+    procedures: Sequence[str],
+    knowledge_level: str | None,
+    records: Sequence[Record],
+    base_elevation: float | None,
+) -> None:
+    """Raise ProcedureError for an unknown name, a vertical record or a height that is not finite."""
+    if isinstance(procedures, str):
+        raise ProcedureError(f'procedures: "{procedures}" given; give a list of names, ["{procedures}"]')
+    if base_elevation is not None and not isfinite(base_elevation):
+        raise ProcedureError(f"base_elevation = {base_elevation}: give a finite height above the ground [m]")
     if not procedures:
         raise ProcedureError(f"procedures: name one at least; known are: {', '.join(PROCEDURES)}")
     for name in procedures:
@@ -119,6 +142,7 @@ def _check_inputs(procedures: Sequence[str], knowledge_level: str | None, record
     if knowledge_level is not None and knowledge_level not in LEVELS:
         raise ProcedureError(f'knowledge_level "{knowledge_level}" is not known; known are: {", ".join(LEVELS)}')
     for record in records:
+        check_record(record)
         if is_vertical(record.component):
             raise ProcedureError(f'record "{record.id}" is a vertical one: give horizontal ground motions')
 

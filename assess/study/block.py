@@ -1,43 +1,30 @@
-"""Mechanisms by plain data, as a Python session makes them: bodies in, rocking parameters out."""
+"""A mechanism made of plain data, as a Python session has it, with its rocking parameters."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
 
 from assess.errors import MechanismError
 from assess.geometry.scene import Scene
-from assess.interfaces.definition import Interface
-from assess.loads.definitions import LoadDefinition, Place
-from assess.mechanisms.impact import RestitutionChoice
-from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, warning
-from assess.model.body import Bodies, Body
+from assess.model.as_floats import with_floats
+from assess.model.body import Bodies, Body, solids_of
 from assess.model.check import check_definition
 from assess.model.definitions import (
-    CutAngle,
-    CutPlane,
     Definition,
     EquivalentBlock,
-    FourHinge,
-    RadialJoints,
-    Restitution,
-    SingleBlock,
-    TwoBlock,
-    Vector,
 )
 from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
 from assess.model.weakest import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
+from assess.study.grounding import lowest_of
 from assess.study.oscillator_results import oscillator_result, rigid_branches
 from assess.study.study import Equation
-
-BodyOrBodies = Body | Sequence[Body]
-Direction = Vector | Literal["weakest", "sweep"]
 
 
 @dataclass(frozen=True)
@@ -127,6 +114,11 @@ class Block:
         return "linearised" if isinstance(self.definition, EquivalentBlock) else "exact"
 
     @cached_property
+    def lowest(self) -> float | None:
+        """The elevation of the lowest body that is more than a load [m]; None without bodies."""
+        return lowest_of({self.name: self.definition}, solids_of(self.bodies))
+
+    @cached_property
     def messages(self) -> tuple[Message, ...]:
         """What the engineer should know before using it: gaps, overlaps, doubtful loads and hinges."""
         where, definitions = f"mechanisms.{self.name}", {self.name: self.definition}
@@ -150,170 +142,6 @@ class Block:
         return RockingParameters.of(front), RockingParameters.of(back)
 
 
-def single_block(
-    body: BodyOrBodies,
-    *,
-    name: str = "block",
-    direction: Direction = "weakest",
-    cut: float | CutPlane | CutAngle | None = None,
-    sides: Sides | None = None,
-    loads: Sequence[LoadDefinition] = (),
-    interface: Interface | None = None,
-    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
-    hinge: Place | None = None,
-    hinge_negative: Place | None = None,
-    around: Sequence[Body] = (),
-) -> Block:
-    """Return a block that rocks about the edges of its base.
-
-    Parameters
-    ----------
-    body : the body that rocks, or several that move as one
-    name : of the mechanism
-    direction : horizontal (x, y, 0) in which positive rotation topples; "weakest" for that of least resistance, looked
-        for among the normals of the base's edges; "sweep" for the weakest all around
-    cut : only what lies above moves: an elevation [m], or an inclined crack
-    sides : "one" where something behind stops negative rotation; as the bodies touch where None
-    loads : point masses, forces, ties, and bodies among `around`
-    interface : what the hinges press on; rigid without limit of strength where None
-    restitution : velocity after over before the impact [-], or a rule: "thesis", "housner", "sorrentino", "momentum"
-    hinge, hinge_negative : given hinges, in space or in the plane of motion; as the geometry shows where None
-    around : other bodies of the building: floors that load it, walls that stop it
-
-    Raises
-    ------
-    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
-    """
-    moving = _several(body)
-    definition = SingleBlock(
-        blocks=(tuple(each.name for each in moving),),
-        cut=cut,
-        hinges=None if hinge is None else (hinge,),
-        hinges_negative=None if hinge_negative is None else (hinge_negative,),
-        **_common(direction, sides, loads, interface, restitution),
-    )
-    return make_block(name, definition, (*moving, *around))
-
-
-def two_block(
-    body: BodyOrBodies,
-    *,
-    name: str = "wall",
-    direction: Direction = "weakest",
-    crack: float | Literal["sorrentino", "minimum"] | None = None,
-    cut: float | CutPlane | CutAngle | None = None,
-    sides: Sides | None = None,
-    loads: Sequence[LoadDefinition] = (),
-    interface: Interface | None = None,
-    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
-    hinges: tuple[Place, ...] | None = None,
-    hinges_negative: tuple[Place, ...] | None = None,
-    around: Sequence[Body] = (),
-) -> Block:
-    """Return a wall held at its base and its top that opens at a crack between.
-
-    Parameters
-    ----------
-    body : one body, cut at the crack, or two, the lower first
-    crack : an elevation [m], "sorrentino" (thesis eq. 3.27) or "minimum" (least uplift multiplier)
-    hinges, hinges_negative : A, B and C, where they are given
-    others : as for `single_block`
-
-    Raises
-    ------
-    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
-    """
-    moving = _several(body)
-    definition = TwoBlock(
-        blocks=tuple((each.name,) for each in moving),
-        crack=crack,
-        cut=cut,
-        hinges=hinges,
-        hinges_negative=hinges_negative,
-        **_common(direction, sides, loads, interface, restitution),
-    )
-    return make_block(name, definition, (*moving, *around))
-
-
-def four_hinge(
-    body: BodyOrBodies,
-    *,
-    hinges: tuple[Place, ...] | Literal["minimum"],
-    hinges_negative: tuple[Place, ...] | None = None,
-    joints: RadialJoints | tuple[tuple[tuple[float, float], tuple[float, float]], ...] | None = None,
-    name: str = "frame",
-    direction: Vector = (1.0, 0.0, 0.0),
-    sides: Sides | None = None,
-    loads: Sequence[LoadDefinition] = (),
-    interface: Interface | None = None,
-    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
-    around: Sequence[Body] = (),
-) -> Block:
-    """Return three blocks between two fixed hinges, or an arch that opens where it resists least.
-
-    Parameters
-    ----------
-    body : the bodies A-B, B-C and C-D, or one arch
-    hinges, hinges_negative : A, B, C and D of each rotation, or "minimum" for an arch with `joints`
-    joints : where an arch may open, in order
-    others : as for `single_block`
-
-    Raises
-    ------
-    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
-    """
-    moving = _several(body)
-    if hinges == "minimum" and (joints is None or len(moving) != 1):
-        raise MechanismError(f'mechanism "{name}": hinges = "minimum" needs one arch, and joints where it may open')
-    if hinges != "minimum" and len(moving) != 3:
-        raise MechanismError(f'mechanism "{name}": {len(moving)} bodies with four hinges; give three, base first')
-    both: Sides = "two" if hinges_negative or hinges == "minimum" else "one"
-    definition = FourHinge(
-        blocks=tuple((each.name,) for each in moving),
-        hinges=hinges,
-        hinges_negative=hinges_negative,
-        joints=joints,
-        **_common(direction, sides or both, loads, interface, restitution),
-    )
-    return make_block(name, definition, (*moving, *around))
-
-
-def equivalent_block(
-    *,
-    p: float,
-    uplift: float,
-    radius: float,
-    mass: float = 1.0,
-    name: str = "block",
-    sides: Sides = "two",
-    elevation: float = 0.0,
-    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
-) -> Block:
-    """Return a mechanism by its rocking parameters, as published tables give them.
-
-    Parameters
-    ----------
-    p : frequency parameter [1/s]
-    uplift : multiplier that starts rocking, taken as the slenderness [rad]
-    radius : distance from the hinge to the centre of mass [m]
-    mass : [kg]
-    name : of the mechanism
-    sides : "one" where something behind stops negative rotation
-    elevation : of its base [m]
-    restitution : as for `single_block`
-    """
-    definition = EquivalentBlock(
-        p=p,
-        uplift=uplift,
-        radius=radius,
-        mass=mass,
-        sides=sides,
-        elevation=elevation,
-        restitution=_restitution(restitution),
-    )
-    return make_block(name, definition, ())
-
-
 def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
     """Build a mechanism from its definition and the bodies of the building.
 
@@ -325,32 +153,7 @@ def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Blo
     if len(by_name) < len(bodies):
         twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})
         raise MechanismError(f'mechanism "{name}": several bodies are called {", ".join(twice)}; give each its name')
+    definition = with_floats(definition)
     check_definition(name, definition, by_name)
     built = mechanism_in_direction(name, definition, by_name)
     return Block(name, definition, by_name, built.mechanism, built.scene)
-
-
-def _several(body: BodyOrBodies) -> tuple[Body, ...]:
-    return (body,) if isinstance(body, Body) else tuple(body)
-
-
-def _common(
-    direction: Direction,
-    sides: Sides | None,
-    loads: Sequence[LoadDefinition],
-    interface: Interface | None,
-    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None,
-) -> dict[str, Any]:
-    """What all mechanisms of blocks share."""
-    return {
-        "direction": None if direction == "weakest" else direction,
-        "sides": sides,
-        "loads": tuple(loads),
-        "interface": interface or Interface(),
-        "restitution": _restitution(restitution),
-    }
-
-
-def _restitution(given: Any) -> Restitution:
-    """One choice for both impacts, or one for each."""
-    return Restitution(*given) if isinstance(given, tuple) else Restitution(given, given)

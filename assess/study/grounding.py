@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from assess.codes.check import Reason, reason_message
 from assess.codes.context import is_above_ground
+from assess.geometry.solid import Solids
+from assess.loads.definitions import bodies_of
 from assess.mechanisms.limits import height_of_support
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
+from assess.model.definitions import Chained, Definition
 
 FAR = 0.5  # m: a lowest body farther from elevation 0 does not show where the ground is
 BY_BUILDING = "by building.ground_elevation"
@@ -108,3 +112,18 @@ def _source(ground: Ground, base_elevation: float | None, *, by_table: bool) -> 
     if ground.elevation is not None:
         return BY_BUILDING
     return BY_TABLE if by_table else ""
+
+
+def lowest_of(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
+    """Return the elevation of the lowest body [m] that is more than a load; None where there is none.
+
+    Parameters
+    ----------
+    definitions : the mechanisms by name
+    solids : of the building's bodies by name
+    """
+    chained = [each for each in definitions.values() if isinstance(each, Chained)]
+    used = {body for each in chained for body in each.bodies}
+    loads = {body for each in chained for load in each.loads for body in bodies_of(load)}
+    bodies = [solid for name, solid in solids.items() if solid is not None and (name in used or name not in loads)]
+    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

@@ -10,8 +10,11 @@ from assess.dynamics import envelope as pulses
 from assess.dynamics.envelope import Envelope
 from assess.dynamics.packing import Equation
 from assess.oscillator import Oscillator
+from records.errors import RecordError
 from records.pulses import Shape, shape
 from spectra.arrays import FloatArray
+
+TINY = 5e-324  # the least number above 0
 
 
 def envelope(
@@ -48,17 +51,26 @@ def envelope(
     Raises
     ------
     RecordError
-        If no pulse has that name.
+        If no pulse has that name, or frequencies or amplitudes are not finite, positive and rising.
     MechanismError
         If a branch cannot rock.
-    ValueError
-        If a frequency is not positive.
+        If frequencies or amplitudes are not finite, positive and rising.
     """
     return pulses.envelope(
         oscillator,
         shape(pulse) if isinstance(pulse, str) else pulse,
-        np.array(frequency, dtype=np.float64),
-        np.array(amplitude, dtype=np.float64),
+        _rising("frequency", frequency, least=TINY),
+        _rising("amplitude", amplitude, least=0.0),
         equation=equation,
         threads=threads,
     )
+
+
+def _rising(name: str, given: Sequence[float] | FloatArray, *, least: float) -> FloatArray:
+    """Return an axis of the grid; raise RecordError where it is not finite, rising, or within its bounds."""
+    values = np.atleast_1d(np.array(given, dtype=np.float64))
+    if values.ndim != 1 or not values.size or not np.isfinite(values).all():
+        raise RecordError(f"{name}: give one finite number or more")
+    if values[0] < least or values[-1] <= 0.0 or (np.diff(values) <= 0.0).any():
+        raise RecordError(f"{name}: {values[0]:g} to {values[-1]:g}: give rising numbers above 0")
+    return values

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
+from math import inf, isfinite
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from assess.dynamics.history import Jobs, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
+from records.errors import RecordError
 from records.record import Record
 from spectra.arrays import FloatArray
 
@@ -69,7 +70,12 @@ def respond(oscillator: Oscillator, record: Record, *, scale: float = 1.0, equat
     ------
     MechanismError
         If a branch cannot rock.
+    RecordError
+        If it is not one record of finite samples, or the scale is not finite.
     """
+    check_record(record)
+    if not isfinite(scale):
+        raise RecordError(f'record "{record.id}": scale = {scale}: give a finite number')
     one = np.zeros(1, dtype=np.int64)
     found = peaks([oscillator], [record], Jobs(one, one, np.array([scale])), equation=equation, threads=1)
     path = trace(oscillator, record, scale=scale, equation=equation)
@@ -88,3 +94,13 @@ def respond(oscillator: Oscillator, record: Record, *, scale: float = 1.0, equat
         rotation=path.rotation,
         velocity=path.velocity,
     )
+
+
+def check_record(record: Record) -> None:
+    """Raise RecordError for what is no record of finite samples at a time step."""
+    if not isinstance(record, Record):
+        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
+    if record.npts < 2 or not np.isfinite(record.acceleration).all():
+        raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
+    if not (isfinite(record.dt) and record.dt > 0.0):
+        raise RecordError(f'record "{record.id}": time step {record.dt:g} s; give one greater than 0')

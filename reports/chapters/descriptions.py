@@ -9,7 +9,7 @@ from reports.language.measures import measure, measures
 from reports.language.message_text import message_text
 from reports.mechanism_title import mechanism_title
 
-_KINDS = {
+KINDS = {
     "single-block": "a single rocking block",
     "two-block": "a wall held at its top and bottom that cracks between them (two blocks)",
     "four-hinge": "a chain of three blocks with four hinges",
@@ -24,7 +24,7 @@ def description(mechanism: MechanismResult) -> str:
     )
     equation = {"exact": "exact", "linearised": "linearised (thesis 3.9)"}[mechanism.equation]
     name = "" if mechanism.label in ("", mechanism.name) else f" “{mechanism.label}”"
-    kind = _KINDS.get(mechanism.kind, mechanism.kind)
+    kind = KINDS.get(mechanism.kind, mechanism.kind)
     carried = (
         "the ground motion acts at its base"
         if mechanism.amplification.height_m is None

@@ -35,7 +35,8 @@ def anchors_of(page: Path) -> set[str]:
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
 def test_every_path_exists(page):
     named = [path for path in PATH.findall(page.read_text(encoding="utf-8")) if path.startswith(ROOMS)]
-    assert [path for path in named if not (ROOT / path).exists()] == []
+    gone = [path for path in named if not (ROOT / path).exists()]
+    assert not gone, f"{page.name} names what is not there any more: {', '.join(gone)}"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)

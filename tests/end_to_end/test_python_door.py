@@ -35,6 +35,9 @@ knowledge_level = "LC1"
 """
 
 
+FLOOR = assess.box(thickness=4.0, length=4.0, height=0.3, density=2500.0, base=(2.2, 0.0, 4.5), name="floor")
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """A project of one wall with one record, a decaying sine of 1 Hz."""
@@ -146,12 +149,126 @@ def test_figures_and_tables_of_a_run(run):
         ({"interface": assess.Interface(model="flexible")}, "stiffness or course_thickness"),
         ({"sides": "three"}, 'write "one" or "two"'),
         ({"cut": 9.0}, "the cut at z = 9 m misses"),
+        ({"cut": "3 m"}, "give an elevation"),
+        ({"restitution": (0.9, 0.9, 0.9)}, "one for each of two impacts"),
+        ({"hinge": (0.3,)}, "hinges.A"),
+        ({"loads": [assess.ForceLoad(force=-5e3, at=(0.0, 4.0), direction=(1.0, 0.0))]}, "force = -5000"),
+        ({"loads": [assess.ForceLoad(force=5e3, at=(0.0, 4.0), direction=(0.0, 0.0))]}, "must not be zero"),
+        ({"loads": [assess.TieLoad(force=-3e4, at=(0.0, 4.0), direction=(-1.0, 0.0))]}, "force = -30000"),
+        ({"loads": [assess.TieLoad(force=3e4, at=(0.0, 4.0), anchor=(9.0, 4.0), until=-0.1)]}, "until = -0.1"),
+        ({"loads": [assess.MassLoad(mass=3.0, at=(0.0, 4.0), bearing=False, seat=0.1)]}, "only what bears"),
+        ({"loads": [assess.MassLoad(mass=3.0, at=[0.0, 4.0])]}, r"at = \[0.0, 4.0\]"),
+        ({"loads": [assess.BodyLoad(body="floor", share=1.5)], "around": [FLOOR]}, r"outside \(0, 1\]"),
+        ({"loads": [assess.BodyLoad(body="floor", role="rooof")], "around": [FLOOR]}, "floor, roof, vault"),
+        (
+            {"loads": [assess.BodyLoad(body="floor", thrust=1e4)], "around": [FLOOR]},
+            "only a roof or a vault has a thrust",
+        ),
+        ({"loads": [assess.OverburdenLoad(force=1e4)]}, "for two-block mechanisms"),
     ],
 )
 def test_values_no_mechanism_has_are_refused(given, said):
     wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
     with pytest.raises(AssessError, match=said):
         assess.single_block(wall, **given)
+
+
+def test_what_a_wall_of_two_blocks_would_ignore_is_refused():
+    lower = assess.box(thickness=0.6, length=4.0, height=2.0, density=2000.0, name="lower")
+    upper = assess.box(thickness=0.6, length=4.0, height=2.0, density=2000.0, base=(0.0, 0.0, 2.0), name="upper")
+    with pytest.raises(MechanismError, match="crack: is for one body"):
+        assess.two_block([lower, upper], crack=1.0)
+    with pytest.raises(MechanismError, match='through = "fixed"'):
+        assess.two_block(lower, loads=[assess.OverburdenLoad(force=1e4, eccentricity=0.1, through="joint")])
+    with pytest.raises(MechanismError, match="give A, B, C"):
+        assess.two_block(lower, direction=(1.0, 0.0, 0.0), hinges=((0.3, 0.0), (0.3, 1.0)))
+
+
+def test_whole_numbers_are_floats():
+    wall = assess.box(thickness=0.6, length=4.0, height=4.0, density=2000.0)
+    load = {"mass": 1000.0, "at": (0.0, 4.0)}
+    for whole, floats in (
+        (assess.two_block(wall, crack=2), assess.two_block(wall, crack=2.0)),
+        (
+            assess.single_block(wall, direction=(1, 0, 0), cut=1, loads=[assess.MassLoad(mass=1000, at=(0, 4))]),
+            assess.single_block(wall, direction=(1.0, 0.0, 0.0), cut=1.0, loads=[assess.MassLoad(**load)]),
+        ),
+    ):
+        assert whole.definition == floats.definition
+        assert whole.oscillator == floats.oscillator
+    assert assess.two_block(wall, crack=2).mechanism.positive.hinges[1][1] == 2.0
+    assert assess.model.crack(wall, direction=(1, 0, 0), method=2).elevation == 2.0
+
+
+PORTAL = ((1.0, 0.0), (0.0, 3.0), (4.0, 3.0), (5.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        ({"hinges": PORTAL}, "hinges_negative: missing"),
+        ({"hinges": PORTAL, "hinges_negative": PORTAL, "sides": "one"}, "beside one-sided rocking"),
+        ({"hinges": PORTAL[:3], "sides": "one"}, "give A, B, C, D"),
+        ({"hinges": "minimun", "sides": "one"}, "give A, B, C, D"),
+        ({"hinges": "minimum"}, "needs one arch"),
+    ],
+)
+def test_hinges_that_do_not_make_a_frame_are_refused(given, text):
+    post = [(0.0, 0.0), (1.0, 0.0), (1.0, 3.0), (0.0, 3.0)]
+    parts = {
+        "left": post,
+        "beam": [(0.0, 3.0), (5.0, 3.0), (5.0, 3.5), (0.0, 3.5)],
+        "right": [(x + 4, z) for x, z in post],
+    }
+    bodies = [assess.profile(each, length=1.0, density=2000.0, name=name) for name, each in parts.items()]
+    assert assess.four_hinge(bodies, hinges=PORTAL, sides="one").oscillator.multiplier > 0.0
+    with pytest.raises(MechanismError, match=text):
+        assess.four_hinge(bodies, **given)
+
+
+def test_loads_of_an_arch_that_would_not_count_are_refused():
+    turn = np.linspace(np.pi, 0.0, 21)
+    ring = [(r * np.cos(at), r * np.sin(at)) for r, way in ((3.3, 1), (2.7, -1)) for at in turn[::way]]
+    arch = assess.profile(ring, length=1.0, density=2000.0, name="arch")
+    joints = assess.RadialJoints(centre=(0.0, 0.0), first=np.radians(168.75), last=np.radians(11.25), count=14)
+    with pytest.raises(MechanismError, match="loads: not with hinges"):
+        assess.four_hinge(arch, hinges="minimum", joints=joints, loads=[assess.MassLoad(mass=1e5, at=(0.0, 3.0))])
+    with pytest.raises(MechanismError, match="hinges_negative: are searched for too"):
+        assess.four_hinge(arch, hinges="minimum", joints=joints, hinges_negative=PORTAL)
+
+
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        ({"uplift": 3.0}, "less than pi / 2"),
+        ({"p": 1e4}, "which no mechanism has"),
+        ({"radius": -1.0}, "greater than 0"),
+    ],
+)
+def test_parameters_no_mechanism_has_are_refused(given, text):
+    with pytest.raises(MechanismError, match=text):
+        assess.equivalent_block(**{"p": 1.5, "uplift": 0.1, "radius": 3.0, **given})
+
+
+def test_masonry_that_no_body_has_is_refused():
+    stone = assess.Material(name="stone", density=2000.0, compressive_strength=-1e6)
+    with pytest.raises(MechanismError, match="compressive_strength = -1e\\+06"):
+        assess.single_block(assess.box(thickness=0.6, length=4.0, height=4.5, density=stone))
+
+
+@pytest.mark.parametrize(
+    "grid",
+    [
+        {"frequency": [3.0, 1.0]},
+        {"frequency": [0.0, 1.0]},
+        {"amplitude": [-5.0, 2.0]},
+        {"amplitude": [np.nan]},
+        {"amplitude": []},
+    ],
+)
+def test_grids_of_pulses_that_do_not_rise_are_refused(block, grid):
+    with pytest.raises(RecordError, match="give"):
+        assess.envelope(block, "sine", **{"frequency": [1.0, 2.0], "amplitude": [1.0, 2.0], **grid})
 
 
 def test_two_bodies_of_one_name_are_refused():
@@ -193,3 +310,53 @@ def test_answers_above_the_ground_need_the_building(block):
     (within,) = assess.answers(block, target, building=assess.building(height=9.0, storeys=3), **asked)
     assert without.verdict.value == "not-answered"  # it could only fail by the motion of the ground
     assert within.verdict.value == "pass"
+
+
+def test_what_is_drawn_above_the_ground_is_not_answered_as_if_it_stood_on_it():
+    target = assess.spectrum("ec8", a_g=0.02 * assess.g, ground_type="C")
+    wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+
+    def outcome(block, **given):
+        (check,) = assess.answers(block, target, procedures=["ntc2018-linear"], **given)
+        return check.verdict.value
+
+    whole, upper = assess.single_block(wall), assess.single_block(wall, cut=3.0)
+    assert outcome(whole) == "pass"
+    assert outcome(upper) == outcome(upper, base_elevation=3.0) == "not-answered"
+    assert outcome(upper, base_elevation=0.0) == "not-answered"  # as drawn its base is at 3 m
+    raised = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0, base=(0.0, 0.0, 30.0))
+    assert outcome(assess.single_block(raised)) == "pass"  # the lowest body stands on the ground
+    assert outcome(assess.single_block(raised), base_elevation=6.0) == "not-answered"
+    published = {"p": 1.5, "uplift": 0.1, "radius": 3.0}
+    assert outcome(assess.equivalent_block(**published)) == "pass"
+    assert outcome(assess.equivalent_block(**published, elevation=9.0)) == "not-answered"
+
+
+@pytest.mark.parametrize(
+    ("given", "error"),
+    [
+        ({"procedures": "ntc2018-linear"}, ProcedureError),
+        ({"base_elevation": float("nan")}, ProcedureError),
+        ({"records": ["motion.csv"]}, RecordError),
+        ({"records": [assess.Record(id="r", acceleration=np.array([0.0, np.nan, 0.0]), dt=0.01)]}, RecordError),
+    ],
+)
+def test_inputs_that_are_none_are_refused(block, given, error):
+    target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
+    with pytest.raises(error):
+        assess.answers(block, target, **{"procedures": ["ntc2018-linear"], **given})
+
+
+def test_every_result_has_a_repr_of_one_line(block, run, folder):
+    shown = (
+        assess.load(folder / "project.toml"),
+        run,
+        run.results,
+        block,
+        FLOOR,
+        FLOOR.solid,
+        assess.read_record(folder / "motion.csv"),
+    )
+    for each in shown:
+        assert "\n" not in repr(each)
+        assert len(repr(each)) < 250, type(each)

@@ -19,8 +19,10 @@ import pytest
 
 from assess.geometry.mesh import load
 from assess.messages.texts import TEXTS
+from records.formats import FORMATS
 from reports.language.catalogue import FOLDER, catalogue, languages
 from reports.language.translation import Translator
+from tests.support.readings import LINES
 
 ROOT = Path(__file__).parents[2]
 FILLED = "7"
@@ -49,7 +51,13 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/model/pieces.py": ("ASKEW", "hinge_warnings", "uneven_base_warnings"),
     "assess/loads/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
     "assess/model/directions.py": ("CORNER",),
-    "assess/model/joints.py": ("contact_offset_warnings", "eccentricity_warnings", "joint_at"),
+    "assess/model/joints.py": (
+        "contact_offset_warnings",
+        "eccentricity_warnings",
+        "joint_at",
+        "outlined_joint",
+        "shaped_joint",
+    ),
     "assess/loads/loaded_blocks.py": ("_left_out", "as_given"),
     "assess/model/loading.py": ("misplaced_load_warnings", "moving_anchor_warnings"),
     "assess/study/record_set.py": ("_first", "cell_text"),
@@ -192,12 +200,36 @@ def test_no_message_is_translated_that_is_no_more(language: str) -> None:
     assert [text for text in entries if re.sub(r"\{\d+\}", "{}", text) not in written] == []
 
 
+@pytest.mark.parametrize("language", languages()[1:])
+@pytest.mark.parametrize("name", FORMATS)
+def test_the_format_a_record_was_read_from_is_known(language: str, name: str) -> None:
+    left = unknown(f"read from {name}" + " numbers" * (name == "plain"), language=language)
+    assert left == [], f"add {name}, a proper name, to the list `unchanged` at the top of {language}.toml"
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_formulas_that_are_words_and_values_of_reasons_are_known(language: str) -> None:
+    """Of every procedure, whatever the project: those of few sheets and of outcomes that the examples do not have."""
+    words = {*LINES, *(text for path in (ROOT / "assess/codes").rglob("*.py") for text in _values_of_reasons(path))}
+    assert len(words) > 50
+    left = [text for text in sorted(words) if unknown(text, language=language)]
+    assert left == [], f"add each to reports/language/catalogues/{language}.toml"
+
+
+def _values_of_reasons(path: Path) -> Iterator[str]:
+    """The literals that stand in the gaps of reasons as they are."""
+    for call in ast.walk(_tree(str(path.relative_to(ROOT)))):
+        if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "reason_message":
+            yield from (text for each in call.keywords if (text := _written(each.value)) is not None)
+
+
 def test_every_key_that_is_written_has_a_text() -> None:
     assert len(called()) > 20
     assert called() <= TEXTS.keys()
 
 
 def test_what_stands_within_others_is_still_there() -> None:
+    """If not: it is written in a function that SOURCES does not name yet, or in other words; or it is no more."""
     written = {text for file, names in SOURCES.items() for name in names for text in texts(_definition(file, name))}
     assert COMPOSED.keys() <= written
 

@@ -1,4 +1,4 @@
-"""What must hold for every contact: random regions of one or two parts, with holes, in every regime."""
+"""What must hold for every contact: regions of one or two parts, with holes, in every regime."""
 
 from __future__ import annotations
 
@@ -8,12 +8,15 @@ from math import cos, log2, pi, sin
 import numpy as np
 import pytest
 import shapely
+from hypothesis import given
+from hypothesis import strategies as st
 from shapely.affinity import rotate, scale, translate
 
 from assess.interfaces.contact import contact, thresholds
 from assess.interfaces.law import JointLaw
 from assess.interfaces.section import mirror
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from tests.support.strategies import regions
 
 K, F = 3e8, 2.5e6
 LAW = JointLaw(K, F)
@@ -24,30 +27,8 @@ NAMED = {
     "circle": circle(1.5),
     "ring": annulus(1.5, inner=1.1),
 }
-SHARES = (0.03, 0.25, 0.6, 0.95)
-every_share = pytest.mark.parametrize("share", SHARES)
+SHARE = st.floats(0.03, 0.95)  # of the force that a section can carry
 every_named = pytest.mark.parametrize("section", NAMED.values(), ids=NAMED.keys())
-
-
-def star(random) -> shapely.Polygon:
-    """Concave, of 5 to 14 corners."""
-    angles = np.linspace(0, 2 * pi, random.integers(5, 15), endpoint=False) + random.random()
-    radii = random.uniform(0.4, 1.5, angles.size)
-    return shapely.Polygon(np.column_stack([radii * np.cos(angles), radii * np.sin(angles)]))
-
-
-def region(seed: int):
-    """A star; every second with a hole, every third with another part beside it."""
-    random = np.random.default_rng(seed)
-    found = star(random)
-    if seed % 2:
-        found = found.difference(scale(found, 0.3, 0.3, origin=(0, 0)))
-    if seed % 3 == 0:
-        found = shapely.union_all([found, translate(star(random), *random.uniform(3.1, 5.0, 2))])
-    return found
-
-
-every_region = pytest.mark.parametrize("seed", range(12))
 
 
 def ahead(of) -> float:
@@ -102,10 +83,8 @@ def slope(value, at):
 # --------------------------------------------------------------------------------------------------------- equilibrium
 
 
-@every_region
-@every_share
-def test_stress_carries_the_force(seed, share):
-    of = region(seed)
+@given(of=regions(), share=SHARE)
+def test_stress_carries_the_force(of, share):
     section = polygon(of, direction=DIRECTION)
     N = share * F * section.area
     found = contact(section, LAW, normal_force=N, rotation=rotations(section, N))
@@ -113,11 +92,9 @@ def test_stress_carries_the_force(seed, share):
     np.testing.assert_allclose(carried, N, rtol=1e-12)
 
 
-@every_region
-@every_share
-def test_moment_is_the_derivative_of_the_energy(seed, share):
+@given(of=regions(), share=SHARE)
+def test_moment_is_the_derivative_of_the_energy(of, share):
     """The joint's strain energy less the work of the force, at equilibrium: its derivative is -N a_f."""
-    of = region(seed)
     section = polygon(of, direction=DIRECTION)
     N = share * F * section.area
 
@@ -130,11 +107,9 @@ def test_moment_is_the_derivative_of_the_energy(seed, share):
         assert slope(energy, phi) == pytest.approx(-N * found.resultant[0], rel=1e-9, abs=0.0)
 
 
-@pytest.mark.parametrize("seed", [1, 6])
-@pytest.mark.parametrize("share", [0.05, 0.3])
-def test_restoring_moment_is_the_derivative_of_the_full_potential(seed, share):
+@given(of=regions(), share=st.floats(0.05, 0.3))
+def test_restoring_moment_is_the_derivative_of_the_full_potential(of, share):
     """A block on a face that turns by phi, so that depth x closes by u_e - x sin(phi): weight and joint together."""
-    of = region(seed)
     section = polygon(of, direction=DIRECTION)
     W, radius, slenderness = share * F * section.area, 4.0, 0.35
 
@@ -148,10 +123,9 @@ def test_restoring_moment_is_the_derivative_of_the_full_potential(seed, share):
         assert slope(potential, phi) == pytest.approx(restoring, rel=1e-9, abs=1e-9 * W * a_f)
 
 
-@every_region
-@every_share
-def test_closing_follows_the_pivot(seed, share):
-    section = polygon(region(seed), direction=DIRECTION)
+@given(of=regions(), share=SHARE)
+def test_closing_follows_the_pivot(of, share):
+    section = polygon(of, direction=DIRECTION)
     N = share * F * section.area
 
     def closing(phi):
@@ -165,77 +139,69 @@ def test_closing_follows_the_pivot(seed, share):
 # ---------------------------------------------------------------------------------------------------- order, symmetries
 
 
-def sections():
-    return [*NAMED.values(), *(polygon(region(seed), direction=DIRECTION) for seed in range(12))]
+EVERY_SECTION = st.sampled_from(list(NAMED.values())) | regions().map(lambda of: polygon(of, direction=DIRECTION))
 
 
-@every_share
-def test_contact_goes_one_way(share):
+@given(section=EVERY_SECTION, share=SHARE)
+def test_contact_goes_one_way(section, share):
     """The resultant moves to the edge (the energy is convex), the contact opens and crushes, the edge sinks."""
-    for section in sections():
-        N = share * F * section.area
-        phi = thresholds(section, LAW, normal_force=N)[0] * np.geomspace(1e-3, 1e5, 400)
-        found = contact(section, LAW, normal_force=N, rotation=phi)
-        slack = 1e-14 * section.depth
-        assert np.all(np.diff(found.resultant) <= slack)
-        assert np.all(np.diff(found.depth) <= slack)
-        assert np.all(np.diff(found.closure) > 0.0)
-        assert np.all(np.diff(found.crushed_depth) >= -slack)
-        assert np.all((found.resultant > 0.0) & (found.resultant < section.depth))
-        assert np.all((found.crushed_depth <= found.instantaneous_centre) & (found.instantaneous_centre <= found.depth))
-        assert np.all(found.crushed_area + found.open_area <= section.area * (1 + 1e-14))
-        assert np.all(found.peak_stress <= F)
+    N = share * F * section.area
+    phi = thresholds(section, LAW, normal_force=N)[0] * np.geomspace(1e-3, 1e5, 400)
+    found = contact(section, LAW, normal_force=N, rotation=phi)
+    slack = 1e-14 * section.depth
+    assert np.all(np.diff(found.resultant) <= slack)
+    assert np.all(np.diff(found.depth) <= slack)
+    assert np.all(np.diff(found.closure) > 0.0)
+    assert np.all(np.diff(found.crushed_depth) >= -slack)
+    assert np.all((found.resultant > 0.0) & (found.resultant < section.depth))
+    assert np.all((found.crushed_depth <= found.instantaneous_centre) & (found.instantaneous_centre <= found.depth))
+    assert np.all(found.crushed_area + found.open_area <= section.area * (1 + 1e-14))
+    assert np.all(found.peak_stress <= F)
 
 
-@every_share
-def test_what_is_missing_to_the_strength_is_a_contact_too(share):
+@given(section=EVERY_SECTION, share=SHARE)
+def test_what_is_missing_to_the_strength_is_a_contact_too(section, share):
     """f - sigma is the stress of the mirrored section under the force missing to f A."""
-    for section in sections():
-        N, whole = share * F * section.area, F * section.area
-        phi = rotations(section, N)
-        one = contact(section, LAW, normal_force=N, rotation=phi)
-        other = contact(mirror(section), LAW, normal_force=whole - N, rotation=phi)
-        moment = whole * section.centroid - (whole - N) * (section.depth - other.resultant)
-        np.testing.assert_allclose(N * one.resultant, moment, rtol=1e-11, atol=1e-12 * whole * section.depth)
-        np.testing.assert_allclose(
-            N * one.out_of_plane_eccentricity,
-            (whole - N) * other.out_of_plane_eccentricity,
-            atol=1e-11 * whole * section.breadth,
-        )
-        np.testing.assert_allclose(one.crushed_area, other.open_area, atol=1e-11 * section.area)
+    N, whole = share * F * section.area, F * section.area
+    phi = rotations(section, N)
+    one = contact(section, LAW, normal_force=N, rotation=phi)
+    other = contact(mirror(section), LAW, normal_force=whole - N, rotation=phi)
+    moment = whole * section.centroid - (whole - N) * (section.depth - other.resultant)
+    np.testing.assert_allclose(N * one.resultant, moment, rtol=1e-11, atol=1e-12 * whole * section.depth)
+    np.testing.assert_allclose(
+        N * one.out_of_plane_eccentricity,
+        (whole - N) * other.out_of_plane_eccentricity,
+        atol=1e-11 * whole * section.breadth,
+    )
+    np.testing.assert_allclose(one.crushed_area, other.open_area, atol=1e-11 * section.area)
 
 
-@every_share
-def test_only_force_over_strength_and_strength_over_stiffness_and_rotation_matter(share):
-    for section in sections():
-        N = share * F * section.area
-        phi = rotations(section, N)
-        found = contact(section, LAW, normal_force=N, rotation=phi)
-        other = contact(section, JointLaw(K * 700.0, F * 7.0), normal_force=N * 7.0, rotation=phi / 100.0)
-        np.testing.assert_allclose(other.resultant, found.resultant, rtol=1e-12)
+@given(section=EVERY_SECTION, share=SHARE)
+def test_only_force_over_strength_and_strength_over_stiffness_and_rotation_matter(section, share):
+    N = share * F * section.area
+    phi = rotations(section, N)
+    found = contact(section, LAW, normal_force=N, rotation=phi)
+    other = contact(section, JointLaw(K * 700.0, F * 7.0), normal_force=N * 7.0, rotation=phi / 100.0)
+    np.testing.assert_allclose(other.resultant, found.resultant, rtol=1e-12)
 
 
-@pytest.mark.parametrize("size", [1e-3, 1e3])
-def test_larger_contact_of_the_same_shape(size):
+@given(of=regions(), size=st.sampled_from([1e-3, 1e3]))
+def test_larger_contact_of_the_same_shape(of, size):
     """Lengths times s: the same stresses, hence s^2 the force, at the rotation k phi s = the same."""
-    for seed in range(6):
-        of = region(seed)
-        small, large = (polygon(scale(of, s, s, origin=(0, 0)), direction=DIRECTION) for s in (1.0, size))
-        N = 0.3 * F * small.area
-        phi = rotations(small, N)
-        found = contact(small, LAW, normal_force=N, rotation=phi)
-        other = contact(large, LAW, normal_force=N * size**2, rotation=phi / size)
-        np.testing.assert_allclose(other.resultant, size * found.resultant, rtol=1e-12)
-        np.testing.assert_allclose(
-            other.out_of_plane_eccentricity, size * found.out_of_plane_eccentricity, rtol=1e-10, atol=1e-12 * size
-        )
+    small, large = (polygon(scale(of, s, s, origin=(0, 0)), direction=DIRECTION) for s in (1.0, size))
+    N = 0.3 * F * small.area
+    phi = rotations(small, N)
+    found = contact(small, LAW, normal_force=N, rotation=phi)
+    other = contact(large, LAW, normal_force=N * size**2, rotation=phi / size)
+    np.testing.assert_allclose(other.resultant, size * found.resultant, rtol=1e-12)
+    np.testing.assert_allclose(
+        other.out_of_plane_eccentricity, size * found.out_of_plane_eccentricity, rtol=1e-10, atol=1e-12 * size
+    )
 
 
-@every_region
-def test_turned_and_moved_alike_nothing_changes(seed):
-    of, random = region(seed), np.random.default_rng(seed)
-    angle = random.uniform(0, 360)
-    moved = translate(rotate(of, angle, origin=(0, 0)), *random.uniform(-30, 30, 2))
+@given(of=regions(), angle=st.floats(0, 360), by=st.tuples(st.floats(-30, 30), st.floats(-30, 30)))
+def test_turned_and_moved_alike_nothing_changes(of, angle, by):
+    moved = translate(rotate(of, angle, origin=(0, 0)), *by)
     one = polygon(of, direction=DIRECTION)
     other = polygon(moved, direction=(cos(np.radians(angle)), sin(np.radians(angle))))
     N = 0.3 * F * one.area

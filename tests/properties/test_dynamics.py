@@ -9,23 +9,20 @@ import sys
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.dynamics.history import _RUNS, Equation, Peaks, _parts, free_rocking, peaks, product, trace
 from assess.dynamics.packing import pack
-from assess.oscillator import Branch, Oscillator, energy, interpolant
+from assess.oscillator import Oscillator, energy, interpolant
 from records.record import Record, make_record
+from tests.support.blocks import block, branch
+from tests.support.motions import noise
+from tests.support.strategies import motions, oscillators
 
 EQUATIONS: tuple[Equation, ...] = ("exact", "linearised")
 BOTH = pytest.mark.parametrize("equation", EQUATIONS)
-
-
-def branch(p: float, alpha: float, restitution: float, *, swell: float = 0.0) -> Branch:
-    """A block of M R = 1 kg m, whose inertia grows by `swell` phi."""
-    phi = np.linspace(0.0, 1.5 * alpha, 257)
-    one = np.ones_like(phi)
-    inertia = g / p**2 * (1.0 + swell * phi)
-    return Branch(phi, inertia, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha)
 
 
 BODIES = {
@@ -38,11 +35,6 @@ BODIES = {
     "no loss, one-sided": Oscillator(branch(1.8, 0.2, 1.0), None, 1.0),
 }
 EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
-
-
-def noise(seed: int = 1, *, peak: float = 4.0, npts: int = 600, dt: float = 0.02, smooth: int = 15) -> Record:
-    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + smooth - 1), np.hanning(smooth), mode="valid")
-    return make_record(f"noise {seed}", peak * raw / np.abs(raw).max(), dt)
 
 
 def run(bodies: list[Oscillator], motions: list[Record], scales: object, equation: Equation, **more: float) -> Peaks:
@@ -101,25 +93,23 @@ def test_velocity_after_an_impact_is_less_by_the_restitution(body: Oscillator, e
 
 
 @BOTH
-def test_mirrored_oscillator_is_reversed_polarity(equation: Equation) -> None:
-    body = BODIES["unlike sides"]
+@given(body=oscillators(two_sided=True), motion=motions())
+def test_mirrored_oscillator_is_reversed_polarity(body: Oscillator, motion: Record, equation: Equation) -> None:
     assert body.negative is not None
     mirrored = Oscillator(body.negative, body.positive, body.mass)
-    motions = [noise(seed) for seed in range(5)]
-    ours, theirs = run([body], motions, [1.0, 0.8], equation), run([mirrored], motions, [-1.0, -0.8], equation)
+    ours, theirs = run([body], [motion], [1.0, 0.8], equation), run([mirrored], [motion], [-1.0, -0.8], equation)
     np.testing.assert_array_equal(ours.max_rotation, -theirs.max_rotation)
     np.testing.assert_array_equal(ours.impacts, theirs.impacts)
     np.testing.assert_array_equal(ours.overturning_time, theirs.overturning_time)
 
 
 @BOTH
-def test_froude_similarity(equation: Equation) -> None:
+@given(alpha=st.floats(0.1, 0.35), restitution=st.floats(0.0, 1.0), motion=motions())
+def test_froude_similarity(alpha: float, restitution: float, motion: Record, equation: Equation) -> None:
     """A block 4 times as large (p half) under the motion stretched by 2 in time makes the same rotations."""
-    motions = [noise(seed, peak=3.0) for seed in range(6)]
-    slow = [make_record(m.id, m.acceleration, 2.0 * m.dt) for m in motions]
-    small, large = (Oscillator(branch(p, 0.2, 0.8), branch(p, 0.2, 0.8), 1.0) for p in (2.0, 1.0))
-    ours, theirs = run([small], motions, 1.0, equation), run([large], slow, 1.0, equation)
-    assert ours.impacts.min() > 0
+    slow = make_record(motion.id, motion.acceleration, 2.0 * motion.dt)
+    ours = run([block(2.0, alpha, restitution)], [motion], 1.0, equation)
+    theirs = run([block(1.0, alpha, restitution)], [slow], 1.0, equation)
     np.testing.assert_allclose(theirs.max_rotation, ours.max_rotation, rtol=1e-12)
     np.testing.assert_allclose(theirs.time_of_max, 2.0 * ours.time_of_max, rtol=1e-12)
     np.testing.assert_array_equal(theirs.impacts, ours.impacts)
@@ -227,7 +217,7 @@ def test_as_plain_python_it_gives_the_compiled_answers() -> None:
         assert found.impacts.sum() > 10
 
 
-@BOTH
+@pytest.mark.parametrize("equation", [pytest.param("exact", marks=pytest.mark.study), "linearised"])
 def test_entry_point_as_py_func_gives_the_compiled_bytes(equation: Equation) -> None:
     body, motion = BODIES["swelling"], noise(3, npts=80, peak=5.0)
     kernel_run = _RUNS[equation]([pack(body, equation)], [motion], 1e-11)

@@ -5,19 +5,16 @@ from __future__ import annotations
 import pytest
 from scipy.constants import g
 
-from assess.examples import copy_example
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.build import build
-from assess.project.schema import load
+from tests.support.examples import example_study
 
 EXAMPLES = ("single_wall", "nepal_monuments", "san_leonardo_church", "san_leonardo_spire", "san_leonardo_tower")
 
 
 @pytest.fixture(scope="module")
-def mechanisms(tmp_path_factory: pytest.TempPathFactory) -> list[Mechanism]:
-    folder = tmp_path_factory.mktemp("examples")
-    return [each for name in EXAMPLES for each in build(load(copy_example(name, folder / name))).mechanisms]
+def mechanisms() -> list[Mechanism]:
+    return [each for name in EXAMPLES for each in example_study(name).mechanisms]
 
 
 def test_supports_carry_the_weight_and_the_push_of_the_ground(mechanisms: list[Mechanism]) -> None:

@@ -8,6 +8,8 @@ from math import inf
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.codes.context import Building, Context, FirstMode
@@ -23,7 +25,7 @@ SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.35), place=ntc.Place
 HOUSE = Building(9.0, 3, 0.3, 0.05)
 EVERY = pytest.mark.parametrize("procedure", [linear, nonlinear, dmi2008_linear, dmi2008_nonlinear])
 BY_DISPLACEMENT = pytest.mark.parametrize("procedure", [nonlinear, dmi2008_nonlinear])
-WALLS = [(0.06, 1.5), (0.1, 3.0), (0.2, 2.0), (0.35, 4.0), (0.5, 1.0)]
+SLENDER, RADIUS = st.floats(0.06, 0.5), st.floats(1.0, 4.0)
 
 
 def wall(slender, radius):
@@ -43,8 +45,7 @@ def ratio(check):
 
 
 @EVERY
-@pytest.mark.parametrize("elevation", [0.0, 4.0, 9.0])
-@pytest.mark.parametrize(("slender", "radius"), WALLS)
+@given(elevation=st.sampled_from([0.0, 4.0, 9.0]), slender=SLENDER, radius=RADIUS)
 def test_a_lower_action_never_worsens(procedure, elevation, slender, radius):
     levels = tuple((np.linspace(0.02, 1.5, 25) * g).tolist())
     checks = asked(procedure, wall(slender, radius), site(elevation=elevation, levels=levels))
@@ -62,7 +63,7 @@ def test_a_larger_d0_at_the_ground_never_worsens(procedure):
 
 
 @BY_DISPLACEMENT
-@pytest.mark.parametrize(("slender", "radius"), WALLS)
+@given(slender=SLENDER, radius=RADIUS)
 def test_a_tie_that_is_not_shown_to_last_never_changes_the_displacement_capacity(procedure, slender, radius):
     """It is in the curve of activation alone: d_SLV, a(d_SLV), T_SLV and the demand stay as they are."""
     rocker = wall(slender, radius)
@@ -78,7 +79,7 @@ def test_a_tie_that_is_not_shown_to_last_never_changes_the_displacement_capacity
 
 
 @BY_DISPLACEMENT
-@pytest.mark.parametrize(("slender", "radius"), WALLS)
+@given(slender=SLENDER, radius=RADIUS)
 def test_a_seat_never_raises_and_a_lower_factor_never_changes_what_decides(procedure, slender, radius):
     rocker = wall(slender, radius)
     (plain,) = asked(procedure, rocker, site())
@@ -88,8 +89,7 @@ def test_a_seat_never_raises_and_a_lower_factor_never_changes_what_decides(proce
     assert not deciding.informs
 
 
-@pytest.mark.parametrize(("slender", "radius"), WALLS)
-@pytest.mark.parametrize("T1", [0.15, 0.3, 0.6, 1.2])
+@given(slender=SLENDER, radius=RADIUS, T1=st.floats(0.15, 1.2))
 def test_no_building_of_the_range_asks_more_than_the_range(slender, radius, T1):
     rocker, elevation = wall(slender, radius), 9.0
     ranged = site(elevation=elevation)

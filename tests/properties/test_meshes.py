@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import fields
 
 import numpy as np
@@ -134,15 +133,12 @@ def test_a_block_split_into_welded_bodies_changes_nothing(body: Solid) -> None:
     alike(rocking(*parts.below, *parts.above), rocking(body))
 
 
-def test_a_mesh_of_twenty_thousand_triangles_is_quick() -> None:
+def test_a_mesh_of_twenty_thousand_triangles_rocks_as_its_body() -> None:
     """The whole way from triangles to the oscillator; a million are in the benchmarks."""
     vertices, triangles = finer(BODIES["boulder"], times=5)
     assert len(triangles) > 20_000
-    start = time.perf_counter()
     found = rocking(meshed(vertices, triangles))
-    seconds = time.perf_counter() - start
     alike(found, rocking(BODIES["boulder"]))
-    assert seconds < 2.0, f"{seconds:.2f} s; about 0.15 s on an idle machine"
 
 
 def test_planar_bodies_know_their_outline() -> None:

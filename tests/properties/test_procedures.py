@@ -7,6 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.codes.applicability import apply_procedure
@@ -139,25 +141,29 @@ def test_the_worse_branch_is_the_answer(name):
             assert one.capacity_pga_g < plain.capacity_pga_g
 
 
+@st.composite
+def walls_and_sites(draw):
+    """A wall, its restitution, a spectrum with a short or a long plateau, levels, vertical motion or none."""
+    slender, radius = draw(st.floats(0.05, 0.8)), draw(st.floats(0.2, 8.0))
+    p = np.sqrt(g / (radius * draw(st.floats(1.2, 1.4))))
+    kept = (draw(st.sampled_from([0.0, 0.3, 0.9, 1.0])),) * 2
+    plateau = draw(st.floats(0.2, 1.5)) * g
+    spectrum = design_spectrum(s_ds=plateau, s_d1=plateau * draw(st.sampled_from([0.3, 1.0, 3.0])), t_l=8.0)
+    times = draw(st.lists(st.floats(0.2, 8.0), min_size=12, max_size=12, unique=True))
+    levels = tuple(sorted(each * slender * g for each in times))
+    rocker = equivalent_block("w", p=p, uplift=slender, radius=radius, restitution=kept).oscillator
+    return rocker, Context(spectrum, levels, draw(st.sampled_from([0.0, 0.7])), 0.0, None)
+
+
 @pytest.mark.parametrize("name", [name for name in PROCEDURES if not name.endswith("-history")])
-def test_pass_is_the_same_as_a_level_below_the_pga_at_capacity(name):
-    """Over random walls, spectra with short and long plateaus, restitutions, vertical motion."""
-    rng = np.random.default_rng(7)
-    for _ in range(60):
-        slender, radius = rng.uniform(0.05, 0.8), rng.uniform(0.2, 8.0)
-        p = np.sqrt(g / (radius * rng.uniform(1.2, 1.4)))
-        kept = (float(rng.choice([0.0, 0.3, 0.9, 1.0])),) * 2
-        rocker = equivalent_block("w", p=p, uplift=slender, radius=radius, restitution=kept).oscillator
-        plateau = rng.uniform(0.2, 1.5) * g
-        spectrum = design_spectrum(s_ds=plateau, s_d1=plateau * rng.choice([0.3, 1.0, 3.0]), t_l=8.0)
-        levels = tuple(sorted(rng.uniform(0.2, 8.0, 12) * slender * g))
-        context = Context(spectrum, levels, float(rng.choice([0.0, 0.7])), 0.0, None)
-        checks = [check for check in answers(name, rocker, context) if check.verdict in ("pass", "fail")]
-        for check in checks:
-            capable = np.inf if check.capacity_pga_g is None and name == BY_SIZE else check.capacity_pga_g
-            assert (check.verdict == "pass") == (check.level_pga_g <= capable * (1 + 1e-9))
-        rotations = [np.inf if check.rotation_ratio is None else check.rotation_ratio for check in checks]
-        assert all(check.rotation_ratio is None for check in checks) or rotations == sorted(rotations)
+@given(case=walls_and_sites())
+def test_pass_is_the_same_as_a_level_below_the_pga_at_capacity(name, case):
+    checks = [check for check in answers(name, *case) if check.verdict in ("pass", "fail")]
+    for check in checks:
+        capable = np.inf if check.capacity_pga_g is None and name == BY_SIZE else check.capacity_pga_g
+        assert (check.verdict == "pass") == (check.level_pga_g <= capable * (1 + 1e-9))
+    rotations = [np.inf if check.rotation_ratio is None else check.rotation_ratio for check in checks]
+    assert all(check.rotation_ratio is None for check in checks) or rotations == sorted(rotations)
 
 
 @EVERY
@@ -291,17 +297,16 @@ def test_a_lower_action_never_makes_an_answer_worse(name, elevation):
 
 
 @pytest.mark.parametrize("name", [name for name in PROCEDURES if name.endswith("-history")])
-def test_a_record_that_turns_farther_never_makes_an_answer_better(name):
-    rng = np.random.default_rng(11)
-    for _ in range(40):
-        first, *others = rng.uniform(0.0, 0.8, 7).tolist()
-        before = None
-        for turned in (first, 1.1 * first, 1.2 * first, None):
-            suite = Suite(LEVELS[0], (turned, *others), "positive")
-            where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), extra_suites=(suite,))
-            checks = answers(name, context=where)
-            assert before is None or not any(worse(then, now) for then, now in zip(before, checks, strict=True))
-            before = checks
+@given(turned=st.lists(st.floats(0.0, 0.8), min_size=7, max_size=7))
+def test_a_record_that_turns_farther_never_makes_an_answer_better(name, turned):
+    first, *others = turned
+    before = None
+    for farther in (first, 1.1 * first, 1.2 * first, None):
+        suite = Suite(LEVELS[0], (farther, *others), "positive")
+        where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), extra_suites=(suite,))
+        checks = answers(name, context=where)
+        assert before is None or not any(worse(then, now) for then, now in zip(before, checks, strict=True))
+        before = checks
 
 
 def test_unknown_procedure_lists_the_known_ones():

@@ -6,6 +6,7 @@ Numbers are compared by their bits.
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -14,7 +15,25 @@ from pathlib import Path
 from typing import Any
 
 TEXTS = frozenset({"text", "description", "remark", "label", "note", "source", "told", "title", "clause", "meaning"})
-"""Keys whose values are words for people; what they hold may change."""
+"""Keys whose values are words for people; what they hold may change, but not the numbers in it."""
+NAMES = frozenset(
+    {
+        "verdict",
+        "outcome",
+        "limit_state",
+        "name",
+        "symbol",
+        "code",
+        "edition",
+        "mechanism",
+        "mechanisms",
+        "load",
+        "loads",
+    }
+    | {"procedure", "unit", "dimension", "event", "station", "where", "key", "case", "parameter", "reading", "role"}
+)
+"""Keys whose values are names or outcomes even where they are written with spaces: "not met", "tie 1"."""
+NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 @dataclass(frozen=True)
@@ -37,16 +56,25 @@ def differences(before: Any, after: Any, place: str = "", key: str = "") -> Iter
                 yield from differences(before[name], after[name], f"{place}.{name}", name)
     elif isinstance(before, list) and isinstance(after, list):
         if len(before) != len(after):
-            yield Difference(f"{place} (length)", before, after, words=_worded(before) and _worded(after))
+            words = key not in NAMES and all(_sentence(each) for each in (*before, *after))
+            yield Difference(f"{place} (length)", before, after, words=words)
         for number, (old, new) in enumerate(zip(before, after, strict=False)):
             yield from differences(old, new, f"{place}[{number}]", key)
     elif type(before) is not type(after) or repr(before) != repr(after):
-        texts = isinstance(before, str) and isinstance(after, str)
-        yield Difference(place, before, after, words=texts and (key in TEXTS or " " in before))
+        yield Difference(place, before, after, words=_reworded(before, after, key))
 
 
-def _worded(values: list[Any]) -> bool:
-    return all(isinstance(value, str) for value in values)
+def _reworded(before: Any, after: Any, key: str) -> bool:
+    """Whether one text for people says in other words what another said, with the same numbers."""
+    if not (isinstance(before, str) and isinstance(after, str)) or key in NAMES:
+        return False
+    if key not in TEXTS and not _sentence(before):
+        return False
+    return sorted(NUMBER.findall(before)) == sorted(NUMBER.findall(after))
+
+
+def _sentence(value: Any) -> bool:
+    return isinstance(value, str) and " " in value
 
 
 def compare(before: Path, after: Path) -> int:

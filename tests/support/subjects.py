@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from math import inf
 
 import numpy as np
@@ -164,9 +165,18 @@ def context_of(mechanism: Mechanism, floor: Spectrum | None) -> Context:
     )
 
 
-def subjects(name: str) -> Iterator[Subject]:
+@cache
+def subjects(name: str) -> tuple[Subject, ...]:
     """The answers of a procedure; the thesis' readings put a plain block in the place of what is on joints."""
-    for mechanism, context in (*contexts(), *(special() if not name.endswith("-thesis") else ())):
-        rocker = mechanism.oscillator
-        for check in procedure(name, OPTIONS)(rocker, context):
-            yield Subject(mechanism, context, rocker, check)
+    every = listed(contexts) + (listed(special) if not name.endswith("-thesis") else ())
+    return tuple(
+        Subject(mechanism, context, mechanism.oscillator, check)
+        for mechanism, context in every
+        for check in procedure(name, OPTIONS)(mechanism.oscillator, context)
+    )
+
+
+@cache
+def listed(of: Callable[[], Iterator[tuple[Mechanism, Context]]]) -> tuple[tuple[Mechanism, Context], ...]:
+    """Mechanisms with their contexts, made once."""
+    return tuple(of())

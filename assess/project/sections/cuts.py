@@ -12,11 +12,10 @@ from pydantic import (
     model_validator,
 )
 
+from assess.model.ranges import CRACKS
 from assess.project.quantities import Inclination, Length, Ratio, SpacePoint
 from assess.project.section import Section, quote_names, wrong
 from assess.project.units import KINDS, key_value
-
-CRACKS = ("sorrentino", "minimum")
 
 
 def _crack(value: Any) -> float | str:

@@ -13,10 +13,9 @@ from pydantic import (
     model_validator,
 )
 
+from assess.model.ranges import MOST_VOUSSOIRS
 from assess.project.quantities import Angle, PlanePoint, Point
 from assess.project.section import Section, wrong
-
-MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
 
 
 class Hinges(Section):

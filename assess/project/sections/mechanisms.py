@@ -18,6 +18,7 @@ from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
 from assess.model.definitions import keys_along_direction
+from assess.model.ranges import INERTIA_RATIOS
 from assess.project.quantities import (
     Length,
     Name,
@@ -37,7 +38,6 @@ from assess.project.sections.loads import LoadSection, OverburdenLoad
 from assess.project.sections.restitution import Restitution
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
-INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
 
 
 def _block_names(value: Any) -> Any:

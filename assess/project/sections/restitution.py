@@ -10,10 +10,9 @@ from pydantic import (
     model_validator,
 )
 
+from assess.model.ranges import RESTITUTIONS
 from assess.project.section import Section, quote_names
 from assess.project.units import KINDS, key_value
-
-RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
 
 def _restitution(value: Any) -> float | str:

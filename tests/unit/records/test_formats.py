@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from scipy.constants import g
 
 from records.errors import RecordError
-from records.formats import FORMATS
+from records.formats import FORMATS, by_obspy
 from records.reading import read_records
 from records.record import Earthquake, Record, make_record
 
@@ -216,6 +216,7 @@ def two_columns() -> str:
 
 
 CM, MM = 0.01, 0.001
+# A file of three components needs its name in test_samples_step_and_unit.
 MADE: dict[str, tuple[Callable[[], str], str, float, float]] = {  # writer, format, m/s2 of a unit, step
     "k-net": (knet, "K-NET/KiK-net", CM, 0.01),
     "dyna": (dyna, "ESM/ITACA DYNA", CM, 0.005),
@@ -242,6 +243,11 @@ def written(folder: Path, name: str) -> Path:
 def test_one_format_alone_looks_like_it(name: str) -> None:
     head = MADE[name][0]().encode("latin-1")
     assert [known for known, each in FORMATS.items() if each.looks_like(head)] == [MADE[name][1]]
+
+
+def test_every_format_of_text_has_a_file_here() -> None:
+    made = {of for _, of, _, _ in MADE.values()} | {by_obspy.MINISEED, by_obspy.SAC}
+    assert set(FORMATS) - made == set(), "add a function that writes a small file of it to MADE"
 
 
 @pytest.mark.parametrize("name", MADE)
@@ -443,21 +449,30 @@ def test_no_value_that_is_no_number_passes(tmp_path: Path, name: str, junk: str)
     assert str(path) in str(caught.value)
 
 
+UNCOUNTED = {"csv"}
+"""Formats that state neither count nor duration: one that ends at the end of a line cannot be told from a whole one."""
+
+
 @pytest.mark.parametrize("name", MADE)
 def test_a_file_cut_anywhere_is_refused_or_whole(tmp_path: Path, name: str) -> None:
-    """But for CSV and bare numbers, which state no count, and for what stands behind the last acceleration."""
+    """But for UNCOUNTED and bare numbers, and for what stands behind the last acceleration."""
     path = written(tmp_path, name)
     whole, data = read_records(path), path.read_bytes()
-    for cut in range(0, len(data), 37):
+    ends = {at + beside for at, byte in enumerate(data) if byte == ord("\n") for beside in (0, 1)}
+    for cut in sorted({*range(0, len(data), 37), *ends}):
         path.write_bytes(data[:cut])
         try:
             found = read_records(path)
         except RecordError:
             continue
-        if name != "csv":
-            for record, other in zip(found, whole, strict=False):
-                np.testing.assert_allclose(record.acceleration, other.acceleration, rtol=0, atol=1.0)
-                assert record.npts == N
+        if name in UNCOUNTED:
+            continue
+        for record, other in zip(found, whole, strict=False):
+            assert record.npts == N, (
+                f"the first {cut} bytes were read as {record.npts} samples of {N}: compare what the header says "
+                "(check_count, check_duration), or add the format to UNCOUNTED if it says nothing"
+            )
+            np.testing.assert_allclose(record.acceleration, other.acceleration, rtol=0, atol=1.0)
 
 
 @settings(max_examples=150, deadline=2000, suppress_health_check=[HealthCheck.function_scoped_fixture])

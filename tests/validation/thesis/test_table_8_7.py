@@ -10,9 +10,7 @@ import pytest
 
 from assess.codes.context import Context
 from assess.codes.registry import procedure
-from assess.examples import copy_example
-from assess.project.build import build
-from assess.project.schema import load
+from tests.support.examples import example_study
 
 ASCE, ITALIAN = "asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis"
 
@@ -33,8 +31,8 @@ WHOLE = 0.055  # of the others
 
 
 @pytest.fixture(scope="module")
-def capacities(tmp_path_factory) -> dict[tuple[str, str], float]:
-    study = build(load(copy_example("casa_grande_flexible", tmp_path_factory.mktemp("table") / "walls")))
+def capacities() -> dict[tuple[str, str], float]:
+    study = example_study("casa_grande_flexible")
     assert study.spectrum is not None
     context = Context(
         spectrum=study.spectrum, levels=study.levels, vertical_ratio=0.0, elevation=0.0, building=study.building,

@@ -15,14 +15,13 @@ import pytest
 from scipy.constants import g
 from scipy.optimize import brentq, least_squares
 
-from assess.examples import EXAMPLES, copy_example
+from assess.examples import EXAMPLES
 from assess.examples.san_leonardo_spire import RADIUS, WALL, spire
 from assess.geometry.cut import divide, inclined_plane
 from assess.geometry.planar import base_of_section, planar_body
 from assess.geometry.solid import polyhedron
 from assess.oscillator import equivalent_block
-from assess.project.build import build
-from assess.project.schema import load
+from tests.support.examples import example_study
 
 # p [1/s], lambda [rad], restitution (negative: rebound; None: not given)
 TABLE_4_1 = {
@@ -106,12 +105,11 @@ OFF = 0.005  # half a unit of the last digit
 
 
 @pytest.fixture(scope="module")
-def mechanisms(tmp_path_factory):
+def mechanisms():
     """The mechanisms of each example that stands on these tables."""
-    folder = tmp_path_factory.mktemp("thesis")
     names = [*EQUIVALENT, "san_leonardo_spire"]
     assert set(names) < set(EXAMPLES)
-    studies = {n: build(load(copy_example(n, folder / n))) for n in names}
+    studies = {n: example_study(n) for n in names}
     found = {n: {m.name: m for m in study.mechanisms} for n, study in studies.items()}
     return found | {"san_leonardo_spire": found["san_leonardo_spire"] | swept(studies["san_leonardo_spire"])}
 

@@ -7,6 +7,8 @@ from math import asin, atan2, cos, hypot, inf, sin
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.constants import g
 from scipy.integrate import quad
 from scipy.optimize import brentq
@@ -206,17 +208,24 @@ def test_the_mirror_image_has_the_branches_of_the_other_side(loads):
     assert {(what, {"positive": "negative", "negative": "positive"}[branch]) for what, branch in ends} == set(other)
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_more_ties_never_worsen_any_of_the_three(seed):
-    """Ties with no end, an end on the way, or none before collapse, one after the other."""
-    rng, loads = np.random.default_rng(seed), [Force("thrust", (2000.0, -500.0), (0.0, 4.0))]
+PROVEN = {"until": "collapse", "strength": 1e4, "length": 20.0, "fracture_strain": 0.2, "evidence": "tests"}
+
+
+@st.composite
+def ties(draw):
+    """A tie with no end, an end on the way, or none before collapse."""
+    at, away = (draw(st.floats(-0.4, 0.4)), draw(st.floats(1.0, 5.0))), -draw(st.floats(1.0, 6.0))
+    proof = draw(st.sampled_from([{}, PROVEN]) | st.floats(0.02, 0.4).map(lambda until: {"until": until}))
+    return replace(Tie("tie", draw(st.floats(200.0, 1500.0)), at, anchor=(away, at[1])), **proof)
+
+
+@given(added=st.lists(ties(), min_size=1, max_size=4))
+def test_more_ties_never_worsen_any_of_the_three(added):
+    """One after the other."""
+    loads = [Force("thrust", (2000.0, -500.0), (0.0, 4.0))]
     before = found(*loads)
-    for number in range(4):
-        lasting = {"until": "collapse", "strength": 1e4, "length": 20.0, "fracture_strain": 0.2, "evidence": "tests"}
-        proof = [{}, {"until": rng.uniform(0.02, 0.4)}, lasting]
-        at, away = (float(rng.uniform(-0.4, 0.4)), float(rng.uniform(1.0, 5.0))), -float(rng.uniform(1.0, 6.0))
-        tie = Tie(f"tie {number}", float(rng.uniform(200.0, 1500.0)), at, anchor=(away, at[1]))
-        loads.append(replace(tie, **proof[int(rng.integers(3))]))
+    for number, tie in enumerate(added):
+        loads.append(replace(tie, name=f"tie {number}"))
         now = found(*loads)
         for name in ("starting", "breaking", "collapse"):
             was, side = getattr(before, name).positive, getattr(now, name).positive

@@ -23,6 +23,7 @@ def checks(folder, loads="", vertical=0.0):
         bodies={"w": wall(2, 1, 2, material="m")},
         mechanisms={"m": lines(block("w", direction=[1, 0, 0]), f"loads = [{loads}]")},
         analysis={"procedures": ["sliding", "asce43-05-sliding"]},
+        records={"synthetic": {"count": 1, "duration": "8 s"}},
         procedures={"asce43-05": {"allowable_sliding": "0.5 m"}},
     )
     (result,) = run(study_of(folder, text)).mechanisms

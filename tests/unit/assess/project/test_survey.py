@@ -17,6 +17,7 @@ def study(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
         site={"limit_state": "SLV", "pga": f"{pga} g", "spectrum": NTC},
         verdict={"survey_tolerance": f"{tolerance} mm"},
         building={"use_class": "II"},
+        records={"synthetic": {"count": 1, "duration": "8 s"}},
         materials={"m": {"density": 1800, "disintegration": "excluded"}},
         report={"sources": {"materials.m.disintegration": "measured: survey"}},
         bodies={"wall": wall(0.6, 3.0, 6.0, material="m")},

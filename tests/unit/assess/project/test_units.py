@@ -1,7 +1,6 @@
 """Quantities of the project file."""
 
 import math
-import time
 from collections.abc import Iterator
 from contextlib import suppress
 from decimal import Decimal
@@ -138,7 +137,6 @@ def test_quantity_in_si(value: object, kind: str, expected: float) -> None:
 
 @pytest.mark.parametrize(("value", "kind", "reason"), BAD)
 def test_wrong_quantity_names_key_value_and_remedy(value: object, kind: str, reason: str) -> None:
-    started = time.process_time()
     with pytest.raises(ProjectError) as caught:
         to_si(value, kind, key="bodies.wall.box.height")
     text = str(caught.value)
@@ -147,7 +145,6 @@ def test_wrong_quantity_names_key_value_and_remedy(value: object, kind: str, rea
     assert reason in text
     assert "; write " in text
     assert "\n" not in text
-    assert time.process_time() - started < 2.0
 
 
 @pytest.mark.parametrize("value", ["1e300 Gm", 1e19, "1e-13 m", -1e19, 1e-300])

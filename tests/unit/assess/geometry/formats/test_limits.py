@@ -3,7 +3,6 @@
 import io
 import json
 import struct
-import time
 import tracemalloc
 import zipfile
 from pathlib import Path
@@ -113,18 +112,16 @@ LAUGHS = "<!DOCTYPE m [" + '<!ENTITY a0 "ha">' + "".join(
         ("a.off", b"OFF\n4000000000 1 0\n0 0 0\n", "announces 4000000000 vertices"),
     ],
 )
-def test_what_would_be_huge_is_refused_at_once(tmp_path: Path, name: str, data: bytes, told: str) -> None:
+def test_what_would_be_huge_is_refused_without_memory_for_it(tmp_path: Path, name: str, data: bytes, told: str) -> None:
     (tmp_path / name).write_bytes(data)
     import trimesh.exchange.gltf
     import trimesh.exchange.threemf  # noqa: F401 - their import is not what is measured
 
     tracemalloc.start()
-    begun = time.process_time()
     with pytest.raises(GeometryError, match=told):
         read(tmp_path / name, where="mesh")
-    seconds, peak = time.process_time() - begun, tracemalloc.get_traced_memory()[1]
+    peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert seconds < 5.0
     assert peak < 20_000_000
 
 

@@ -101,6 +101,11 @@ def test_a_step_file_that_lost_its_unit_is_not_taken_for_millimetres(tmp_path: P
     file.write_text(content.replace(old, new))
     with pytest.raises(GeometryError, match=r'body "wall": mesh wall.step: the file states no unit; give mesh_unit'):
         load(file, density=1.0, name="wall")
+
+
+def test_a_step_file_without_a_unit_takes_the_one_given(tmp_path: Path) -> None:
+    file = tmp_path / "wall.step"
+    file.write_text(step((CUBE * SIZES + CORNER) * 100.0, prefix=".CENTI.").replace("LENGTH_UNIT()", "LENGTHxUNIT()"))
     assert load(file, density=1.0, name="wall", scale=0.01).mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)
 
 
@@ -123,6 +128,10 @@ def test_a_step_file_cut_short_is_refused(tmp_path: Path, part: float, capfd: py
     (tmp_path / "wall.step").write_text(content[: int(part * len(content))])
     with pytest.raises(GeometryError, match=r'body "wall": mesh wall.step: it cannot be read as STEP .it does not end'):
         load(tmp_path / "wall.step", density=1.0, name="wall")
+    assert capfd.readouterr().out == ""
+
+
+def test_a_step_file_of_no_shape_is_refused(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "wall.step").write_text(HEAD.format(prefix="$") + TAIL)
     with pytest.raises(GeometryError, match=r"cannot be read as STEP .Open CASCADE finds no shape|no triangles"):
         load(tmp_path / "wall.step", density=1.0, name="wall")

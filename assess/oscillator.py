@@ -227,7 +227,7 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     return PPoly.construct_fast(coefficients, rotation)
 
 
-def restoring(branch: Branch, rotation: FloatArray) -> FloatArray:
+def restoring_moment(branch: Branch, rotation: FloatArray) -> FloatArray:
     """Return the restoring moment [N m] at `rotation` [rad] (same shape)."""
     return np.asarray(branch.restoring_spline(rotation), dtype=np.float64)
 
@@ -268,7 +268,7 @@ def threshold(branch: Branch) -> float | None:
     return at_rest if at_rest > 0.0 else None
 
 
-def resisted(branch: Branch) -> float:
+def linear_multiplier(branch: Branch) -> float:
     """Return lambda for linear checks [-]: at rest, or on flexible joints, where it may rise, the largest."""
     if branch.overturning_flexible is None:
         return float(multiplier(branch)[0])

@@ -55,7 +55,7 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
 
     Raises
     ------
-    MechanismError : the mechanism stands only by ties or forces that nobody shows to last
+    MechanismError : the mechanism stands only by ties or forces that are not shown to last
     RecordError : it is not one record of finite samples
     """
     from assess.study.response import respond as solve

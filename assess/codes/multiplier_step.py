@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assess.codes.calculation_step import Step, step
-from assess.oscillator import Branch, multiplier, resisted
+from assess.oscillator import Branch, linear_multiplier, multiplier
 
 
 def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) -> Step:
@@ -18,7 +18,7 @@ def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) 
     -------
     Step
     """
-    found = resisted(branch)
+    found = linear_multiplier(branch)
     if found > float(multiplier(branch)[0]):
         return step(symbol, description, clause, "largest (V' − M) / (g B)", found, remark="of the curve")
     resisting, shaken = float(branch.restoring[0]), float(branch.excitation[0])

@@ -5,7 +5,7 @@ shaft was built in a discrete-element model, its "tapering form", and the densit
 figures only. What is left open, how the ring becomes the shaft, is closed by the weight, in two ways:
 
 - `tapered_tower`: the ring shrinks evenly with height, its outline and its hole alike;
-- `even`: the outer radius stays, the wall is even and thinner than the ring at the foot.
+- `prismatic_tower`: the outer radius stays, the wall is even and thinner than the ring at the foot.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def tapered_tower() -> Surface:
     return _shell(np.linspace(OUTER, q * OUTER, LAYERS + 1), np.linspace(INNER, q * INNER, LAYERS + 1))
 
 
-def even() -> Surface:
+def prismatic_tower() -> Surface:
     """Return a tower of constant section: a pipe of the outer radius."""
     inner = sqrt(OUTER**2 - AREA / ROUND)
     return _shell(np.full(LAYERS + 1, OUTER), np.full(LAYERS + 1, inner))
@@ -53,4 +53,4 @@ def _shell(outer: FloatArray, inner: FloatArray) -> Surface:
 
 def meshes() -> dict[str, Surface]:
     """Return the tower's surfaces, by the file that the project names."""
-    return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": even()}
+    return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": prismatic_tower()}

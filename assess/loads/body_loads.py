@@ -275,7 +275,7 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
     """Return where the load acts, in the plane of motion [m]."""
     at = load.at
     if at is None:
-        assert found is not None  # `met` asks for one of the two
+        assert found is not None  # `find_support` raises where neither is known
         at = tuple(found.contact.centroid.tolist())
     return point_in_plane(at, along.tolist())
 

@@ -22,6 +22,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from assess.errors import GeometryError
+
 
 @dataclass(frozen=True)
 class Construction:
@@ -53,10 +55,24 @@ The densities are assumptions: usual ones for which the two constructions of a c
 
 
 def arch_thrust(reaction: float, *, lever: float, rise: float) -> float:
-    """H = V x / f [N]: the thrust of half an arch of three hinges on the springing that carries V [N].
+    """Return the thrust H = V x / f of half an arch of three hinges on its springing.
 
-    lever : distance x of the weight of the half from its springing [m]; rise : f of the crown above it [m]
+    Parameters
+    ----------
+    reaction : vertical reaction V of the springing [N]
+    lever : distance x of the weight of the half from its springing [m]
+    rise : f of the crown above the springing [m]
+
+    Returns
+    -------
+    Horizontal thrust, outwards [N]
+
+    Raises
+    ------
+    GeometryError : the crown is not above the springing
     """
+    if not rise > 0.0:
+        raise GeometryError(f"arch: rise = {rise:g} m: the crown must be above the springing")
     return reaction * lever / rise
 
 

@@ -75,7 +75,13 @@ def force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) -
 
 
 def at_top(chain: Chain, number: int) -> bool:
-    """Return whether a hinge is the support at the top of a wall."""
+    """Return whether a hinge is the support at the top of a wall.
+
+    Parameters
+    ----------
+    chain : of two blocks, if it is a wall held at its top
+    number : of the hinge, from 0 at the base
+    """
     return len(chain.blocks) == number == 2
 
 

@@ -7,20 +7,16 @@ for a unit rate of phi. The rules differ in what is conserved from one field to 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isclose
 from typing import Literal
-
-import numpy as np
 
 from assess.errors import MechanismError
 from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.restitution import Restitution, housner, sorrentino
-from assess.short_repr import ShortRepr
-from spectra.arrays import FloatArray
+from assess.mechanisms.velocity_field import angular_momentum, inertia_at_rest, kinetic_product, velocity_field
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None
@@ -34,68 +30,6 @@ ABOUT_BASE = "angular momentum about the new base hinge, Sorrentino et al. 2008,
 NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
 REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
 SAME = 5e-4  # coefficients this close are printed alike
-
-
-@dataclass(frozen=True, repr=False)
-class VelocityField(ShortRepr):
-    """Velocities at rest for a unit rate of phi in the sign of the branch; one row for each block, then each mass.
-
-    shaken, borne : mass that moves horizontally and vertically [rows] [kg]; along, up : x' and z' [rows] [m]
-    turning : theta' [rows] [-]; inertia : about each centroid [rows] [kg m2]; x, z : places [rows] [m]
-    """
-
-    shaken: FloatArray
-    borne: FloatArray
-    inertia: FloatArray
-    along: FloatArray
-    up: FloatArray
-    turning: FloatArray
-    x: FloatArray
-    z: FloatArray
-
-
-def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
-    """Return the velocities with which a chain leaves or reaches its rest.
-
-    sliding : bearing masses slide on their seats and transfer no horizontal momentum
-    """
-    motion = move(chain, np.zeros(1))
-    parts = chain.parts or tuple((block, number) for number, block in enumerate(chain.blocks))
-    moving = [(part.mass, part.mass, part.inertia, part.centroid, number) for part, number in parts]
-    masses = [load for load in chain.loads if isinstance(load, PointMass)]
-    for load in masses:
-        shaken = 0.0 if sliding and load.bearing else load.mass
-        moving.append((shaken, load.mass * load.bearing, 0.0, load.at, load.block))
-    rows = []
-    for shaken, borne, turned, at, number in moving:
-        if number is None:
-            rows.append((shaken, borne, turned, 0.0, 0.0, 0.0, *at))
-            continue
-        path = trace_point(motion, block=number, at=at)
-        rows.append((shaken, borne, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
-    return VelocityField(*np.array(rows, dtype=np.float64).T)
-
-
-def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
-    """Return the kinetic product of two fields [kg m2], the second mirrored back to the sign of the first.
-
-    The product of a field with itself, not mirrored, is the inertia I of the branch.
-    """
-    along = np.sum(ending.shaken * ending.along * -starting.along)
-    up = np.sum(ending.borne * ending.up * starting.up)
-    return float(along + up + np.sum(ending.inertia * ending.turning * -starting.turning))
-
-
-def inertia_at_rest(moving: VelocityField) -> float:
-    """Return I of the branch at rest [kg m2]."""
-    squares = moving.shaken * moving.along**2 + moving.borne * moving.up**2 + moving.inertia * moving.turning**2
-    return float(np.sum(squares))
-
-
-def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
-    """Return the angular momentum about a point (x, z) in the frame of the field, clockwise [kg m2]."""
-    arms = (moving.z - z) * moving.shaken * moving.along - (moving.x - x) * moving.borne * moving.up
-    return float(np.sum(arms + moving.inertia * moving.turning))
 
 
 def conserve_momentum(ending: Chain, starting: Chain) -> Restitution:

@@ -55,7 +55,7 @@ class View:
         """Return a vector or point (x, z) of the branch in space [3]."""
         return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
 
-    def seen(self, vector: FloatArray) -> Vector:
+    def project_vector(self, vector: FloatArray) -> Vector:
         """Return the unit vector (x, z) of a vector in space [3] in the plane of motion."""
         x, z = float(vector @ self.along), float(vector[2])
         length = float(np.hypot(x, z))
@@ -102,7 +102,7 @@ def find_joint_plane(
     plane = cut_of(definition, where=where) if piece.cut and len(pieces) == blocks else None
     if plane is None:
         return joint_plane_on_face(piece.solids, hinge, view, DOWN, where=where)
-    return JointPlane(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
+    return JointPlane(view.project_vector(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
 def normal_at(
@@ -117,7 +117,7 @@ def normal_at(
     if face is None and not (definition.moving == number == 2) and piece.cut and len(pieces) == definition.moving:
         plane = cut_of(definition, where=where)
         if plane is not None:
-            return view.seen(plane.normal)
+            return view.project_vector(plane.normal)
     return find_joint_plane(number, hinge, definition, pieces, view, where=where).normal
 
 
@@ -140,7 +140,7 @@ def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side:
         raise GeometryError(
             f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
         )
-    return JointPlane(view.seen(-plane.normal), plane, region)
+    return JointPlane(view.project_vector(-plane.normal), plane, region)
 
 
 def joint_plane_between(
@@ -155,7 +155,7 @@ def joint_plane_between(
             region = as_multi(shapely.intersection(faces_in(over, plane), facing))
             if region.area <= SLIVER:
                 continue
-            bed = JointPlane(view.seen(-outward), plane, region)
+            bed = JointPlane(view.project_vector(-outward), plane, region)
             way = heading(plane, view.world((outward[2], -float(outward @ view.along))), axis=view.axis)
             ends = abs(bed.beyond(at, way)), abs(bed.beyond(at, -way))
             if min(ends) <= max(EDGE * max(ends), TOUCH):

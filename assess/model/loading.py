@@ -151,7 +151,7 @@ def load_of(
     if isinstance(load.force, tuple):
         force = load.force
     else:
-        assert way is not None  # the schema asks for it
+        assert way is not None  # a force given by its size has a direction
         force = (load.force * way[0], load.force * way[1])
     return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
 

@@ -63,7 +63,7 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
     look = look_around(name, definition, bodies)
     if definition.direction is None:
         return in_weakest(look)
-    return in_given(look)
+    return in_given_direction(look)
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
@@ -128,7 +128,7 @@ def opposite(way: Vector) -> Vector:
     return (-way[0], -way[1], 0.0)
 
 
-def in_given(look: Look) -> Built:
+def in_given_direction(look: Look) -> Built:
     """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
     ahead = Candidate(angle_of(look.definition.towards)).way
     into = bodies_that_stop(look.obstacles, ahead)

@@ -44,7 +44,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     Parameters
     ----------
     section : the table, of any kind
-    evidence : where it is shown that its forces and ties last; empty where nobody shows it
+    evidence : where it is shown that its forces and ties last; empty where it is not shown
     """
     if isinstance(section, sections.EquivalentBlock):
         return fill(model.EquivalentBlock, section, restitution=restitution_of(section))

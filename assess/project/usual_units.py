@@ -61,7 +61,7 @@ USUAL: Mapping[str, Mapping[str, Fraction]] = {
 WEIGHTS = frozenset({"kN/m^3", "kN/m3", "kN/m³", "pcf"})
 """Units of weight per volume among those of density."""
 DEFINED = ("pcf = pound_force / foot ** 3", "psf = pound_force / foot ** 2", "lbm = pound")
-"""Units that American engineers write and pint does not know, as it is told of them."""
+"""Units of American engineers that pint does not know, as its definitions."""
 AMBIGUOUS: Mapping[str, str] = dict.fromkeys(
     ("ton", "tons"), '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'
 )

@@ -97,7 +97,7 @@ class Block:
 
         Raises
         ------
-        MechanismError : the mechanism stands only by ties or forces that nobody shows to last
+        MechanismError : the mechanism stands only by ties or forces that are not shown to last
         """
         found = self.mechanism.variants.collapse
         if found is None:

@@ -14,7 +14,7 @@ from math import log
 from scipy.constants import g
 
 from assess.codes.context import Suite
-from assess.oscillator import resisted
+from assess.oscillator import linear_multiplier
 from assess.study.history_levels import level_solver, suites_of
 from assess.study.motions import ScaledRecord
 from assess.study.rocking_case import RockingCase, vibrates
@@ -30,7 +30,7 @@ def scan_levels(
 ) -> tuple[Suite, ...]:
     """Run suites at rising PGA, up to the first one in which a record overturns the mechanism."""
     strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, case.base, strict=True)) / site_pga
-    uplift = g * min(resisted(branch) for branch in case.oscillator.branches)
+    uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
     step, most = (JOINTS_STEP, MOST_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)

@@ -1,4 +1,4 @@
-"""What the engineer is told of a whole study."""
+"""Messages on a whole study."""
 
 from __future__ import annotations
 

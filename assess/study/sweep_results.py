@@ -1,4 +1,4 @@
-"""The sweeps of a study in the results, and what the engineer is told of them."""
+"""The sweeps of a study in the results, and messages on them."""
 
 from __future__ import annotations
 

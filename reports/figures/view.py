@@ -48,7 +48,7 @@ class Camera:
     origin: FloatArray
     scale: float
 
-    def seen(self, points: FloatArray) -> FloatArray:
+    def project(self, points: FloatArray) -> FloatArray:
         """Project points [k, 3] [m]: right and up from the lower left corner [pt], and towards the eye [m]."""
         placed = points @ self.frame.T
         return np.column_stack([(placed[:, :2] - self.origin) * self.scale * INCH, placed[:, 2]])
@@ -68,9 +68,9 @@ def draw(view: View, positive: int) -> Figure:
         axes.set_axis_off()
         _bodies(axes, view, camera)
         for ring in view.sections:
-            axes.plot(*camera.seen(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
+            axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
         _axes(axes, view, camera, lines, positive)
-        _arrow(axes, *camera.seen(arrow)[:, :2], colour=INK, width=1.6)
+        _arrow(axes, *camera.project(arrow)[:, :2], colour=INK, width=1.6)
         _triad(axes, camera)
         return figure
 
@@ -114,7 +114,7 @@ def _bodies(axes: Axes, view: View, camera: Camera) -> None:
     edges = visible_edges(vertices, triangles, eye=camera.frame[2], sharp=sharp)
     every = Faces(vertices[triangles], edges, np.array(view.block_of))
     faces = front_faces(every, camera.frame[2])
-    seen = camera.seen(faces.corners.reshape(-1, 3))[:, :2].reshape(-1, 3, 2)
+    seen = camera.project(faces.corners.reshape(-1, 3))[:, :2].reshape(-1, 3, 2)
     order = painting_order(faces.corners @ camera.frame.T)
     shapes, inks = paint_faces(seen[order], faces.edges[order], shade_faces(faces, camera)[order])
     faced = PolyCollection(cast("Any", shapes), facecolors=inks, edgecolors=inks, linewidths=LINE, joinstyle="round")
@@ -148,7 +148,7 @@ def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], p
     named: list[FloatArray] = []
     for place, (axis, line) in enumerate(zip(view.axes, lines, strict=True)):
         colour, dash = (POSITIVE, "-") if place < positive else (NEGATIVE, "--")
-        seen = camera.seen(line)
+        seen = camera.project(line)
         far, near = seen[np.argsort(seen[:, 2]), :2]
         axes.plot(*seen[:, :2].T, color=colour, linestyle=dash, linewidth=1.5)
         out = (near - far) / (float(np.linalg.norm(near - far)) or 1.0)

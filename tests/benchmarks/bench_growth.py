@@ -20,7 +20,6 @@ import numpy as np
 from assess.geometry.contact import find_contact
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.project.schema import load
 from records.band import band
@@ -89,7 +88,7 @@ def find_pulses(count: int) -> Callable[[], object]:
 def analyse_mesh(times: int) -> Callable[[], object]:
     """A solid of 12 triangles in four, as often as that, and its oscillator."""
     solid = refine_mesh(box(thickness=0.6, length=4.0, height=4.0, base=(0, 0, 0), density=1000.0, name="wall"), times)
-    return lambda: oscillator(single_block("wall", planar_body(solid, direction=(1.0, 0.0, 0.0))))
+    return lambda: single_block("wall", planar_body(solid, direction=(1.0, 0.0, 0.0))).oscillator
 
 
 def touch_meshes(times: int) -> Callable[[], object]:

@@ -29,7 +29,7 @@ from assess.codes.multiplier_step import multiplier_step
 from assess.codes.pga_rotation import PgaRotation, rotation_demand, to_pga_curve
 from assess.codes.rotation_verdict import Answer, rotation_verdict
 from assess.codes.worst_branch import branch_of, check_worst_branch
-from assess.oscillator import Branch, Oscillator, energy, multiplier, resisted, threshold
+from assess.oscillator import Branch, Oscillator, energy, linear_multiplier, multiplier, threshold
 
 DEMANDED = "at the demand"
 ReadingOf = Callable[[Branch, float], Reading]
@@ -59,7 +59,7 @@ def _checks(oscillator: Oscillator, context: Context, reading_of: ReadingOf, *, 
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         lifts = threshold(branch_of(own, name))
-        f_v = vertical_factor(resisted(branch), context.vertical_ratio)
+        f_v = vertical_factor(linear_multiplier(branch), context.vertical_ratio)
         return _check(oscillator, branch, name, context, reading_of(branch, f_v), level, f_v=f_v, lifts=lifts)
 
     return warn_at_height(check_worst_branch(oscillator, context.levels, one), context=context)
@@ -135,7 +135,7 @@ def _steps(
 
 def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v: float) -> tuple[Step, ...]:
     """Write what the clause asks of the body."""
-    mass, I0, B0, a = oscillator.mass, float(branch.inertia[0]), float(branch.excitation[0]), resisted(branch)
+    mass, I0, B0, a = oscillator.mass, float(branch.inertia[0]), float(branch.excitation[0]), linear_multiplier(branch)
     h = B0 / mass
     meant = "tan α, multiplier at rest; uplift at a g" if a == multiplier(branch)[0] else "largest multiplier"
     moved = {"B0": (B0, "kg m"), "M": (mass, "kg")}

@@ -24,7 +24,7 @@ from assess.codes.en1998_1.clauses import (
 from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
 from assess.codes.multiplier_step import multiplier_step
 from assess.codes.worst_branch import check_worst_branch
-from assess.oscillator import Branch, Oscillator, resisted
+from assess.oscillator import Branch, Oscillator, linear_multiplier
 
 NAME = "ec8-element"
 CLAUSE, FORCE, TABLE = "EN 1998-1, 4.3.5.2 (4.25)", "EN 1998-1, 4.3.5.2 (4.24)", "EN 1998-1, 4.3.5.4, Table 4.4"
@@ -84,7 +84,7 @@ def demand_of(branch: Branch, context: Context, options: Options, level: float) 
 
 
 def _check(branch: Branch, name: BranchName, context: Context, options: Options, level: float) -> Check:
-    found, resistance = demand_of(branch, context, options, level), resisted(branch)
+    found, resistance = demand_of(branch, context, options, level), linear_multiplier(branch)
     lifts, ratio = uplift_pga(branch, found.surface * found.amplified), found.force / resistance
     verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
     return Check(
@@ -112,7 +112,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
 
 
 def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
-    resistance, raised = resisted(branch), height_ratio(context)
+    resistance, raised = linear_multiplier(branch), height_ratio(context)
     S_a = found.alpha_s * found.amplified
     shaken = {"α S": found.alpha_s, "z/H": raised, "T_a/T_1": found.ratio}
     forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}

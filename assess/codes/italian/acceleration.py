@@ -9,7 +9,7 @@ from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, outcome_of
 from assess.codes.italian.limit_state import Case
 from assess.messages.message import Message, Quantity, Severity, message
-from assess.oscillator import resisted
+from assess.oscillator import linear_multiplier
 
 
 def acceleration_check(
@@ -69,7 +69,7 @@ def acceleration_check(
 def _conditions(case: Case) -> tuple[Message, ...]:
     """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
     shown = case.curves.lasting
-    if resisted(case.curves.starting) <= resisted(shown) * (1.0 + 1e-9):
+    if linear_multiplier(case.curves.starting) <= linear_multiplier(shown) * (1.0 + 1e-9):
         return ()
     return (message("counts-at-rest", severity=Severity.WARNING),)
 

@@ -13,8 +13,8 @@ from scipy.optimize import brentq
 from assess.oscillator import (
     Branch,
     displacement,
+    linear_multiplier,
     participation_ratio,
-    resisted,
     threshold,
 )
 
@@ -35,7 +35,7 @@ def activation(branch: Branch, *, mass: float, confidence_factor: float) -> floa
     -------
     float [m/s2]
     """
-    return resisted(branch) * g / (participation_ratio(branch, mass=mass) * confidence_factor)
+    return linear_multiplier(branch) * g / (participation_ratio(branch, mass=mass) * confidence_factor)
 
 
 def displacement_at_collapse(branch: Branch, *, mass: float) -> float:

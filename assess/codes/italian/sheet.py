@@ -10,7 +10,7 @@ from assess.codes.italian.confidence import confidence_step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.kinematic import acceleration_at, activation, displacement_at_collapse, rotation_at
 from assess.codes.italian.limit_state import Case
-from assess.oscillator import Branch, multiplier, participation_ratio, resisted
+from assess.oscillator import Branch, linear_multiplier, multiplier, participation_ratio
 
 
 def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
@@ -22,7 +22,10 @@ def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
         "M": (mass, "kg"),
         "Σ m δx²": (float(branch.participation[0]), "kg m2"),
     }
-    a0, given = activation(branch, mass=mass, confidence_factor=FC), {"α0": resisted(branch), "e*": e, "FC": FC}
+    a0, given = (
+        activation(branch, mass=mass, confidence_factor=FC),
+        {"α0": linear_multiplier(branch), "e*": e, "FC": FC},
+    )
     return (
         case.pga_step,
         _multiplier_step(branch, edition.multiplier),
@@ -34,7 +37,7 @@ def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
 
 def _multiplier_step(branch: Branch, clause: str) -> Step:
     """Write alpha0: at rest, or on joints the largest of the curve."""
-    alpha0, words = resisted(branch), "multiplier that starts the mechanism"
+    alpha0, words = linear_multiplier(branch), "multiplier that starts the mechanism"
     if alpha0 > float(multiplier(branch)[0]):
         return step("α0", words, clause, "largest λ of the curve", alpha0, remark="joints that give way")
     given: Given = {"R0": (float(branch.restoring[0]), "N m"), "B0": (float(branch.excitation[0]), "kg m")}

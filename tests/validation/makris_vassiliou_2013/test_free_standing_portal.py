@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.oscillator import multiplier, participation_ratio, restoring
+from assess.oscillator import multiplier, participation_ratio, restoring_moment
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -78,7 +78,7 @@ def test_direct_equivalence_holds_at_every_rotation(tmp_path):
     phi = np.linspace(0.0, 1.4 * alpha, 40)
     size = g * R * 2 * 2400 * B * H * 1.1 * (1 + 2 * 0.6)
     for side in rocker.branches:
-        np.testing.assert_allclose(restoring(side, phi), size * np.sin(alpha - phi), rtol=0.0, atol=1e-9 * size)
+        np.testing.assert_allclose(restoring_moment(side, phi), size * np.sin(alpha - phi), rtol=0.0, atol=1e-9 * size)
         np.testing.assert_allclose(side.inertia, side.inertia[0], rtol=1e-11)
     assert participation_ratio(rocker.positive, mass=rocker.mass) < 1.0  # the beam moves twice as far as the columns
 

@@ -29,9 +29,9 @@ from assess.oscillator import (
     energy,
     equivalent_block,
     interpolant,
+    linear_multiplier,
     multiplier,
-    resisted,
-    restoring,
+    restoring_moment,
 )
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
@@ -206,7 +206,11 @@ def test_elastic_frequency_by_hand(floor):
 def test_rigid_joints_have_a_threshold_and_no_frequency():
     side = wall(law=JointLaw(inf, 1.5e6), model="rigid").oscillator.positive
     assert elastic_frequency(side) is None
-    assert resisted(side) == multiplier(side)[0] == pytest.approx((B / 2 - W / (2 * 1.5e6 * L)) / (H / 2), rel=1e-12)
+    assert (
+        linear_multiplier(side)
+        == multiplier(side)[0]
+        == pytest.approx((B / 2 - W / (2 * 1.5e6 * L)) / (H / 2), rel=1e-12)
+    )
 
 
 # -------------------------------------------------------------------------------------------------- eccentric rests
@@ -283,13 +287,13 @@ def test_branches_meet_at_the_eccentric_rest():
     assert abs(first.solve_equilibrium(np.array([rest])).work.restoring[0]) < 1e-9 * scale
     beyond = np.array([0.01, 0.03, 0.08])
     expected = first.solve_equilibrium(rest + beyond).work.restoring
-    np.testing.assert_allclose(restoring(ahead, beyond), expected, rtol=1e-6)
+    np.testing.assert_allclose(restoring_moment(ahead, beyond), expected, rtol=1e-6)
     way_back = rest * np.array([0.2, 0.5, 0.9])
     expected = -first.solve_equilibrium(rest - way_back).work.restoring
-    np.testing.assert_allclose(restoring(back, way_back), expected, rtol=0, atol=1e-6 * scale)
+    np.testing.assert_allclose(restoring_moment(back, way_back), expected, rtol=0, atol=1e-6 * scale)
     expected = second.solve_equilibrium(beyond).work.restoring
-    np.testing.assert_allclose(restoring(back, rest + beyond), expected, rtol=1e-6)
-    around = restoring(back, rest * np.array([1.0 - 1e-7, 1.0 + 1e-7]))
+    np.testing.assert_allclose(restoring_moment(back, rest + beyond), expected, rtol=1e-6)
+    around = restoring_moment(back, rest * np.array([1.0 - 1e-7, 1.0 + 1e-7]))
     assert np.ptp(around) < 1e-5 * scale
     assert ahead.overturning_flexible + rest == pytest.approx(back.overturning_flexible - rest, rel=0.2)
     assert ahead.overturning_flexible < back.overturning_flexible
@@ -307,7 +311,7 @@ def test_where_a_leaning_wall_overturns_counts_from_its_rest():
         ]
         assert falls[0] != pytest.approx(falls[1], rel=1e-3)
         assert [side.overturning_flexible + rest, side.critical + rest] == pytest.approx(falls, rel=1e-7)
-        assert float(restoring(side, np.array(side.overturning_flexible))) == pytest.approx(0.0, abs=1e-4 * W)
+        assert float(restoring_moment(side, np.array(side.overturning_flexible))) == pytest.approx(0.0, abs=1e-4 * W)
 
 
 TIED = wall(loads=(Force("F", (0.0, -5e4), (0.15, 5.5)), Force("T", (1e3, 0.0), (0.0, 4.0))))
@@ -383,7 +387,7 @@ def test_larger_walls_of_the_same_shape_rock_more_slowly():
     assert large.linearised.p == pytest.approx(small.linearised.p / sqrt(s), rel=1e-9)
     assert large.overturning_flexible == pytest.approx(small.overturning_flexible, rel=1e-9)
     assert large.restitution == pytest.approx(small.restitution, rel=1e-12)
-    assert resisted(large) == pytest.approx(resisted(small), rel=1e-9)
+    assert linear_multiplier(large) == pytest.approx(linear_multiplier(small), rel=1e-9)
     assert elastic_frequency(large) == pytest.approx(elastic_frequency(small) / sqrt(s), rel=1e-6)
 
 
@@ -396,7 +400,7 @@ def test_stiff_strong_joints_tend_to_the_rigid_oscillator(made):
     off = np.array([side.overturning - side.overturning_flexible for side in found])
     assert np.polyfit(np.log(stiff), np.log(off), 1)[0] == pytest.approx(-0.5, abs=0.01)
     assert found[-1].restitution == pytest.approx(rigid[0].restitution, rel=1e-9)  # no strength: a_SF = 0
-    lifts = np.array([multiplier(rigid[0])[0] - resisted(side) for side in found])
+    lifts = np.array([multiplier(rigid[0])[0] - linear_multiplier(side) for side in found])
     assert (np.diff(lifts) < 0.0).all()
     assert lifts[-1] < 2e-3 * multiplier(rigid[0])[0]
 

@@ -20,7 +20,7 @@ from assess.loads.load import Force, PointMass
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import multiplier, resisted
+from assess.oscillator import linear_multiplier, multiplier
 from assess.study.joint_results import interface_curves
 from assess.study.oscillator_results import rigid_branches
 from records.record import Record
@@ -80,7 +80,7 @@ def test_what_resists_does_not_drop_where_a_wall_just_leans_on_its_support():
         for at in (0.0, -0.01)
     )
     assert 0.0 < multiplier(leaning.positive)[0] < 0.01
-    assert resisted(leaning.positive) == pytest.approx(resisted(plumb.positive), rel=0.02)
+    assert linear_multiplier(leaning.positive) == pytest.approx(linear_multiplier(plumb.positive), rel=0.02)
 
 
 def test_the_sheet_says_where_its_multiplier_comes_from():

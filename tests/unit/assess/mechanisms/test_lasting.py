@@ -26,7 +26,7 @@ from assess.mechanisms.limits import held_above, limits
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.mechanisms.variants import collapse_branch
-from assess.oscillator import interpolant, restoring
+from assess.oscillator import interpolant, restoring_moment
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 M = RHO * T * L * H
@@ -162,8 +162,8 @@ def test_a_force_acts_where_it_drives_and_not_where_it_resists():
     side, plain = found(behind).collapse.positive, found().collapse.positive
     rotation = np.linspace(0.0, side.overturning, 41)
     moment = 9000.0 * hypot(0.3, 4.0) * np.sin(rotation - over)
-    expected = restoring(plain, rotation) - np.maximum(moment, 0.0)
-    np.testing.assert_allclose(restoring(side, rotation), expected, rtol=0.0, atol=1e-8 * M * g)
+    expected = restoring_moment(plain, rotation) - np.maximum(moment, 0.0)
+    np.testing.assert_allclose(restoring_moment(side, rotation), expected, rtol=0.0, atol=1e-8 * M * g)
     assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([over], rel=1e-9)
 
 
@@ -232,7 +232,7 @@ def test_more_ties_never_worsen_any_of_the_three(added):
             rotation = np.linspace(0.0, was.overturning, 301)[1:-1]
             jumps = np.concatenate([each.rotation[1:][np.diff(each.rotation) == 0.0] for each in (was, side)])
             clear = np.abs(rotation[:, None] - jumps).min(axis=1, initial=1.0) > 1e-9
-            gain = restoring(side, rotation[clear]) - restoring(was, rotation[clear])
+            gain = restoring_moment(side, rotation[clear]) - restoring_moment(was, rotation[clear])
             assert gain.min() > -1e-8 * M * g
             assert side.overturning > was.overturning * (1.0 - 1e-12)
         before = now
@@ -254,8 +254,8 @@ def test_a_wall_of_two_blocks_with_a_tie_that_breaks():
     side, at = ways.breaking.positive, 2 * asin(0.08 / (2 * 2.0))
     assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([at], rel=1e-12)
     assert side.restoring[0] - plain.starting.positive.restoring[0] == pytest.approx(500.0 * 2.0, rel=1e-12)
-    after = restoring(plain.starting.positive, np.array(1.1 * at))
-    assert restoring(side, np.array(1.1 * at)) == pytest.approx(float(after), rel=1e-9)
+    after = restoring_moment(plain.starting.positive, np.array(1.1 * at))
+    assert restoring_moment(side, np.array(1.1 * at)) == pytest.approx(float(after), rel=1e-9)
 
 
 def test_on_stiff_joints_the_variants_tend_to_the_rigid_ones():

@@ -15,7 +15,7 @@ from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import require_stable
-from assess.oscillator import multiplier, participation_ratio, restoring
+from assess.oscillator import multiplier, participation_ratio, restoring_moment
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
@@ -64,7 +64,7 @@ def test_mass_that_is_not_bearing_has_horizontal_inertia_and_no_weight():
     plain, loaded = rocker().positive, rocker(ROOF).positive
     R, alpha = polar(ROOF.at)
     across = R * np.cos(alpha - loaded.rotation)  # x' of the mass
-    np.testing.assert_allclose(loaded.restoring, restoring(plain, loaded.rotation), rtol=1e-9, atol=1e-6 * M)
+    np.testing.assert_allclose(loaded.restoring, restoring_moment(plain, loaded.rotation), rtol=1e-9, atol=1e-6 * M)
     np.testing.assert_allclose(loaded.inertia - plain.inertia[0], 400.0 * across**2, rtol=1e-9)
     np.testing.assert_allclose(loaded.participation[0] - plain.participation[0], 400.0 * across[0] ** 2, rtol=1e-9)
     assert rocker(ROOF).mass == M + 400.0
@@ -100,7 +100,7 @@ def test_restoring_moment_is_the_slope_of_the_work_of_weights_forces_and_tie():
 
     for phi in (0.01, 0.06, 0.12):
         slope = (potential(phi + 1e-5) - potential(phi - 1e-5)) / 2e-5
-        assert restoring(branch, np.array(phi)) == pytest.approx(slope, rel=1e-7)
+        assert restoring_moment(branch, np.array(phi)) == pytest.approx(slope, rel=1e-7)
 
 
 def test_a_tie_is_slack_on_the_branch_where_it_shortens():

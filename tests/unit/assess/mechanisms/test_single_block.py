@@ -18,7 +18,7 @@ from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import virtual_work
-from assess.oscillator import energy, participation_ratio, restoring
+from assess.oscillator import energy, participation_ratio, restoring_moment
 from assess.oscillator import equivalent_block as at_rest
 
 WALL = {"thickness": 0.8, "length": 2.0, "height": 5.0, "base": (0.0, 0.0, 0.0), "density": 1900.0, "name": "wall"}
@@ -50,7 +50,7 @@ def test_rectangle_has_the_closed_form_of_a_single_block():
     assert pytest.approx(1900 * 0.8 * 2.0 * 5.0) == M
     assert branch.overturning == pytest.approx(alpha, rel=1e-13)
     phi = np.linspace(0, 1.5 * alpha, 1000)
-    np.testing.assert_allclose(restoring(branch, phi), M * g * R * np.sin(alpha - phi), atol=1e-9 * M * g * R)
+    np.testing.assert_allclose(restoring_moment(branch, phi), M * g * R * np.sin(alpha - phi), atol=1e-9 * M * g * R)
     np.testing.assert_allclose(
         energy(branch, phi), M * g * R * (np.cos(alpha - phi) - cos(alpha)), atol=1e-11 * M * g * R
     )
@@ -66,7 +66,7 @@ def test_restoring_moment_is_the_derivative_of_the_potential():
     branch = single_block("w", wall_in_plane()).oscillator.positive
     phi, step = np.array([0.01, 0.05, 0.1]), 1e-5
     slope = (energy(branch, phi + step) - energy(branch, phi - step)) / (2 * step)
-    np.testing.assert_allclose(slope, restoring(branch, phi), rtol=1e-8)
+    np.testing.assert_allclose(slope, restoring_moment(branch, phi), rtol=1e-8)
 
 
 def test_a_block_made_of_welded_parts_is_the_same_oscillator():

@@ -42,6 +42,9 @@ def silent(stage: str, done: int, total: int) -> None:
 def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> Motion:
     """Solve the rocking motion of a mechanism from rest under a record.
 
+    A block that rocks to one side is solved with its rebound, half of it and one and a half, and the worst is returned,
+    as in a run.
+
     Parameters
     ----------
     block : the mechanism
@@ -56,12 +59,23 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
     Raises
     ------
     MechanismError : the mechanism stands only by ties or forces that are not shown to last
-    RecordError : it is not one record of finite samples
+    RecordError : it is not one horizontal record of finite samples, or the scale is no finite number
     """
-    from assess.study.response import respond as solve
+    from assess.study.response import respond_at_worst_rebound as solve
+    from records.errors import RecordError
+    from records.orientation import is_vertical
+    from records.record import Record as Known
 
     _check_block(block)
-    return solve(block.rocking, record, scale=scale, equation=equation or block.equation)
+    if isinstance(record, Known) and is_vertical(record.component):
+        raise RecordError(f'record "{record.id}" is vertical; give a horizontal ground motion')
+    return solve(
+        block.rocking,
+        record,
+        rebounds=block.mechanism.rebounds,
+        scale=scale,
+        equation=block.equation if equation is None else equation,
+    )
 
 
 def _check_block(block: Block) -> None:
@@ -126,7 +140,7 @@ def envelope(
         pulse,
         frequency=frequency,
         amplitude=amplitude,
-        equation=equation or block.equation,
+        equation=block.equation if equation is None else equation,
         threads=jobs,
     )
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from math import inf, isfinite
 
 import numpy as np
@@ -11,6 +12,7 @@ from assess.dynamics.history import Jobs, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
+from assess.study.history_levels import with_restitution_factor
 from records.errors import RecordError
 from records.record import STRONGEST, Record
 from spectra.arrays import FloatArray, is_number
@@ -29,6 +31,7 @@ class Motion(ShortRepr):
     impacts : number of impacts, until overturning or until the free motion after the record has peaked on each side
     overturning_time : last upward passage of the overturning rotation [s]; None if it did not overturn
     record, scale, equation : what was run
+    rebound : factor on the restitution of one-sided rocking, of which the worst counts [-]; 1 for all other rocking
     time : instants of the record's samples, up to overturning [n] [s]
     rotation, velocity : at these instants, signed [n] [rad], [n] [rad/s]
     """
@@ -45,6 +48,7 @@ class Motion(ShortRepr):
     time: FloatArray
     rotation: FloatArray
     velocity: FloatArray
+    rebound: float = 1.0
 
 
 def respond(oscillator: Oscillator, record: Record, *, scale: float = 1.0, equation: Equation = "exact") -> Motion:
@@ -96,6 +100,25 @@ def respond(oscillator: Oscillator, record: Record, *, scale: float = 1.0, equat
         rotation=path.rotation,
         velocity=path.velocity,
     )
+
+
+def respond_at_worst_rebound(
+    oscillator: Oscillator, record: Record, *, rebounds: Sequence[float], scale: float, equation: Equation
+) -> Motion:
+    """Solve the rocking motion with every rebound of a range, and return the worst.
+
+    Parameters
+    ----------
+    oscillator, record, scale, equation : as for `respond`
+    rebounds : factors on the restitution [-]; of several that overturn, the first counts
+    """
+    motions = [
+        replace(
+            respond(with_restitution_factor(oscillator, factor), record, scale=scale, equation=equation), rebound=factor
+        )
+        for factor in rebounds
+    ]
+    return max(motions, key=lambda motion: motion.max_ratio)
 
 
 def check_record(record: Record) -> None:

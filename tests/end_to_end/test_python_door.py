@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -560,3 +562,34 @@ def test_reports_that_cannot_be_written_are_refused(run, tmp_path):
     with pytest.raises(AssessError, match=r"what assess.run returns"):
         assess.write_report(run.results, tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+ONE_SIDED = """
+[mechanisms.W2]
+kind = "single-block"
+blocks = ["wall"]
+direction = [1, 0, 0]
+sides = "one"
+"""
+
+
+def test_one_sided_motion_is_that_of_a_run(folder):
+    file = folder / "one-sided.toml"
+    file.write_text(PROJECT + ONE_SIDED)
+    told = assess.run(file).results.mechanisms[1].histories[0]
+    block = assess.single_block(WALL, direction=(1.0, 0.0, 0.0), sides="one")
+    record = assess.read_record(folder / "motion.csv")
+    motion = assess.respond(block, record, scale=told.polarity * told.scale_factor)
+    assert motion.rebound == told.rebound
+    assert motion.overturned == told.overturned
+    assert (motion.max_rotation, motion.impacts) == (told.max_rotation_rad, told.impacts)
+    assert motion.overturning_time == told.overturning_time_s
+
+
+def test_vertical_motion_rocks_nothing(block, folder):
+    upward = replace(assess.read_record(folder / "motion.csv"), component="UP")
+    with pytest.raises(RecordError, match="vertical"):
+        assess.respond(block, upward)
+    target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
+    with pytest.raises(AssessError, match="vertical"):
+        assess.answers(block, target, procedures=["ntc2018-history"], records=[upward])

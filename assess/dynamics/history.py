@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.dynamics.kernel import columns, exact, linearised
-from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, pack, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, kernel_array, pack, tables_of
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from records.record import Record, make_record
@@ -285,9 +285,9 @@ _RUNS: dict[Equation, Callable[[Sequence[Packed], Sequence[Record], float], Run]
 def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
     """Return the jobs as arrays of the kernel's types, checked for unknown indices and scales that are not finite."""
     checked = Jobs(
-        np.ascontiguousarray(jobs.oscillator, dtype=np.int64),
-        np.ascontiguousarray(jobs.motion, dtype=np.int64),
-        np.ascontiguousarray(jobs.scale, dtype=np.float64),
+        kernel_array(jobs.oscillator, np.int64),
+        kernel_array(jobs.motion, np.int64),
+        kernel_array(jobs.scale, np.float64),
     )
     check_jobs(
         {"oscillator": (checked.oscillator, oscillators), "motion": (checked.motion, motions)},

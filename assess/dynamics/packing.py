@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.dynamics.canonical import Canonical, canonical_form, linear_form
@@ -19,6 +20,7 @@ from spectra.arrays import FloatArray, IntArray
 
 Equation = Literal["exact", "linearised"]
 T = TypeVar("T")
+S = TypeVar("S", bound=np.generic)
 FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; masonry's are below 1000 Hz
 
 
@@ -137,6 +139,19 @@ def _positive(value: float, name: str, unit: str) -> float:
             "look at its loads and hinges"
         )
     return value
+
+
+def kernel_array(values: NDArray[S], dtype: type[S]) -> NDArray[S]:
+    """Return values as the kernels take them: contiguous and writable, copied if they are not.
+
+    numba compiles anew for read-only arrays, which takes as long as the first time and gives the same code.
+
+    Parameters
+    ----------
+    values : numbers [n]
+    dtype : of the result
+    """
+    return np.require(values, dtype=dtype, requirements=("C", "W"))
 
 
 def check_jobs(indices: Mapping[str, tuple[IntArray, int]], *, name: str, number: FloatArray) -> None:

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics.kernel import columns, exact, linearised, sine
-from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, pack, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, kernel_array, pack, tables_of
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from records.pulses import Shape
@@ -109,9 +109,9 @@ def make_solver(
     check_frequency(frequency)
     each = [pack(oscillator, equation) for oscillator in oscillators]
     if has_closed_form(shape, equation):
-        run: Run = partial(sine.sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
+        run: Run = partial(sine.sine_outcomes, branches_of(each), shape.end, kernel_array(frequency, np.float64))
     else:
-        run = _KERNELS[equation](each, (*pulse_polynomials(shape), np.ascontiguousarray(frequency)))
+        run = _KERNELS[equation](each, (*pulse_polynomials(shape), kernel_array(frequency, np.float64)))
 
     def answer(jobs: PulseJobs) -> Outcomes:
         check_jobs(
@@ -120,8 +120,8 @@ def make_solver(
             number=jobs.amplitude,
         )
         found = np.empty((jobs.amplitude.size, columns.FOUND))
-        each, of = np.ascontiguousarray(jobs.oscillator), np.ascontiguousarray(jobs.frequency)
-        amplitude = np.ascontiguousarray(jobs.amplitude)
+        each, of = kernel_array(jobs.oscillator, np.int64), kernel_array(jobs.frequency, np.int64)
+        amplitude = kernel_array(jobs.amplitude, np.float64)
 
         def work(part: slice) -> None:
             run(each[part], of[part], amplitude[part], found[part])

@@ -93,10 +93,6 @@ def test_the_meshes_have_the_parameters_of_the_table(results, side):
             assert mechanism[side]["p_eq_per_s"] == pytest.approx(p, rel=1e-6)
 
 
-def test_its_readme_tells_the_outcome(project, results):
-    assert results["verdict"]["outcome"] in (project / "README.md").read_text()
-
-
 def test_joints_lower_every_capacity(results):
     """Mehrotra, Table 8.7: "a smaller PGA for collapse to occur"; by two procedures, of Walls 0a and 6."""
     found = {m["name"]: {c["procedure"]: c["capacity_pga_g"] for c in m["checks"]} for m in results["mechanisms"]}
@@ -138,7 +134,7 @@ def test_the_csv_holds_the_numbers_of_the_results(outputs, results):
 
 
 def test_the_same_input_gives_the_same_bytes_whatever_the_jobs(project):
-    text = (project / "project.toml").read_text()
+    text = (project / "project.toml").read_text().replace("count = 41", "count = 4")  # of pulses
     (project / "one.toml").write_text(text.replace("count = 7", "count = 1"))  # record, for all mechanisms and levels
     for jobs in ("1", "2"):
         assert assess("run", project / "one.toml", "-o", project / jobs, "--no-report", "--jobs", jobs) in (0, 1, 3)

@@ -30,6 +30,8 @@ def compile_joints_and_records() -> None:
     from assess.interfaces.shapes import rectangle
     from records.floor_motion import floor_motion
     from records.response import response_spectrum
+    from records.synthetic import artificial
+    from spectra.asce7 import design_spectrum
     from tests.support.motions import noise
 
     section, law = rectangle(1.0, 2.0), JointLaw(2e8, 1.5e6)
@@ -37,6 +39,7 @@ def compile_joints_and_records() -> None:
     thresholds(section, law, normal_force=2e5)
     response_spectrum(noise(npts=50), [0.0, 0.5])
     floor_motion(noise(npts=50), frequency=2.5, shape=1.2)
+    artificial(design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0), count=1, seed=1, duration=10.0)
 
 
 def _compile_dynamics(equation: str, *, shapes: tuple[str, ...]) -> None:

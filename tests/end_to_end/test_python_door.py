@@ -513,7 +513,15 @@ def test_answers_on_what_is_no_site_are_refused(block, given):
 
 @pytest.mark.parametrize(
     "given",
-    [{"height": "9"}, {"height": None}, {"storeys": 2.5}, {"storeys": "3"}, {"storeys": True}, {"damping": "5 %"}],
+    [
+        {"height": "9"},
+        {"height": None},
+        {"storeys": 2.5},
+        {"storeys": "3"},
+        {"storeys": True},
+        {"damping": "5 %"},
+        {"damping": 5.0},
+    ],
 )
 def test_structures_that_are_none_are_refused(given):
     with pytest.raises(ProcedureError, match=next(iter(given))):
@@ -527,6 +535,7 @@ def test_structures_that_are_none_are_refused(given):
         {"a_g": [1.0]},
         {"ground_type": ["C"]},
         {"damping": "5 %"},
+        {"damping": 5.0},
         {"pga": "0.2 g"},
         {"importance_factor": None},
     ],

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import Solid
-from assess.short_repr import ShortRepr
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +34,7 @@ class PointValues:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Body(ShortRepr):
+class Body:
     """One body: a solid of a material, or values without geometry."""
 
     name: str

@@ -42,6 +42,10 @@ class Body:
     material: Material | None = None
     values: PointValues | None = None
 
+    def __repr__(self) -> str:
+        masonry = "" if self.material is None else f", {self.material.name!r}, {self.material.density:.6g} kg/m3"
+        return f"Body({self.name!r}, {self.mass:.6g} kg{masonry})"
+
     @property
     def mass(self) -> float:
         """The mass of its solid, or as given [kg]."""

@@ -87,12 +87,14 @@ def _check_block(block: Block) -> None:
         raise MechanismError(f"block: {type(block).__name__} given; give a mechanism, as single_block returns it")
 
 
-def _check_jobs(jobs: int) -> None:
-    """Raise AssessError for what is no number of threads."""
+def _check_jobs(jobs: int, progress: Progress | None = None) -> None:
+    """Raise AssessError for what is no number of threads, and for a progress that cannot be called."""
     from assess.errors import AssessError
 
     if not isinstance(jobs, int) or jobs < 0:
         raise AssessError(f"jobs = {jobs!r:.60}: give a whole number, 0 for all cores")
+    if progress is not None and not callable(progress):
+        raise AssessError(f"progress = {progress!r:.60}: give a function of (stage, done, total)")
 
 
 def _check_site(target: Spectrum, building: Building | None) -> None:
@@ -223,7 +225,8 @@ class Run:
 
     def __repr__(self) -> str:
         verdict = "no verdict" if self.verdict is None else self.verdict.outcome.value
-        return f"Run({self.project.path.name!r}, {len(self.results.mechanisms)} mechanisms, {verdict})"
+        count = len(self.results.mechanisms)
+        return f"Run({self.project.path.name!r}, {count} mechanism{'' if count == 1 else 's'}, {verdict})"
 
     @property
     def verdict(self) -> Verdict | None:
@@ -261,7 +264,7 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
     from assess.study.run import run as assess
 
     loaded = project if isinstance(project, Project) else load(project)
-    _check_jobs(jobs)
+    _check_jobs(jobs, progress)
     return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or silent))
 
 
@@ -301,7 +304,7 @@ def write_report(
         raise OutputError(f"folder = {folder!r:.60}: give the path of a folder")
     if language is not None and language not in languages():
         raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
-    _check_jobs(jobs)
+    _check_jobs(jobs, progress)
     place, said = Path(folder), progress or silent
     with output_folder(place, command="write_report", wanted=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())

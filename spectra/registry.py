@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from spectra import asce7, ec8, ntc, nzs1170_5
+from spectra.arrays import is_number
 from spectra.asce7_editions import EDITIONS
 from spectra.damping import check_damping
 from spectra.errors import SpectrumError
@@ -65,6 +66,8 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
     """
     if code not in SPECTRA:
         raise SpectrumError(f'spectrum "{code}" is not known; choose one of {", ".join(SPECTRA)}')
+    if is_number(damping) and damping >= 1.0:
+        raise SpectrumError(f"{code} spectrum: damping = {damping}; it must be less than 1 (0.05 is 5 % of critical)")
     form = _form(SPECTRA[code], parameters)
     _check_names(code, form, parameters)
     if form.make in (_from_file, table_spectrum):

@@ -120,6 +120,8 @@ def building(
     for name, value in (("height", height), ("storeys", storeys), ("period", period), ("damping", damping)):
         if (value is not None or name == "height") and not (is_number(value) and 0.0 < value < inf):
             raise ProcedureError(f"building: {name} = {value}: give a finite number greater than 0")
+    if damping >= 1.0:
+        raise ProcedureError(f"building: damping = {damping}: give a number less than 1 (0.05 is 5 % of critical)")
     if storeys is not None and storeys != int(storeys):
         raise ProcedureError(f"building: storeys = {storeys}: give a whole number")
     return Building(height, storeys, default_period(height) if period is None else period, damping)

@@ -144,7 +144,7 @@ def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
         return ""
     return (
         f"restitution {given:.3g} is given, where momentum kept over the mechanism is {by_momentum:.3f}: each impact "
-        "takes more energy than the rule has it, so histories and ASCE 43-05 A.2 rest on the source of that number"
+        "takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that number"
     )
 
 

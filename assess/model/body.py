@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import Solid
-from assess.short_repr import ShortRepr
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,13 +34,17 @@ class PointValues:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Body(ShortRepr):
+class Body:
     """One body: a solid of a material, or values without geometry."""
 
     name: str
     solid: Solid | None = None
     material: Material | None = None
     values: PointValues | None = None
+
+    def __repr__(self) -> str:
+        masonry = "" if self.material is None else f", {self.material.name!r}, {self.material.density:.6g} kg/m3"
+        return f"Body({self.name!r}, {self.mass:.6g} kg{masonry})"
 
     @property
     def mass(self) -> float:

@@ -29,7 +29,6 @@ from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
 from assess.project.weight_densities import weight_density_messages
 from assess.results import Resolved
-from assess.short_repr import ShortRepr
 from records.paths import relative_path
 
 FORMAT = 1
@@ -39,7 +38,7 @@ _UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from fo
 
 
 @dataclass(frozen=True, repr=False)
-class Project(ShortRepr):
+class Project:
     """A project file as read.
 
     content : its tables, every quantity an SI float, every path absolute or below `folder`
@@ -55,6 +54,9 @@ class Project(ShortRepr):
     variations: tuple[Variation, ...]
     messages: tuple[Message, ...]
     raw: Mapping[str, Any]
+
+    def __repr__(self) -> str:
+        return f"Project({str(self.path)!r}, mechanisms: {', '.join(self.content.mechanisms)})"[:200]
 
     @property
     def folder(self) -> Path:

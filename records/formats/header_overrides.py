@@ -50,14 +50,14 @@ def check_overrides(overrides: HeaderOverrides) -> None:
     """Raise RecordError for an unknown unit, a step that is not positive, or a response file that does not exist."""
     if overrides.unit is not None:
         if not isinstance(overrides.unit, str):
-            raise RecordError(f'of files that do not say theirs: unit {overrides.unit!r}; write it as text, like "g"')
+            raise RecordError(f'unit = {overrides.unit!r}, for files that state none; write it as text, like "g"')
         try:
             factor_of(overrides.unit, known=ACCELERATION_UNITS)
         except ColumnError as error:
-            raise RecordError(f"of files that do not say theirs: {error}") from None
+            raise RecordError(f"for files that state none, {error}") from None
     if overrides.step is not None and not (
         is_number(overrides.step) and isfinite(overrides.step) and overrides.step > 0.0
     ):
-        raise RecordError(f"of files that do not say theirs: time step {overrides.step} s; it must be positive")
+        raise RecordError(f"for files that state none, time step {overrides.step} s; it must be positive")
     if overrides.response is not None and not overrides.response.is_file():
         raise RecordError(f"{overrides.response}: no such file; give the StationXML of the instrument")

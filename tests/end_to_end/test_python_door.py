@@ -513,7 +513,15 @@ def test_answers_on_what_is_no_site_are_refused(block, given):
 
 @pytest.mark.parametrize(
     "given",
-    [{"height": "9"}, {"height": None}, {"storeys": 2.5}, {"storeys": "3"}, {"storeys": True}, {"damping": "5 %"}],
+    [
+        {"height": "9"},
+        {"height": None},
+        {"storeys": 2.5},
+        {"storeys": "3"},
+        {"storeys": True},
+        {"damping": "5 %"},
+        {"damping": 5.0},
+    ],
 )
 def test_structures_that_are_none_are_refused(given):
     with pytest.raises(ProcedureError, match=next(iter(given))):
@@ -527,6 +535,7 @@ def test_structures_that_are_none_are_refused(given):
         {"a_g": [1.0]},
         {"ground_type": ["C"]},
         {"damping": "5 %"},
+        {"damping": 5.0},
         {"pga": "0.2 g"},
         {"importance_factor": None},
     ],
@@ -593,3 +602,14 @@ def test_vertical_motion_rocks_nothing(block, folder):
     target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
     with pytest.raises(AssessError, match="vertical"):
         assess.answers(block, target, procedures=["ntc2018-history"], records=[upward])
+
+
+def test_what_a_run_and_its_parts_show_of_themselves(run, folder):
+    assert repr(run).startswith("Run('project.toml', 1 mechanism, ")
+    assert repr(assess.load(folder / "project.toml")).endswith("project.toml', mechanisms: W1)")
+    assert repr(WALL) == "Body('box', 21600 kg, 'box', 2000 kg/m3)"
+
+
+def test_progress_that_cannot_be_called_is_refused(folder):
+    with pytest.raises(AssessError, match="progress = 3"):
+        assess.run(folder / "project.toml", progress=3)

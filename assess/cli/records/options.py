@@ -62,6 +62,5 @@ Flatfile = Annotated[
 Catalogue = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Path of the catalogue (default: in the folder itself).")
 ]
-Target = Annotated[
-    Path, typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate.")
-]
+TARGET = typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate.")
+Target = Annotated[Path, TARGET]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from assess.cli.options import FigurePath, Jobs, refuse_both, refuse_figure
-from assess.cli.records.options import Catalogue, Flatfile, Response, Step, Target, Unit
+from assess.cli.records.options import TARGET, Catalogue, Flatfile, Response, Step, Unit
 
 if TYPE_CHECKING:
     from assess.project.suites import Suite
@@ -32,7 +32,7 @@ def select(
             metavar="PROJECT|FOLDERS…", help="A project with [records] select; or, with --target, folders and files."
         ),
     ],
-    target: Target | None = None,
+    target: Annotated[Path | None, TARGET] = None,
     count: Annotated[int, typer.Option(min=1, max=200, help="Number of records.")] = 7,
     periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Periods over which to fit [s].")] = (
         0.1,
@@ -41,11 +41,11 @@ def select(
     scale_limits: Annotated[
         tuple[float, float], typer.Option(metavar="FROM TO", help="Smallest and largest scale factor.")
     ] = (0.25, 4.0),
-    fit: Annotated[str, typer.Option(help="Fit the mean of the suite, or each record: suite, record.")] = "suite",
+    fit: Annotated[str, typer.Option(help='Fit the mean of the "suite", or "each" record.')] = "suite",
     components: Annotated[
-        str, typer.Option(help="Use components separately (single), or those of a recording together.")
+        str, typer.Option(help='Use components separately ("single"), or those of a recording "together".')
     ] = "single",
-    scale_to: Annotated[str, typer.Option(help="Scale each record to: spectrum, pga or none.")] = "spectrum",
+    scale_to: Annotated[str, typer.Option(help='Scale each record to "spectrum", "pga" or "none".')] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
     ] = False,

@@ -1,6 +1,7 @@
 """What a command says that was typed wrongly: one line of plain English, with the value."""
 
 import pytest
+import typer
 
 from assess.cli.app import app
 from assess.cli.usage import WRONG_USAGE, usage_error
@@ -28,3 +29,28 @@ def test_a_wrong_command_is_told_in_plain_words(typed: str, told: str) -> None:
     with pytest.raises(WRONG_USAGE) as caught:
         app(typed.split(" "), standalone_mode=False, prog_name="assess")
     assert str(usage_error(caught.value)).startswith(told)
+
+
+def _commands(group, names=()):
+    """Every command that can be typed, with its names."""
+    for name, command in getattr(group, "commands", {}).items():
+        yield from _commands(command, (*names, name))
+    if not hasattr(group, "commands"):
+        yield " ".join(names), group
+
+
+def test_every_option_says_what_it_is() -> None:
+    silent = [
+        f"{name}: {option.opts}"
+        for name, command in _commands(typer.main.get_command(app))
+        for option in command.params
+        if not getattr(option, "help", "help")
+    ]
+    assert silent == []
+
+
+def test_help_names_the_ways_to_fit_that_there_are() -> None:
+    commands = dict(_commands(typer.main.get_command(app)))
+    (fit,) = (option for option in commands["records select"].params if option.name == "fit")
+    for known in ("suite", "each"):
+        assert f'"{known}"' in fit.help

@@ -1,8 +1,9 @@
-"""What all tests share: cases drawn by hypothesis, and kernels compiled before the tests are dealt out."""
+"""What all tests share: cases drawn by hypothesis, kernels compiled before the tests are dealt out, Ctrl-C."""
 
 from __future__ import annotations
 
 import os
+import signal
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -19,3 +20,9 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "few"))
 def pytest_xdist_setupnodes() -> None:
     """Two workers that meet an uncompiled kernel would both compile it."""
     compile_kernels()
+
+
+def pytest_configure() -> None:
+    """Hear SIGINT though a shell has started this in the background, where it is ignored by all that are started."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from records.record import Record, make_record
@@ -27,3 +29,12 @@ def noise(
 def white_noise(seed: int = 5, *, npts: int = 400, dt: float = 0.01) -> Record:
     """Return white noise of variance 1 (m/s2)2."""
     return make_record("noise", np.random.default_rng(seed).normal(size=npts), dt)
+
+
+def write_noise(file: Path, *, duration: float = 12.0, seed: int = 3, amplitude: float = 1.0) -> None:
+    """Write smoothed white noise under a half sine, of a duration [s] at 100 Hz, as a CSV record."""
+    t = np.arange(0.0, duration, 0.01)
+    noise = np.random.default_rng(seed).normal(size=t.size)
+    smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / duration)
+    rows = "\n".join(f"{x:.2f},{amplitude * y:.6f}" for x, y in zip(t, smooth, strict=True))
+    file.write_text(f"time [s],acceleration [m/s2]\n{rows}\n")

@@ -11,13 +11,13 @@ import trimesh
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.build import build
 from assess.project.schema import json_schema, load
 from assess.results import Resolved, Results, SensitivityResult
 from assess.results.json import dumps, loads
 from assess.study.run import run
-from assess.study.study import Study, Unvaried, Variable
-from tests.support.projects import project_toml, wall
+from assess.study.study import Unvaried, Variable
+from tests.support.motions import write_noise
+from tests.support.projects import project_toml, study_of, wall
 
 PROJECT = project_toml(
     materials={"stone": {"density": 2000}},
@@ -31,17 +31,8 @@ RATIO, CAPACITY = "demand_capacity", "capacity_pga_g"
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    t = np.arange(0.0, 8.0, 0.01)
-    noise = np.random.default_rng(3).normal(size=t.size)
-    smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / 8.0)
-    rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, smooth, strict=True))
-    (tmp_path / "a.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    write_noise(tmp_path / "a.csv", duration=8.0)
     return tmp_path
-
-
-def study_of(folder: Path, text: str) -> Study:
-    (folder / "project.toml").write_text(text)
-    return build(load(folder))
 
 
 def asked(table: str, *, project: str = PROJECT) -> str:

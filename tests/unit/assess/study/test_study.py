@@ -22,18 +22,11 @@ from assess.study.run import run
 from assess.study.study import Study
 from records.response import response_spectrum
 from tests.support import projects
+from tests.support.motions import write_noise
 from tests.support.projects import block, lines, project_toml, wall
 
 ASCE = 'code = "asce7-16"\ns_ds = "0.5 g"\ns_d1 = "0.2 g"\nt_l = 6'
 QUIET = 'files = ["a.csv", "b.csv"]'
-
-
-def record(path: Path, *, seed: int, amplitude: float = 1.0) -> None:
-    t = np.arange(0.0, 12.0, 0.01)
-    noise = np.random.default_rng(seed).normal(size=t.size)
-    smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / 12.0)
-    rows = "\n".join(f"{x:.2f},{amplitude * y:.6f}" for x, y in zip(t, smooth, strict=True))
-    path.write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
 
 
 def as_they_are(motions):
@@ -43,7 +36,7 @@ def as_they_are(motions):
 
 def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:
     for seed, name in enumerate(("a.csv", "b.csv")):
-        record(folder / name, seed=seed, amplitude=amplitude)
+        write_noise(folder / name, seed=seed, amplitude=amplitude)
     text = project_toml(
         site={"spectrum": spectrum},
         materials={"m": {"density": 2000}},
@@ -140,7 +133,7 @@ def test_results_do_not_depend_on_how_the_path_was_typed(tmp_path, monkeypatch):
 def test_two_records_of_one_name_are_told_apart(tmp_path):
     (tmp_path / "sub").mkdir()
     study_of(tmp_path)
-    record(tmp_path / "sub" / "a.csv", seed=5)
+    write_noise(tmp_path / "sub" / "a.csv", seed=5)
     study = study_of(tmp_path, records='files = ["a.csv", "sub/a.csv"]')
     assert [one.id for one in study.records] == ["a", "a (2)"]
 

@@ -14,16 +14,14 @@ from scipy.constants import g
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.verdict import Action, MechanismChecks, Question, mark_deciding, verdict
-from assess.project.build import build
-from assess.project.schema import load
 from assess.results import MechanismResult
 from assess.results.json import dumps
 from assess.study.case_severity import controlling_index
 from assess.study.parameters import case_parameters, parameters
 from assess.study.run import run
-from assess.study.study import Study
 from assess.study.sweep_cases import CaseResult
-from tests.support.projects import ASCE7, block, project_toml, wall
+from tests.support.motions import write_noise
+from tests.support.projects import ASCE7, block, project_toml, study_of, wall
 
 PROJECT = project_toml(
     verdict={"basis": "asce43-05", "procedures": ["asce43-05-spectrum"]},
@@ -42,17 +40,8 @@ HEIGHT = '[analysis.sweep]\nkey = "bodies.cap.box.height"\nvalues = ["1.0 m", "2
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    t = np.arange(0.0, 12.0, 0.01)
-    noise = np.random.default_rng(3).normal(size=t.size)
-    smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / 12.0)
-    rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, smooth, strict=True))
-    (tmp_path / "a.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    write_noise(tmp_path / "a.csv", duration=12.0)
     return tmp_path
-
-
-def study_of(folder: Path, text: str) -> Study:
-    (folder / "project.toml").write_text(text)
-    return build(load(folder))
 
 
 def check(verdict: str = "pass", **changes: Any) -> Check:

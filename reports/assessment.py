@@ -3,113 +3,108 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
 from assess.results import Results
 from reports.chapters import (
+    annex_envelopes,
+    annex_histories,
+    annex_inputs,
+    annex_sheets,
+    annex_suite,
     assumptions,
-    check_tables,
-    comparisons,
-    cover,
-    envelopes,
-    inputs,
-    interface_variants,
-    limits,
-    literature,
-    mechanism,
-    other_levels,
-    parameters,
+    comparison,
+    data_tables,
+    declaration,
+    front_matter,
+    key_plan,
+    mechanism_page,
+    recommendations,
+    scope,
     sensitivity,
+    signatures,
     site,
-    structure,
-    summary,
+    verdict,
 )
-from reports.chapters.inputs import project_text
-from reports.document import Document, Section, Signatures, Text, nonempty
+from reports.document import Document, Section
 from reports.language.catalogue import ENGLISH
-from reports.language.verbatim import verbatim
-from reports.mechanism_title import mechanism_title
-from reports.references import resolve_references
+from reports.language.locale import Locale
+from reports.language.texts import say
+from reports.project_text import project_text
 
-_FACTS = (
-    ("engineer", "Engineer"),
-    ("checker", "Checker"),
-    ("client", "Client"),
-    ("reference", "Reference"),
-    ("date", "Date"),
-    ("masonry_quality", "Masonry quality"),
-)
+Detail = Literal["main", "full"]
 
 
-def assessment(results: Results) -> Document:
-    """Return the whole report of one run, in English and SI."""
-    document = Document(
-        title=project_text(results, "title") or "Rocking assessment",
-        subject="Seismic assessment of masonry by rocking dynamics",
-        author=project_text(results, "engineer"),
+def assessment(results: Results, *, detail: Detail | None = None) -> Document:
+    """Return the report of one run. detail: of the project if None; "full" adds the annexes."""
+    return Document(
+        title=front_matter.title(results),
+        subject=say("Seismic assessment of masonry by rocking dynamics"),
+        author=front_matter.author(results),
         program=f"{results.program.name} {results.program.version}",
         paper=_paper(results),
-        facts=_facts(results),
-        sections=tuple(_chapters(results)),
-        data=(
-            check_tables.verdicts(results),
-            inputs.values(results),
-            comparisons.comparison(results),
-            site.ordinates(results),
-            parameters.curves(results),
-            check_tables.pga_curves(results),
-            *sensitivity.data(results),
-            *envelopes.data(results),
-        ),
-        language=project_text(results, "report.language") or ENGLISH,
-        verbatim=verbatim(results),
-        units=_units(results),
+        facts=front_matter.facts(results),
+        sections=_numbered([*_main(results), *(_annexes(results) if is_full(results, detail) else ())]),
+        data=tuple(data_tables.tables(results)),
+        running=front_matter.running(results),
+        logo=front_matter.logo(results),
         stamp=results.stamp,
+        locale=locale_of(results),
     )
-    return resolve_references(document)
 
 
-def _chapters(results: Results) -> list[Section]:
-    """Return the chapters in order, with those of the mechanisms between the assumptions and the comparison."""
-    chapters = [cover.section(results), summary.section(results), *structure.section(results), *site.section(results)]
-    chapters.append(assumptions.section(results))
-    earlier = interface_variants.earlier_variants(results)
-    stems = {each.name: file_stem(each.name, place) for place, each in enumerate(results.mechanisms, start=1)}
-    for each in results.mechanisms:
-        name = stems[each.name]
-        chapters += mechanism.chapter(results, each, name, twin=stems.get(earlier.get(each.name, ""), ""))
-        chapters += sensitivity.chapter(results, each.name, called=mechanism_title(each), name=name)
-    chapters += [
-        *other_levels.chapter(results),
-        *comparisons.chapter(results),
-        *envelopes.critical_chapter(results),
-        limits.section(results),
-    ]
-    return [*chapters, literature.section(results), _signatures(results), inputs.annex(results)]
+def is_full(results: Results, detail: Detail | None) -> bool:
+    """Return whether the report has annexes."""
+    return (detail or project_text(results, "report.detail")) == "full"
+
+
+def _main(results: Results) -> Iterator[Section]:
+    """Yield the sections that are signed."""
+    yield from verdict.sections(results)
+    yield from key_plan.sections(results)
+    yield from scope.sections(results)
+    yield from assumptions.sections(results)
+    yield from site.sections(results)
+    for place, each in enumerate(results.mechanisms, start=1):
+        yield from mechanism_page.sections(results, each, file_stem(each.name, place))
+    yield from comparison.sections(results)
+    yield from sensitivity.sections(results)
+    yield from recommendations.sections(results)
+    yield from declaration.sections(results)
+    yield from signatures.sections(results)
+
+
+def _annexes(results: Results) -> Iterator[Section]:
+    """Yield what a reviewer needs to redo the calculation."""
+    yield from annex_sheets.sections(results)
+    yield from annex_histories.sections(results)
+    yield from annex_envelopes.sections(results)
+    yield from annex_suite.sections(results)
+    yield from annex_inputs.sections(results)
+
+
+def _numbered(sections: list[Section]) -> tuple[Section, ...]:
+    """Return the sections with the number of each chapter that has no mark of its own, as annexes and mechanisms do."""
+    number = 0
+    made = []
+    for section in sections:
+        if section.level == 0 and not section.mark:
+            number += 1
+            made.append(replace(section, mark=str(number)))
+        else:
+            made.append(section)
+    return tuple(made)
 
 
 def envelope_report(results: Results) -> Document:
     """Return the report of `assess envelope`: the critical mechanisms, and the envelope of each."""
-    chapters = envelopes.critical_chapter(results)
-    for place, each in enumerate(results.mechanisms, start=1):
-        chapters += envelopes.chapter(each, results.records, file_stem(each.name, place), level=0)
-    warned = nonempty(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
-    chapters += [Section("Warnings", 0, tuple(warned)), inputs.annex(results)]
     return replace(
         assessment(results),
-        subject="Overturning envelopes of masonry by rocking dynamics",
-        sections=tuple(chapters),
-        data=envelopes.data(results),
-    )
-
-
-def _facts(results: Results) -> tuple[tuple[str, str], ...]:
-    given = ((label, project_text(results, key)) for key, label in _FACTS if project_text(results, key))
-    return (
-        *given,
-        ("Program", f"{results.program.name} {results.program.version}"),
-        ("Inputs", cover.fingerprint(results)),
+        subject=say("Overturning envelopes of masonry by rocking dynamics"),
+        sections=_numbered([*annex_envelopes.sections(results), *annex_inputs.sections(results)]),
+        data=tuple(annex_envelopes.data(results)),
     )
 
 
@@ -119,21 +114,11 @@ def file_stem(name: str, place: int) -> str:
     return f"{place:02d}-{plain}" if plain else f"{place:02d}"
 
 
+def locale_of(results: Results, language: str | None = None) -> Locale:
+    """Return the language and the units that the project asks its report in. language: in place of the project's."""
+    system: Literal["SI", "US"] = "US" if project_text(results, "report.units") == "US" else "SI"
+    return Locale(language or project_text(results, "report.language") or ENGLISH, system)
+
+
 def _paper(results: Results) -> Literal["A4", "letter"]:
     return "letter" if project_text(results, "report.paper").lower() == "letter" else "A4"
-
-
-def _units(results: Results) -> Literal["SI", "US"]:
-    return "US" if project_text(results, "report.units") == "US" else "SI"
-
-
-def _signatures(results: Results) -> Section:
-    statement = (
-        "The results above follow from the inputs and assumptions listed in this report. They become an "
-        "assessment through the judgement of the engineer who signs it."
-    )
-    places = (
-        ("Engineer", project_text(results, "engineer")),
-        ("Checker", project_text(results, "checker")),
-    )
-    return Section("Signatures", 0, (Text((statement,)), Signatures(places)))

@@ -1,52 +1,65 @@
 """A report as data: sections of text, tables, figures and calculation sheets, before anyone has drawn a page.
 
-All text is plain text, never markup; the renderers escape it.
+No block has a language or a unit system: its texts are those of `reports.language.texts`, its numbers are in SI. The
+renderers turn both into letters by a `Locale`, and escape them.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
+
+from assess.codes.calculation_step import Step
+from reports.language.locale import Locale
+from reports.language.texts import Kind, Text, Verbatim
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawn
 
-Cell = float | int | str | bool | None
-Kind = Literal["text", "number", "given", "verdict"]
+Outcome = Literal["pass", "fail", "incomplete", "comparison"]
+
+
+@dataclass(frozen=True)
+class Graded:
+    """A cell coloured by an outcome; "comparison" for an answer that does not decide."""
+
+    outcome: Outcome
+    text: Text
+
+
+Cell = Text | Graded | float | int | bool | None
+"""A number is in SI, of the dimension of its column; a `Quantity` shows its own unit; None is a dash."""
 
 
 @dataclass(frozen=True)
 class Column:
     """One column of a table.
 
-    kind : "text"; "number" to three figures, right-aligned; "given" to the figures and in the words it was given
-    with; "verdict"
+    dimension : of its numbers, a key of `reports.language.units.UNITS`, shown in the heading; "" for text
+    figures : significant figures of its numbers
+    share : of the width of the table, 0 to share what is left by the length of its cells
     """
 
-    label: str
-    unit: str = ""
-    kind: Kind = "text"
-
-    @property
-    def heading(self) -> str:
-        """Label and unit, as shown above the column."""
-        return f"{self.label} [{self.unit}]" if self.unit else self.label
+    label: Text
+    dimension: str = ""
+    figures: int = 4
+    share: float = 0.0
 
 
 @dataclass(frozen=True)
-class Text:
-    """Paragraphs of plain text."""
+class Prose:
+    """Paragraphs."""
 
-    paragraphs: tuple[str, ...]
+    paragraphs: tuple[Text, ...]
 
 
 @dataclass(frozen=True)
 class Items:
     """A list of points."""
 
-    points: tuple[str, ...]
+    points: tuple[Text, ...]
 
 
 @dataclass(frozen=True)
@@ -58,13 +71,14 @@ class Code:
 
 @dataclass(frozen=True)
 class Table:
-    """A table of raw values. name: unique, safe as a file name; muted: rows for information only."""
+    """A table. name: unique, safe as a file name; muted: rows for information only; small: set in smaller letters."""
 
     name: str
-    caption: str
+    caption: Text
     columns: tuple[Column, ...]
     rows: tuple[tuple[Cell, ...], ...]
     muted: frozenset[int] = frozenset()
+    small: bool = False
 
 
 Place = tuple[float, float, float]
@@ -108,65 +122,79 @@ class Model:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure that can be drawn any number of times. name: unique, safe as a file name; model: of bodies in space."""
+    """A figure that can be drawn any number of times, in any language and units.
+
+    name : unique, safe as a file name
+    draw : draws it; a function of a module or a `partial` of one, so that another process can call it
+    model : of bodies in space
+    """
 
     name: str
-    caption: str
-    draw: Callable[[], Drawn]
+    caption: Text
+    draw: Callable[[Locale], Drawn]
     model: Model | None = None
 
 
 @dataclass(frozen=True)
-class Line:
-    """One step of a calculation: symbol, clause, formula, formula with numbers, result.
+class Row:
+    """Figures side by side, each with its caption below."""
 
-    value : a number, or in words where that is all that is known: "≥ 2475"
-    beside : the value in another unit, and that unit
-    """
+    figures: tuple[Figure, ...]
 
-    symbol: str
-    description: str
-    clause: str
-    formula: str
-    substituted: str
-    value: float | str | None
-    unit: str
-    beside: tuple[float, str] | None = None
+
+@dataclass(frozen=True)
+class Photograph:
+    """A picture of the user, decoded and encoded anew. data: base64; width, height: in pixels."""
+
+    name: str
+    caption: Text
+    media_type: Literal["image/png", "image/jpeg"]
+    width: int
+    height: int
+    data: str
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """A calculation sheet. name: unique, safe as a file name."""
+    """A calculation sheet, worked in SI. name: unique, safe as a file name."""
 
     name: str
-    caption: str
-    lines: tuple[Line, ...]
+    caption: Text
+    steps: tuple[Step, ...]
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Labels and what they say, in two columns without a frame."""
+
+    pairs: tuple[tuple[Text, Text], ...]
+
+
+@dataclass(frozen=True)
+class Writing:
+    """An empty box in which the engineer writes. title: what is asked; height: [mm]."""
+
+    title: Text
+    height: float = 40.0
 
 
 @dataclass(frozen=True)
 class Signatures:
     """Places to sign: (role, name) each; an empty name leaves a line."""
 
-    places: tuple[tuple[str, str], ...]
+    places: tuple[tuple[Text, Text], ...]
 
 
 @dataclass(frozen=True)
 class Banner:
     """The outcome at a glance. near: whether it is at the limit; headline: its meaning in one sentence."""
 
-    verdict: Literal["pass", "fail", "incomplete"]
-    headline: str
+    outcome: Literal["pass", "fail", "incomplete"]
+    headline: Text
     near: bool = False
 
-    @property
-    def word(self) -> str:
-        """The outcome in capitals."""
-        return self.verdict.upper() + " AT THE LIMIT" * self.near
 
-
-SHEET_HEADS = ("Symbol", "Meaning; clause", "Formula; numbers", "Value")
-SIGNATURE_HEADS = ("", "Name", "Signature", "Place and date")
-Block = Text | Items | Code | Table | Figure | Sheet | Signatures | Banner
+Block = Prose | Items | Code | Table | Figure | Row | Photograph | Sheet | Facts | Writing | Signatures | Banner
 
 
 def nonempty(table: Table) -> list[Block]:
@@ -176,59 +204,54 @@ def nonempty(table: Table) -> list[Block]:
 
 @dataclass(frozen=True)
 class Section:
-    """A heading and the blocks under it. level: 0 for a chapter, 1 for its parts."""
+    """A heading and the blocks under it.
 
-    title: str
+    level : 0 for a chapter, 1 for its parts
+    mark : before the title: "3", "A", "M2"; "" for none
+    """
+
+    title: Text
     level: int
     blocks: tuple[Block, ...]
     starts_page: bool = False
-
-
-STAMP = "stamp"
+    mark: str = ""
 
 
 @dataclass(frozen=True)
 class Document:
     """A report.
 
-    facts : (label, text) pairs of the title block
-    sections : in order; the contents come after the opening section
-    data : tables too long to print, for the spreadsheet and the CSV files only
+    facts : labels and what they say, for the title block
+    running : in the head of each page, besides the title: reference, revision, status
+    sections : in order; the first is the first page, the contents come after the second
+    data : tables for the spreadsheet and the CSV files only
     program : name and version of the program that made it; stamp : of the results that it tells, "" for none
-    paper : "A4" or "letter"
-    language : of its sentences, as BCP 47 has it: "en", "it"
-    verbatim : texts of the user, which are never translated: titles, names, notes, paths
-    words : the renderers' own words in the language of the document, by the English ones; absent: English
-    units : of the report; its tables, sentences and figures are made in SI and converted when it is written
+    locale : in which it is to be written
     """
 
-    title: str
-    subject: str
+    title: Text
+    subject: Text
     author: str
     program: str
     paper: Literal["A4", "letter"]
-    facts: tuple[tuple[str, str], ...]
+    facts: tuple[tuple[Text, Text], ...]
     sections: tuple[Section, ...]
-    data: tuple[Table, ...]
-    language: str = "en"
-    verbatim: frozenset[str] = frozenset()
-    units: Literal["SI", "US"] = "SI"
-    words: Mapping[str, str] = field(default_factory=dict)
+    data: tuple[Table, ...] = ()
+    running: tuple[Text, ...] = ()
+    logo: Photograph | None = None
     stamp: str = ""
+    locale: Locale = field(default_factory=Locale)
 
     @property
-    def origin(self) -> str:
-        """The program, and the stamp of the results."""
-        return f"{self.program}, {STAMP} {self.stamp}" if self.stamp else self.program
-
-    def translate(self, text: str) -> str:
-        """Return a word of a renderer in the language of the document."""
-        return self.words.get(text, text)
+    def writer(self) -> Locale:
+        """The locale, with the numbers of the blocks for references."""
+        return self.locale.with_titles(self.numbers)
 
     @property
     def blocks(self) -> tuple[Block, ...]:
-        """Every block in order of appearance."""
-        return tuple(block for section in self.sections for block in section.blocks)
+        """Every block in order of appearance, figures of a row one by one."""
+        every = (block for section in self.sections for block in section.blocks)
+        return tuple(one for block in every for one in (block.figures if isinstance(block, Row) else (block,)))
 
     @property
     def tables(self) -> tuple[Table, ...]:
@@ -246,13 +269,17 @@ class Document:
         return tuple(block for block in self.blocks if isinstance(block, Sheet))
 
     @property
-    def titles(self) -> dict[tuple[str, str], str]:
-        """The titles of figures, tables and sheets, counted as they come: (kind, name) -> "Figure 1"."""
-        count: Counter[str] = Counter()
-        titles = {}
+    def numbers(self) -> dict[tuple[Kind, str], int]:
+        """The numbers of figures, photographs among them, tables and sheets, counted as they come."""
+        found: dict[tuple[Kind, str], int] = {}
+        counted: Counter[Kind] = Counter()
         for block in self.blocks:
-            if isinstance(block, Figure | Table | Sheet):
-                kind = type(block).__name__
-                count[kind] += 1
-                titles[kind, block.name] = f"{self.translate(kind)} {count[kind]}"
-        return titles
+            kind = _KINDS.get(type(block))
+            if kind is not None:
+                counted[kind] += 1
+                found[kind, block.name] = counted[kind]  # type: ignore[union-attr]  # these kinds have names
+        return found
+
+
+_KINDS: dict[type, Kind] = {Figure: "Figure", Photograph: "Figure", Table: "Table", Sheet: "Sheet"}
+NOTHING = Verbatim("")

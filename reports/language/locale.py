@@ -1,0 +1,120 @@
+"""A language and a system of units: what turns the texts of a document into letters, once, from whole values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import singledispatchmethod
+
+from assess.messages.message import Message, Quantity
+from assess.messages.texts import TEXTS
+from reports.language.catalogue import ENGLISH, decimal_point, read_catalogue
+from reports.language.numerals import FIGURES, numeral
+from reports.language.texts import Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
+from reports.language.units import UNITS, WORDS, System, Unit
+
+_NARROW = "\u00a0"  # between a number and its unit, so that no line breaks there
+
+
+@dataclass(frozen=True)
+class Locale:
+    """How a reader wants texts and numbers.
+
+    language : code of a catalogue, "en" for none
+    system : of units
+    titles : numbers of figures, tables and sheets by kind and name, for references
+    """
+
+    language: str = ENGLISH
+    system: System = "SI"
+    titles: Mapping[tuple[Kind, str], int] = field(default_factory=dict)
+
+    def with_titles(self, titles: Mapping[tuple[Kind, str], int]) -> Locale:
+        """Return this locale for a document whose blocks are numbered so."""
+        return replace(self, titles=titles)
+
+    def word(self, english: str) -> str:
+        """Return an entry of the catalogue: the words in the language, or the English ones where it has no entry."""
+        return read_catalogue(self.language).gettext(english)
+
+    @property
+    def point(self) -> str:
+        """The decimal sign."""
+        return decimal_point(self.language)
+
+    @singledispatchmethod
+    def text(self, text: Text) -> str:
+        """Return a text in letters. Raises TypeError for what is no text of a document."""
+        raise TypeError(f"{type(text).__name__}: not a text of a document")
+
+    @text.register
+    def _(self, text: Verbatim) -> str:
+        return text.text
+
+    @text.register
+    def _(self, text: Term) -> str:
+        return self.word(text.english)
+
+    @text.register
+    def _(self, text: Phrase) -> str:
+        entry = self.word(text.english)
+        if text.plural:
+            entry = read_catalogue(self.language).ngettext(text.english, text.plural, text.number)
+        return entry.format(**{name: self.text(value) for name, value in text.values.items()})
+
+    @text.register
+    def _(self, text: Message) -> str:
+        english = TEXTS.get(text.key)
+        if english is None or english.format(**text.values) != text.text:  # made by another version
+            return text.text
+        filled = {name: value if isinstance(value, str) else self.text(value) for name, value in text.values.items()}
+        return self.word(english).format(**filled)
+
+    @text.register
+    def _(self, text: Quantity) -> str:
+        unit = UNITS[self.system][text.dimension].of(text.value)
+        return self.with_unit(numeral(text.value / unit.size, figures=text.figures, point=self.point), unit)
+
+    @text.register
+    def _(self, text: Listing) -> str:
+        written = [self.text(each) for each in text.texts]
+        comma = "; " if any(", " in each for each in written) else ", "
+        if len(written) < 2 or not text.join:
+            return comma.join(written)
+        last = {"and": "{first} and {last}", "or": "{first} or {last}"}[text.join]
+        return self.word(last).format(first=comma.join(written[:-1]), last=written[-1])
+
+    @text.register
+    def _(self, text: Paragraph) -> str:
+        return " ".join(self.text(each) for each in text.sentences)
+
+    @text.register
+    def _(self, text: Reference) -> str:
+        return self.title(text.kind, text.name)
+
+    def title(self, kind: Kind, name: str) -> str:
+        """Return the title of a block: "Figure 5"."""
+        return f"{self.word(kind)}{_NARROW}{self.titles[kind, name]}"
+
+    def number(self, value: float, *, figures: int = FIGURES, aligned: bool = False) -> str:
+        """Return a number without a unit."""
+        return numeral(value, figures=figures, aligned=aligned, point=self.point)
+
+    def table_unit(self, dimension: str) -> Unit:
+        """Return the unit of a column or of an axis."""
+        return UNITS[self.system][dimension].table
+
+    def unit_name(self, unit: Unit) -> str:
+        """Return the name of a unit in the language."""
+        return self.word(unit.name) if unit.name in WORDS else unit.name
+
+    def with_unit(self, number: str, unit: Unit) -> str:
+        """Return a number and its unit: 1.234 m, 30°."""
+        if not unit.name:
+            return number
+        return number + ("" if unit.name == "°" else _NARROW) + self.unit_name(unit)
+
+    def heading(self, label: Text, dimension: str) -> str:
+        """Return the label of a column or an axis with its unit: "rotation [rad]"."""
+        unit = self.unit_name(self.table_unit(dimension)) if dimension else ""
+        return f"{self.text(label)} [{unit or '-'}]" if dimension else self.text(label)

@@ -1,0 +1,59 @@
+"""What mechanisms and procedures are called in the report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from assess.codes.check import Check
+from assess.results import MechanismResult, Results
+from reports.language.texts import Phrase, Text, Verbatim, say
+
+PROCEDURES: Mapping[str, Phrase] = {
+    "asce43-05-spectrum": say("ASCE 43-05, approximate method"),
+    "asce43-05-spectrum-thesis": say("ASCE 43-05, approximate method, thesis reading"),
+    "asce43-05-history": say("ASCE 43-05, response history"),
+    "dmi2008-linear": say("DMI 2008, linear"),
+    "dmi2008-nonlinear": say("DMI 2008, capacity spectrum"),
+    "dmi2008-nonlinear-thesis": say("DMI 2008, capacity spectrum, thesis reading"),
+    "dmi2008-history": say("DMI 2008, response history"),
+    "ntc2018-linear": say("NTC 2018, linear kinematic"),
+    "ntc2018-nonlinear": say("NTC 2018, non-linear kinematic"),
+    "ntc2018-history": say("NTC 2018, response history"),
+    "nzsee2017-face-loaded": say("NZSEE 2017, face-loaded wall"),
+    "asce41-13-ht": say("ASCE 41-13, slenderness"),
+    "ec8-element": say("Eurocode 8, non-structural element"),
+    "sliding": say("Sliding, equilibrium"),
+    "asce43-05-sliding": say("ASCE 43-05, sliding"),
+}
+"""Titles of the procedures, in place of the names by which a project file calls them."""
+
+
+def mechanism_title(mechanism: MechanismResult) -> str:
+    """Return the mechanism's label, or its name where it has none."""
+    return mechanism.label or mechanism.name
+
+
+def mechanism_number(results: Results, name: str) -> str:
+    """Return the number of a mechanism by its name: "M1" for the first of the results."""
+    place = next(place for place, each in enumerate(results.mechanisms, start=1) if each.name == name)
+    return f"M{place}"
+
+
+def numbered_title(results: Results, name: str) -> Verbatim:
+    """Return number and title of a mechanism by its name: "M1 Wall 6"."""
+    found = next(each for each in results.mechanisms if each.name == name)
+    return Verbatim(f"{mechanism_number(results, name)} {mechanism_title(found)}")
+
+
+def procedure_title(procedure: str) -> Text:
+    """Return the title of a procedure; the name itself of one that is not in the table."""
+    return PROCEDURES.get(procedure, Verbatim(procedure))
+
+
+def check_title(check: Check, among: tuple[Check, ...]) -> Text:
+    """Return the title of a check's procedure, with its limit state where `among` has several of the same procedure."""
+    states = {other.limit_state for other in among if other.procedure == check.procedure}
+    title = procedure_title(check.procedure)
+    if len(states) < 2:
+        return title
+    return say("{procedure}, {limit_state}", procedure=title, limit_state=Verbatim(check.limit_state))

@@ -22,6 +22,15 @@ from assess.results.joints import BranchMoment, HingeForceResult, InterfaceCurve
 from assess.results.loads import Lasting, LoadResult
 from assess.results.mechanism import MechanismResult
 from assess.results.oscillator import BranchCurve, Curve, LinearisedResult, OscillatorResult
+from assess.results.report_matter import (
+    BuildingType,
+    ChecklistItem,
+    ChecklistOutcome,
+    MediaType,
+    Picture,
+    ReportMatter,
+    Revision,
+)
 from assess.results.run import SCHEMA_VERSION, Results
 from assess.results.sensitivity import SensitivityResult
 from assess.results.site import PrimaryPulse, RecordResult, RecordSpectrum, SpectrumResult
@@ -35,7 +44,10 @@ __all__ = [
     "Axis",
     "BranchCurve",
     "BranchMoment",
+    "BuildingType",
     "CarriedMotion",
+    "ChecklistItem",
+    "ChecklistOutcome",
     "ComparisonRow",
     "CriticalBand",
     "CriticalResult",
@@ -58,8 +70,10 @@ __all__ = [
     "LinearisedResult",
     "LoadResult",
     "MechanismResult",
+    "MediaType",
     "NamedPoint",
     "OscillatorResult",
+    "Picture",
     "Place",
     "Point",
     "PrimaryPulse",
@@ -67,9 +81,11 @@ __all__ = [
     "RecordResult",
     "RecordSpectrum",
     "Remaining",
+    "ReportMatter",
     "RequirementResult",
     "Resolved",
     "Results",
+    "Revision",
     "Ring",
     "SelectionResult",
     "SensitivityResult",

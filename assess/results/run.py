@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from assess.codes.verdict import Verdict
 from assess.messages.message import Message
 from assess.results.comparison import ComparisonRow
+from assess.results.controls import Control
 from assess.results.envelopes import CriticalResult
 from assess.results.ground_motion import GroundMotionResult
 from assess.results.inputs import Input, Program, Resolved
@@ -42,3 +43,4 @@ class Results(ShortRepr):
     ground_motion: GroundMotionResult | None = None
     sensitivity: tuple[SensitivityResult, ...] = ()
     stamp: str = ""
+    controls: tuple[Control, ...] = ()

@@ -6,6 +6,7 @@ same bytes.
 
 from assess.results.amplification import AmplificationResult, CarriedMotion, Factor
 from assess.results.comparison import ComparisonRow
+from assess.results.controls import Control, ControlKind
 from assess.results.directions import DirectionCandidate, DirectionSweep
 from assess.results.drawing import Displaced, Drawing, DrawnLoad, NamedPoint
 from assess.results.envelopes import CriticalBand, CriticalResult, EnvelopeResult
@@ -49,6 +50,8 @@ __all__ = [
     "ChecklistItem",
     "ChecklistOutcome",
     "ComparisonRow",
+    "Control",
+    "ControlKind",
     "CriticalBand",
     "CriticalResult",
     "Curve",

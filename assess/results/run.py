@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from assess.codes.verdict import Verdict
 from assess.messages.message import Message
 from assess.results.comparison import ComparisonRow
+from assess.results.controls import Control
 from assess.results.envelopes import CriticalResult
 from assess.results.ground_motion import GroundMotionResult
 from assess.results.inputs import Input, Program, Resolved
@@ -44,3 +45,4 @@ class Results(ShortRepr):
     sensitivity: tuple[SensitivityResult, ...] = ()
     stamp: str = ""
     report: ReportMatter = NO_MATTER
+    controls: tuple[Control, ...] = ()

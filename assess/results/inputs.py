@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from assess.short_repr import ShortRepr
@@ -34,7 +34,12 @@ class Input(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Resolved(ShortRepr):
-    """A value of the project as used, in SI; given: whether by the user, or by default."""
+    """A value of the project as used, in SI; given: whether by the user, or by default.
+
+    dimensions : what its numbers measure, by the way to them from the key: "" for the value itself, "2.mass" for a key
+    of the third of several tables; keys without a dimension are left out
+    """
 
     value: Any
     given: bool
+    dimensions: dict[str, str] = field(default_factory=dict)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reports.localisation import localise
 from scipy.constants import g
 
 from assess.codes.bases import BASES
@@ -48,7 +49,6 @@ from assess.results import (
 )
 from reports.assessment import assessment
 from reports.document import Document
-from reports.localisation import localise
 from reports.render.html import write_html
 from reports.render.processes import processes
 from reports.render.svg import picture

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
+from assess.messages.message import Quantity
 from assess.results import Resolved
 from reports.document import Cell
-from reports.language.texts import Quantity, Verbatim, listing, say
+from reports.language.texts import Verbatim, listing, say
 
 _FIGURES = 6
 DIMENSIONS: Mapping[str, str] = {

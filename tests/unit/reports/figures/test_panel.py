@@ -11,8 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator, NullFormatter
-
 from reports.figures.ruler import Canvas
+
 from reports.figures.style import report_style, sheet
 from reports.render.vector import Letters, Stroke, trace_figure
 

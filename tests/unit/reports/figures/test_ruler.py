@@ -7,8 +7,8 @@ from matplotlib.backend_bases import RendererBase
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
-
 from reports.figures.ruler import RULER, Canvas
+
 from reports.figures.style import report_style, sheet
 
 

@@ -11,13 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from reports.figures.us_axes import convert
+from reports.localisation import localise
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
 from reports.figures import sketch
 from reports.figures.style import report_style, sheet
-from reports.figures.us_axes import convert
-from reports.localisation import localise
 
 FOOT, INCH, PSI = 0.3048, 0.0254, 4.4482216152605 / 0.0254**2
 

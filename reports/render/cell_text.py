@@ -30,4 +30,3 @@ def is_number(cell: Cell) -> bool:
 def is_numeric(cells: tuple[Cell, ...]) -> bool:
     """Return whether a column has numbers alone."""
     return any(map(is_number, cells)) and all(cell is None or is_number(cell) for cell in cells)
-

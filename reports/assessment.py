@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
@@ -33,6 +32,7 @@ from reports.language.catalogue import ENGLISH
 from reports.language.locale import Locale
 from reports.language.texts import say
 from reports.project_text import project_text
+from reports.titles import file_stem
 
 Detail = Literal["main", "full"]
 
@@ -106,12 +106,6 @@ def envelope_report(results: Results) -> Document:
         sections=_numbered([*annex_envelopes.sections(results), *annex_inputs.sections(results)]),
         data=tuple(annex_envelopes.data(results)),
     )
-
-
-def file_stem(name: str, place: int) -> str:
-    """Return a unique and safe beginning for the file names of a mechanism: its place and its name in plain letters."""
-    plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
-    return f"{place:02d}-{plain}" if plain else f"{place:02d}"
 
 
 def locale_of(results: Results, language: str | None = None) -> Locale:

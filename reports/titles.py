@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from assess.codes.check import Check
@@ -89,3 +90,9 @@ def _with_state(title: Text, check: Check, among: tuple[Check, ...]) -> Text:
     if len(states) < 2:
         return title
     return say("{procedure}, {limit_state}", procedure=title, limit_state=Verbatim(check.limit_state))
+
+
+def file_stem(name: str, place: int) -> str:
+    """Return a unique and safe beginning for the file names of a mechanism: its place and its name in plain letters."""
+    plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
+    return f"{place:02d}-{plain}" if plain else f"{place:02d}"

@@ -35,11 +35,12 @@ def report(
 
     read = open_results(results, tell=print_message)
     found = read.results
+    from reports.chapters.inputs import project_text
+
     from assess.cli.progress import progress
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
     from reports.assessment import envelope_report
-    from reports.chapters.inputs import project_text
     from reports.writing import Form, write_all, write_document
 
     chosen = language or _language_of(project_text(found, "report.language"), source=results)

@@ -13,7 +13,7 @@ import hashlib
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from assess.errors import ProjectError
 from assess.messages.message import Message
 from assess.project.bare_numbers import bare_number_messages
 from assess.project.key_text import error_line, escape_text, value_text
+from assess.project.keys import places_of
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
@@ -181,7 +182,16 @@ def resolve(project: Project) -> dict[str, Resolved]:
 
     Paths are written relative to the project file.
     """
-    return dict(_resolved("", project.content, True, project.folder))
+    found = dict(_resolved("", project.content, True, project.folder))
+    kinds = {key: place.kind.name for key, place in places_of(project.content).items() if place.kind is not None}
+    return {key: replace(each, dimensions=_dimensions(key, kinds)) for key, each in found.items()}
+
+
+def _dimensions(key: str, kinds: Mapping[str, str]) -> dict[str, str]:
+    """Return what the numbers at and below a key measure, by the way to them."""
+    if key in kinds:
+        return {"": kinds[key]}
+    return {way[len(key) + 1 :]: kind for way, kind in kinds.items() if way.startswith(f"{key}.")}
 
 
 def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, Resolved]]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import pi
 from typing import Literal
 
 from scipy.constants import foot, g, giga, inch, kilo, lbf, mega, mile, milli, pound, psi
@@ -60,7 +61,7 @@ _SI: Mapping[str, Units] = {
     "ground acceleration": _one("g"),
     "frequency": _one("Hz"),
     "rotation": _one("rad"),
-    "angle": _one("°"),
+    "angle": _one("°", pi / 180.0),
     "angular frequency": _one("1/s"),
     "mass": _several("kg", kg=1.0, t=kilo),
     "inertia": _several("kg m²", **{"kg m²": 1.0, "t m²": kilo}),

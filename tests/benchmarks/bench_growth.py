@@ -16,6 +16,7 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from reports.language.template import template
 
 from assess.geometry.contact import find_contact
 from assess.geometry.planar import planar_body
@@ -29,7 +30,6 @@ from records.event_groups import event_groups
 from records.primary_pulse import primary_pulses
 from records.record import make_record
 from records.selection import Criteria, select
-from reports.language.template import template
 from spectra.asce7 import design_spectrum
 from tests.support.projects import published, tables_toml
 from tests.support.solids import refine_mesh

@@ -8,8 +8,9 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from assess.results.files import read
 from reports.missing_translations import missing_sentences
+
+from assess.results.files import read
 
 
 def main(language: str, *paths: str) -> None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from reports.language.translation import Translator
 
 from assess.codes.bases import BASES
 from reports.language.catalogue import catalogue, languages
-from reports.language.translation import Translator
 
 
 @pytest.mark.parametrize("language", languages()[1:])

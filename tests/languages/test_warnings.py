@@ -16,12 +16,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reports.language.translation import Translator
 
 from assess.geometry.mesh import load
 from assess.messages.texts import TEXTS
 from records.formats import FORMATS
 from reports.language.catalogue import FOLDER, catalogue, languages
-from reports.language.translation import Translator
 from tests.support.readings import LINES
 
 ROOT = Path(__file__).parents[2]

@@ -6,6 +6,8 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
+from reports.chapters.descriptions import KINDS
+from reports.language.translation import Translator
 
 import assess
 from assess.mechanisms.impact import ONE_SIDED, TWO_SIDED
@@ -15,9 +17,7 @@ from assess.project import sections
 from assess.project.definitions import CHAINED
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
 from assess.study.wall_size import SUPPORTS
-from reports.chapters.descriptions import KINDS
 from reports.language.catalogue import catalogue, languages
-from reports.language.translation import Translator
 from tests.properties.test_mechanisms import CASES
 
 ROOT = Path(__file__).parents[2]

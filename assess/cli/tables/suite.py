@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from reports.chapters.site import event_name
+from reports.chapters.suite import requirements, sentences
+
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
 from assess.project.suites import Suite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
-from reports.chapters.site import event_name
-from reports.chapters.suite import requirements, sentences
 from reports.figures import record_spectra
 from reports.render.csv import csv_lines
 from reports.render.figure_file import write_figure

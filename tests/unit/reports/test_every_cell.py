@@ -10,6 +10,7 @@ import pytest
 from lxml import html
 from openpyxl import load_workbook
 from pypdf import PdfReader
+from reports.render.sheet_table import as_table
 
 from reports.document import Cell, Document, Sheet, Table
 from reports.figures.font import printable
@@ -17,7 +18,6 @@ from reports.language.lettering import truncate, visible
 from reports.language.numerals import cell_text, step_result
 from reports.render.csv import field, write_csv
 from reports.render.pdf import write_pdf
-from reports.render.sheet_table import as_table
 from reports.render.spreadsheet import SHEETS, unique, write_xlsx
 from reports.render.vector import FigureMarks
 

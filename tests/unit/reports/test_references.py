@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from reports.references import reference, resolve_references
 
 from assess.results import Results
 from reports.assessment import assessment
 from reports.document import Document, Figure, Section, Text
-from reports.references import reference, resolve_references
 
 
 def with_paragraph(text: str) -> Document:

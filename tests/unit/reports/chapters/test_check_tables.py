@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from dataclasses import asdict, replace
 
+from reports.chapters.calculation_sheets import calculation_sheet
+from reports.render.sheet_table import as_table
+
 from assess.codes.check import Bound, Step
 from assess.messages.message import message
 from assess.results import Results
 from reports.assessment import assessment
 from reports.chapters import check_tables
-from reports.chapters.calculation_sheets import calculation_sheet
 from reports.language.numerals import step_result
-from reports.render.sheet_table import as_table
 
 
 def numbers_in(tree: object) -> set[float]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from reports.language.lists import list_names
 
 from assess.codes.check import Outcome
 from assess.codes.registry import PROCEDURES
 from assess.results import Results
 from reports.chapters import conclusions
-from reports.language.lists import list_names
 
 
 def with_margins(results: Results, *margins: float | None) -> Results:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from reports.chapters.envelopes import describe_envelope
 
 from assess.dynamics.envelope import envelope
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.study.envelopes import envelope_result
 from records.pulses import SHAPES
-from reports.chapters.envelopes import describe_envelope
 
 BRANCH = plain_branch(SingleBlock(1.0, 2.0, 0.2, 5.0), restitution=0.9)
 BLOCK = Oscillator(BRANCH, BRANCH, 1.0)

@@ -7,6 +7,8 @@ from math import sin, sqrt
 
 import numpy as np
 import pytest
+from reports.chapters.parameters import parameters as table_of_parameters
+from reports.language.measures import render_measures
 from scipy.constants import g
 
 from assess.project.build import build
@@ -16,10 +18,8 @@ from assess.study.parameters import parameters
 from reports import joints
 from reports.assessment import assessment
 from reports.chapters import descriptions, interface_variants, interfaces
-from reports.chapters.parameters import parameters as table_of_parameters
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
-from reports.language.measures import render_measures
 from tests.support.projects import block, project_toml, wall
 
 SOFT = {"interface": {"model": "flexible", "stiffness": "0.2 GPa/m"}}

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from reports.mechanism_title import mechanism_title
+
 from assess.codes.check import Outcome
 from assess.messages.message import message
 from assess.messages.texts import TEXTS
 from assess.results import Results
 from reports.chapters import limits
-from reports.mechanism_title import mechanism_title
 
 
 def test_limits_name_what_is_judged_at_height_by_the_motion_of_the_ground(results: Results) -> None:

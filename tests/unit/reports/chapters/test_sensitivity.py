@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.figure import Figure as Drawn
+from reports.chapters.sensitivity_ranking import rank_inputs
+from reports.language.measures import in_units, render_measures
 
 from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports.assessment import assessment
 from reports.chapters import sensitivity
-from reports.chapters.sensitivity_ranking import rank_inputs
 from reports.document import Document, Figure, Table, Text
 from reports.figures import tornado
-from reports.language.measures import in_units, render_measures
 
 UNITS = {"density": ("materials.caliche.density", "kg/m^3", 2240.0), "thickness": ("thickness of wall", "m", 0.6)}
 LEVELS = (0.1, 0.2)

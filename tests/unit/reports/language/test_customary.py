@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pint
 import pytest
-
 from reports.language.customary import KNOWN, customary
 
 REGISTRY = pint.UnitRegistry()

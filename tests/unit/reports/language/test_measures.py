@@ -15,6 +15,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure as Drawn
+from reports.language.document_texts import map_texts
+from reports.language.measures import Units, as_typed, in_units, measure, measures, number, render_measures, unit_word
+from reports.language.message_text import message_text
+from reports.language.us_units import WORKED_IN_SI
+from reports.localisation import localise
 
 from assess.messages.message import Message, Quantity, note, warning
 from assess.results import AmplificationResult, Factor, Resolved, Results
@@ -22,11 +27,6 @@ from assess.results.json import dumps
 from reports.assessment import assessment
 from reports.document import Document, Figure, Section, Text
 from reports.figures.style import report_style, sheet
-from reports.language.document_texts import map_texts
-from reports.language.measures import Units, as_typed, in_units, measure, measures, number, render_measures, unit_word
-from reports.language.message_text import message_text
-from reports.language.us_units import WORKED_IN_SI
-from reports.localisation import localise
 
 REGISTRY = pint.UnitRegistry()
 NUMBER = re.compile(r"[-−]?\d+(?:\.\d+)?(?:e[+-]\d+|×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
+from reports.language.translation import Translator, translate_document
+from reports.missing_translations import missing_sentences
 
 import assess.examples
 from assess.project.build import build
@@ -18,8 +20,6 @@ from assess.study.run import run
 from reports.assessment import assessment
 from reports.document import Document, Figure, Sheet, Table, Text
 from reports.language.catalogue import catalogue, parse_catalogue
-from reports.language.translation import Translator, translate_document
-from reports.missing_translations import missing_sentences
 from reports.render.pdf import write_pdf
 from reports.render.vector import Letters, trace_figure
 

@@ -7,14 +7,14 @@ from itertools import pairwise
 
 import pint
 import pytest
+from reports.language.us_units import WORKED_IN_SI, in_us_units, table
+from reports.render.sheet_table import as_table
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
 from reports.chapters import check_tables
 from reports.document import Cell, Column, Document, Line, Section, Sheet, Table, Text
 from reports.language.numerals import step_result
-from reports.language.us_units import WORKED_IN_SI, in_us_units, table
-from reports.render.sheet_table import as_table
 
 REGISTRY = pint.UnitRegistry()
 SHARED = ("", "-", "g", "s", "rad", "Hz", "1/s", "years")

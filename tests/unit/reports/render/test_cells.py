@@ -11,9 +11,9 @@ from hypothesis import given, strategies
 from pypdf import PdfReader
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Paragraph
+from reports.render.cells import Cell, cell, draw_cells, formula_pieces, plain_cell
 
 from reports.figures.font import printable
-from reports.render.cells import Cell, cell, draw_cells, formula_pieces, plain_cell
 from reports.render.typeset import STYLES, paragraph, register_fonts, width_of
 
 PROSE = "a horizontal action lambda times all the weights, at which the mechanism just begins to rock: see the clause"

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
+from reports.render.grid import LONGEST, column_widths, table_grid
+from reports.render.ruled_table import RuledTable
 
 from reports.document import Cell, Column, Document, Section, Table
-from reports.render.grid import LONGEST, column_widths, table_grid
 from reports.render.pdf import write_pdf
-from reports.render.ruled_table import RuledTable
 from reports.render.typeset import register_fonts, width_of
 
 COLUMNS = (Column("Record"), Column("PGA", "g", "number"), Column("Verdict", kind="verdict"))

@@ -10,14 +10,14 @@ from typing import Literal
 import pytest
 from pypdf import PdfReader
 from pypdf.generic import Destination
+from reports.language.document_texts import map_texts
+from reports.localisation import localise
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
 from reports.document import Banner, Code, Section
 from reports.document import Figure as DrawnFigure
 from reports.figures.style import bare_sheet
-from reports.language.document_texts import map_texts
-from reports.localisation import localise
 from reports.render.pdf import write_pdf
 
 HOSTILE = ("<b>&", "<para>", "</font>", "=cmd()", "$x$", "{}%s", "\\frac{1}{2}")

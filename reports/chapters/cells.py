@@ -1,0 +1,90 @@
+"""Cells that several chapters share: outcomes, rotations, numbers that may be words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from assess.codes.check import Check, Outcome, Reason
+from assess.messages.message import UNITS, Quantity
+from reports import document
+from reports.document import Cell, Column, Graded
+from reports.language.texts import Phrase, Text, say
+
+OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
+NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
+OUTCOMES: Mapping[str, Phrase] = {
+    "pass": say("pass"),
+    "fail": say("fail"),
+    "incomplete": say("incomplete"),
+    "not-answered": say("not answered"),
+    "not-applicable": say("not applicable"),
+}
+ROLES: Mapping[str, Phrase] = {"deciding": say("decides"), "comparison": say("for comparison")}
+READINGS: Mapping[str, Phrase] = {"letter": say("clause"), "thesis": say("thesis reading")}
+INPUTS: Mapping[str, Phrase] = {
+    "ground": say("ground"),
+    "mechanism base": say("base of the mechanism"),
+    "missing": say("missing"),
+}
+BRANCHES: Mapping[str, Phrase] = {"positive": say("positive"), "negative": say("negative")}
+_COLOURS: Mapping[str, document.Outcome] = {"pass": "pass", "fail": "fail", "incomplete": "incomplete"}
+_NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
+
+MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground acceleration")
+METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
+
+
+def outcome_cell(check: Check) -> Graded:
+    """Return the outcome of a check, coloured where it decides."""
+    colour = _COLOURS.get(check.verdict.value, "incomplete") if check.role == "deciding" else "comparison"
+    return Graded(colour, OUTCOMES[check.verdict.value])
+
+
+def is_silent(check: Check) -> bool:
+    """Return whether a check has no numbers to show."""
+    return check.verdict in (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
+
+
+def unbounded_text(check: Check) -> Phrase | None:
+    """Return why a check fails without a finite demand; None where it has one."""
+    return {"overturned": OVERTURNED, "beyond the spectrum": BEYOND}.get(check.unbounded)
+
+
+def value_cell(value: float | None, unit: str, *, figures: int = 4) -> Cell:
+    """Return a number of the results with its unit; `unit` is a value of `assess.messages.message.UNITS`."""
+    return None if value is None else Quantity(value, _DIMENSIONS.get(unit, "ratio"), figures)
+
+
+_DIMENSIONS = {unit: dimension for dimension, unit in UNITS.items()} | {"": "ratio"}
+
+
+def demand_cell(check: Check) -> Cell:
+    """Return the demand of a check with its unit, or why there is none."""
+    return unbounded_text(check) or value_cell(check.demand, check.unit)
+
+
+def capacity_cell(check: Check) -> Cell:
+    """Return the allowable of a check with its unit."""
+    return value_cell(check.capacity, check.unit)
+
+
+def rocking_cell(rotation: float | None) -> Cell:
+    """Return a rotation; words for a body that does not move."""
+    return NO_ROCKING if rotation == 0 else rotation
+
+
+def rotation_cell(check: Check) -> Cell:
+    """Return the rotation of a check; a body that lifts off without a lasting rotation is not at rest."""
+    if check.unbounded:
+        return unbounded_text(check)
+    return NO_LASTING if check.reason.key in _NO_LASTING_ROTATION else rocking_cell(check.rotation_ratio)
+
+
+def uplift_cell(at: float | None) -> Cell:
+    """Return the multiplier or PGA at uplift; "none" where joints have no threshold of uplift."""
+    return NONE if at is None else at
+
+
+def words(known: Mapping[str, Phrase], name: str) -> Text:
+    """Return the words of a name; raises KeyError for an unknown one."""
+    return known[name]

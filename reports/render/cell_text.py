@@ -1,34 +1,32 @@
-"""A cell of a table in letters."""
+"""The cells of a table in letters."""
 
 from __future__ import annotations
 
 from reports.document import Cell, Column, Graded
 from reports.language.locale import Locale
-from reports.language.texts import say
+from reports.render.frame_words import NO, YES
 
-DASH = "—"
-_TRUTH = {True: say("yes"), False: say("no")}
+NOTHING = "—"
+_WHOLE = 12  # figures of a whole number
 
 
 def cell_text(cell: Cell, column: Column, locale: Locale) -> str:
-    """Return a cell as a reader sees it; its number in the unit of the column, a dash where there is nothing."""
+    """Return a cell in the letters of a locale, a number in the unit of its column; a dash where there is nothing."""
     if cell is None:
-        return DASH
+        return NOTHING
     if isinstance(cell, bool):
-        return locale.text(_TRUTH[cell])
+        return locale.text(YES if cell else NO)
     if isinstance(cell, int | float):
-        return locale.number(in_unit(cell, column, locale), figures=column.figures, aligned=not isinstance(cell, int))
-    return locale.text(cell.text if isinstance(cell, Graded) else cell) or DASH
+        value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
+        return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE)
+    return locale.text(cell.text if isinstance(cell, Graded) else cell) or NOTHING
 
 
-def in_unit(number: float, column: Column, locale: Locale) -> float:
-    """Return a number in the unit of its column; in SI where the column has no dimension, as whole numbers."""
-    size = locale.table_unit(column.dimension).size if column.dimension else 1.0
-    return number if size == 1.0 else number / size
+def is_number(cell: Cell) -> bool:
+    """Return whether a cell is set as a number: to the right."""
+    return isinstance(cell, int | float) and not isinstance(cell, bool)
 
 
-def is_numeric(column: Column, cells: tuple[Cell, ...]) -> bool:
-    """Return whether a column is one of numbers: it has a dimension, or nothing but numbers where there is anything."""
-    given = [cell for cell in cells if cell is not None]
-    numbers = [isinstance(cell, int | float) and not isinstance(cell, bool) for cell in given]
-    return bool(column.dimension) or (bool(numbers) and all(numbers))
+def is_numeric(cells: tuple[Cell, ...]) -> bool:
+    """Return whether a column has numbers alone."""
+    return any(map(is_number, cells)) and all(cell is None or is_number(cell) for cell in cells)

@@ -1,59 +1,66 @@
-"""The lines of a calculation sheet in letters, the same on a page of the PDF and on the screen.
-
-A sheet is worked in SI; where the reader wants other units, each result has its value in them beside.
-"""
+"""The steps of a calculation sheet in letters: the formula, the numbers in it, and the result."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 from assess.codes.calculation_step import Step
+from assess.messages.message import Quantity
 from reports.document import Sheet
+from reports.language.formula import mark_up
 from reports.language.locale import Locale
-from reports.language.texts import quantity, say
-from reports.language.units import UNITS, WORDS, Unit
+from reports.language.units import UNITS
+from reports.render.cell_text import NOTHING
 
-SHEET_HEADS = (say("Symbol"), say("Meaning; clause"), say("Formula; numbers"), say("Value"))
-BOUNDS = {"": "", "<=": "≤ ", ">=": "≥ "}
+SIGNS: Mapping[str, str] = {"": "", "<=": "≤ ", ">=": "≥ "}
 _POWERS = str.maketrans("23", "²³")
-_FIGURES = 4
-_NONE = "—"
 
 
-class SheetRow(NamedTuple):
-    """A line of a sheet; `reports.language.formula` reads the indices of its symbol, formula and numbers."""
+@dataclass(frozen=True)
+class SheetRow:
+    """One step. numbers: the formula with them, empty where there are none; beside: the result in US units."""
 
     symbol: str
     description: str
     clause: str
     formula: str
     numbers: str
-    value: str
+    result: str
+    beside: str
 
 
-def sheet_rows(sheet: Sheet, locale: Locale) -> tuple[SheetRow, ...]:
-    """Return the lines of a sheet."""
-    return tuple(_row(step, locale) for step in sheet.steps)
+def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
+    """Yield the steps of a sheet in the letters of a locale; worked in SI, results beside in US units where asked."""
+    for step in sheet.steps:
+        yield SheetRow(
+            step.symbol,
+            locale.word(step.description) if step.description else "",
+            locale.word(step.clause) if step.clause else "",
+            locale.word(step.formula) if step.formula else "",
+            locale.word(step.substituted) if step.substituted else "",
+            _result(step, locale),
+            _beside(step, locale),
+        )
 
 
-def _row(step: Step, locale: Locale) -> SheetRow:
-    description, clause = (locale.word(text) if text else "" for text in (step.description, step.clause))
-    return SheetRow(step.symbol, description, clause, step.formula, step.substituted, step_value(step, locale))
+def marked_formula(escaped: str, *, power: str) -> str:
+    """Return an escaped formula with tags for its indices and powers. power: the tag of a power, "sup" or "super"."""
+    return mark_up(escaped, index=("<sub>", "</sub>"), power=(f"<{power}>", f"</{power}>"))
 
 
-def step_value(step: Step, locale: Locale) -> str:
-    """Return the result of a step in its unit, with that of the locale's system beside: 1.234 m (4.049 ft)."""
+def _result(step: Step, locale: Locale) -> str:
+    """Return the result in the SI unit in which the formula is worked."""
     if step.value is None:
-        return _NONE
-    number = BOUNDS[step.bound] + locale.number(step.value, figures=_FIGURES)
-    written = locale.with_unit(number, step_unit(step, locale))
-    if locale.system == "SI" or UNITS["SI"].get(step.dimension) == UNITS[locale.system].get(step.dimension):
-        return written
-    return f"{written} ({locale.text(quantity(step.value, step.dimension, _FIGURES))})"
+        return NOTHING
+    unit = "" if step.unit == "-" else step.unit.translate(_POWERS)
+    number = locale.number(step.value)
+    return f"{SIGNS[step.bound]}{number}" + (f"\N{NO-BREAK SPACE}{locale.word(unit)}" if unit else "")
 
 
-def step_unit(step: Step, locale: Locale) -> Unit:
-    """Return the unit in which a step is worked, as it is printed."""
-    if step.unit in ("-", *WORDS):
-        return Unit("" if step.unit == "-" else locale.word(step.unit))
-    return Unit(step.unit.translate(_POWERS))
+def _beside(step: Step, locale: Locale) -> str:
+    """Return the result in the units of the locale where they are others; empty where not."""
+    here, in_si = (UNITS[system].get(step.dimension) for system in (locale.system, "SI"))
+    if step.value is None or here is None or here == in_si:
+        return ""
+    return SIGNS[step.bound] + locale.text(Quantity(step.value, step.dimension))

@@ -78,12 +78,12 @@ def _unanswered(answer: Answer) -> Text:
         )
     if answer.provisional == Decision.PASS:
         return say(
-            "There is no answer for {state}: {reason}. With the safe value of what is missing the mechanism would pass.",
+            "There is no answer for {state}: {reason}. With the safe value of what is missing it would pass.",
             state=Verbatim(answer.limit_state),
             reason=answer.reason,
         )
     return say(
-        "There is no answer for {state}: {reason}. With the safe value of what is missing the mechanism would fail.",
+        "There is no answer for {state}: {reason}. With the safe value of what is missing it would fail.",
         state=Verbatim(answer.limit_state),
         reason=answer.reason,
     )

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from functools import partial
 
+from assess.messages.message import Message
 from assess.results import HistoryResult, MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.chapters import sweep_tables
 from reports.chapters.cells import LEVEL, OVERTURNED, rocking_cell
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table, nonempty
 from reports.figures import amplification, history
-from reports.language.texts import Paragraph, Text, Verbatim, count, quantity, say, say_count
+from reports.language.texts import Paragraph, Term, Text, Verbatim, count, quantity, say, say_count
 from reports.titles import file_stem, mechanism_number, mechanism_title
 
 MARK = "B"
@@ -60,8 +61,9 @@ def _amplification(mechanism: MechanismResult, stem: str) -> list[Block]:
     return blocks
 
 
-def _sentences(said: tuple[Text, ...]) -> list[Text]:
-    return [say("Motion at its base: {text}.", text=each) for each in said]
+def _sentences(said: tuple[Message | str, ...]) -> list[Text]:
+    texts = (Term(each) if isinstance(each, str) else each for each in said)
+    return [say("Motion at its base: {text}.", text=each) for each in texts]
 
 
 def _factors(mechanism: MechanismResult) -> list[Text]:

@@ -36,14 +36,14 @@ PARAMETERS: tuple[tuple[str, Phrase, str, str], ...] = (
 
 def parameters(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the rocking parameters of both branches."""
-    columns = (
+    columns: tuple[Column, ...] = (
         Column(say("Parameter")),
         Column(say("Symbol"), share=0.2),
         Column(say("Positive branch"), share=0.18),
         Column(say("Negative branch"), share=0.18),
     )
     branches = (mechanism.oscillator, mechanism.oscillator_negative)
-    rows = tuple(
+    rows: tuple[tuple[Cell, ...], ...] = tuple(
         (label, Verbatim(symbol), *(parameter_cell(branch, key, dimension) for branch in branches))
         for key, label, symbol, dimension in PARAMETERS
     )

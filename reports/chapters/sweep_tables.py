@@ -82,7 +82,7 @@ def table(found: SweepResult, *, name: str) -> Table:
 
 def _row(found: SweepResult, place: int, *, on_joints: bool) -> tuple[Cell, ...]:
     joints: tuple[Cell, ...] = (found.overturning_flexible_rad[place], found.elastic_frequency_hz[place])
-    outcome = found.outcome[place].value
+    outcome = found.outcome[place]
     return (
         Verbatim(_as_written(found.value[place], found.unit)),
         found.p_eq_per_s[place],
@@ -92,7 +92,7 @@ def _row(found: SweepResult, place: int, *, on_joints: bool) -> tuple[Cell, ...]
         found.restitution[place],
         OVERTURNED if found.overturned[place] else found.demand_capacity[place],
         found.capacity_pga_g[place],
-        Graded(outcome, OUTCOMES[outcome]),
+        Graded(outcome.value, OUTCOMES[outcome.value]),
         say("controls") if place == found.controlling else None,
     )
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from reports.localisation import localise
 from scipy.constants import g
 
 from assess.codes.bases import BASES
@@ -47,12 +47,10 @@ from assess.results import (
     Trace,
     View,
 )
-from reports.assessment import assessment
-from reports.document import Document
-from reports.render.html import write_html
-from reports.render.processes import processes
-from reports.render.svg import picture
-from reports.render.vector import FigureMarks, trace_figures
+
+if TYPE_CHECKING:
+    from reports.document import Document
+    from reports.render.vector import FigureMarks
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
@@ -518,11 +516,16 @@ def judged_at() -> Callable[[Results, float], Results]:
 
 @pytest.fixture(scope="session")
 def document(results: Results) -> Document:
-    return localise(assessment(results))
+    from reports.assessment import assessment
+
+    return assessment(results)
 
 
 @pytest.fixture(scope="session")
 def drawings(document: Document) -> Mapping[str, FigureMarks]:
+    from reports.render.processes import processes
+    from reports.render.vector import trace_figures
+
     with processes(1, document) as pool:
         return trace_figures(document, pool=pool)
 
@@ -530,5 +533,8 @@ def drawings(document: Document) -> Mapping[str, FigureMarks]:
 @pytest.fixture(scope="session")
 def page(document: Document, drawings: Mapping[str, FigureMarks], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report as HTML."""
+    from reports.render.html import write_html
+    from reports.render.svg import picture
+
     pictures = {name: picture(drawing) for name, drawing in drawings.items()}
     return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

@@ -33,8 +33,8 @@ def sections(results: Results) -> list[Section]:
 def sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
     """Return the range of periods, and the rules of the selection."""
     over = say(
-        "The records are compared with the target from {low} to {high}, both ends included ({source}). The mean squared "
-        "difference of the logarithms of their mean and the target is {misfit}.",
+        "The records are compared with the target from {low} to {high}, both ends included ({source}). The mean "
+        "squared difference of the logarithms of their mean and the target is {misfit}.",
         low=quantity(motion.from_s, "time"),
         high=quantity(motion.to_s, "time"),
         source=Term(motion.source),

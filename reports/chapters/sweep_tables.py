@@ -106,8 +106,8 @@ def _weakest_direction(mechanism: MechanismResult, stem: str) -> list[Block]:
         "Load multiplier λ that starts rotation towards each horizontal direction; the dot marks the weakest."
     )
     said = say(
-        "The direction is the weakest of {number}: {angle} from +x towards +y. The load multiplier is within 1 % of its "
-        "minimum over {flat} of the circle; the minimum is {variation} below the maximum.",
+        "The direction is the weakest of {number}: {angle} from +x towards +y. The load multiplier is within 1 % of "
+        "its minimum over {flat} of the circle; the minimum is {variation} below the maximum.",
         number=quantity(len(found.angle_deg), figures=9),
         angle=quantity(radians(found.weakest_deg), "angle", 4),
         flat=quantity(radians(found.flat_deg), "angle", 3),

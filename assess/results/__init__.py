@@ -24,7 +24,6 @@ from assess.results.loads import Lasting, LoadResult
 from assess.results.mechanism import MechanismResult
 from assess.results.oscillator import BranchCurve, Curve, LinearisedResult, OscillatorResult
 from assess.results.report_matter import (
-    BuildingType,
     ChecklistItem,
     ChecklistOutcome,
     MediaType,
@@ -45,7 +44,6 @@ __all__ = [
     "Axis",
     "BranchCurve",
     "BranchMoment",
-    "BuildingType",
     "CarriedMotion",
     "ChecklistItem",
     "ChecklistOutcome",

@@ -77,7 +77,12 @@ CHECKLISTS: Mapping[BuildingType, tuple[PossibleMechanism, ...]] = {
 
 def possible_mechanism(building_type: BuildingType, key: str | int) -> PossibleMechanism | None:
     """Return the item of a list by its key or its number in the form; None if the list has none."""
-    return next((each for each in CHECKLISTS[building_type] if key in (each.key, each.number, str(each.number))), None)
+    by_name: dict[str, PossibleMechanism] = {}
+    for each in CHECKLISTS[building_type]:
+        by_name[each.key] = each
+        if each.number is not None:
+            by_name[str(each.number)] = each
+    return by_name.get(str(key))
 
 
 def item_name(building_type: str, key: str) -> str:

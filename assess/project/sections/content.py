@@ -9,12 +9,12 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, StrictInt, StrictStr, model_validator
 
 from assess.codes.families import procedures_of_site
-from assess.project.checklist import checklist
 from assess.project.key_text import value_text
 from assess.project.quantities import Name
 from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.analysis import Analysis, Procedures, Records
 from assess.project.sections.bodies import BodySection, DirectBody, Material
+from assess.project.sections.checklist import checklist
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
 from assess.project.sections.mechanisms import Chained, MechanismSection
 from assess.project.sections.report import Report

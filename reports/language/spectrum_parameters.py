@@ -42,6 +42,8 @@ NAMES: Mapping[str, tuple[Phrase, str]] = {
     "limit_state": (say("limit state"), NONE),
     "nominal_life": (say("V_N, nominal life"), "return period"),
     "use_class": (say("class of use"), NONE),
+    "use_coefficient": (say("C_U, coefficient of use"), NONE),
+    "reference_life": (say("V_R, reference life"), "return period"),
     "return_period": (say("T_R, return period"), "return period"),
     "f_0": (say("F_0, largest amplification on rock"), NONE),
     "t_c_star": (say("T_C*, end of the level branch on rock"), "time"),

@@ -5,9 +5,9 @@ from __future__ import annotations
 from math import isclose
 
 from assess.codes.check import Check
-from reports.chapters.cells import NO_LASTING, NO_ROCKING, is_silent, rotation_cell, unbounded_text
+from reports.chapters.cells import NO_LASTING, NO_ROCKING, rotation_cell, unbounded_text
 from reports.document import Cell, Column
-from reports.language.texts import Text, say
+from reports.language.texts import say
 
 FIGURES = 3
 DEMAND, ALLOWABLE = Column(say("Demand")), Column(say("Allowable"))
@@ -18,8 +18,7 @@ CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
 def demand_or_rest(check: Check, demand: Cell) -> Cell:
     """Return the demand of a check, or words where the body does not rock or comes to rest again."""
     words = rotation_cell(check)
-    at_rest = check.rotation_ratio is not None and words in (NO_LASTING, NO_ROCKING)
-    return words if at_rest and not is_silent(check) else demand
+    return words if check.rotation_ratio is not None and words in (NO_LASTING, NO_ROCKING) else demand
 
 
 def ratio_cell(check: Check) -> Cell:
@@ -33,10 +32,3 @@ def clause(check: Check) -> str:
     steps = check.steps[::-1]
     found = (step for value in wanted for step in steps if step.value is not None and isclose(step.value, value))
     return next((step.clause for step in found), steps[0].clause if steps else "")
-
-
-def role_text(check: Check) -> Text:
-    """Return what a check is for: whether it decides, compares, or is a reading of the thesis."""
-    if check.reading == "thesis":
-        return say("thesis reading")
-    return say("decides") if check.role == "deciding" else say("compares")

@@ -43,7 +43,7 @@ def _governing(checks: tuple[Check, ...], answer: Answer) -> Text:
     if check is None or answer.outcome == Decision.INCOMPLETE:
         return _unanswered(answer)
     method, state, by = procedure_title(check.procedure), Verbatim(answer.limit_state), Term(clause(check))
-    if check.demand is None or check.capacity is None or check.ratio is None:
+    if not check.demand or check.capacity is None or check.ratio is None:
         return say(
             "{method} governs at {state}: {reason} ({clause}).",
             method=method,

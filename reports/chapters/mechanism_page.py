@@ -20,11 +20,12 @@ def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Se
     beside = tuple(mechanism_words.representation(results, mechanism))
     answers = mechanism_tables.answers(results, mechanism, name=f"{stem}-answers")
     warnings = mechanism_words.warnings(results, mechanism)
+    pairs = _in_pairs([*_shape(results, mechanism, stem), *_curves(mechanism, stem)])
     blocks: list[Block] = [
         Prose((mechanism_words.description(mechanism), *beside)),
-        Row(tuple(_shape(results, mechanism, stem))),
+        *pairs[:1],
         mechanism_tables.parameters(results, mechanism, name=f"{stem}-page-parameters"),
-        Row(tuple(_curves(mechanism, stem))),
+        *pairs[1:],
         *nonempty(answers),
         Prose(tuple(_findings(results, mechanism))),
     ]
@@ -32,6 +33,12 @@ def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Se
         blocks.append(Items(warnings))
     title, mark = Verbatim(mechanism_title(mechanism)), mechanism_number(results, mechanism.name)
     return [Section(title, 0, tuple(block for block in blocks if block != Prose(())), starts_page=True, mark=mark)]
+
+
+def _in_pairs(figures: list[Figure]) -> list[Block]:
+    """Return figures two by two; a last one has the width of the page."""
+    pairs = (figures[start : start + 2] for start in range(0, len(figures), 2))
+    return [Row(tuple(pair)) if len(pair) > 1 else pair[0] for pair in pairs]
 
 
 def _shape(results: Results, mechanism: MechanismResult, stem: str) -> Iterator[Figure]:

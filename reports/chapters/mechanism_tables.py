@@ -7,7 +7,17 @@ from collections.abc import Callable
 from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, OscillatorResult, Results
 from reports import governing
-from reports.chapters.cells import BRANCHES, METHOD, NONE, OUTCOME, capacity_cell, demand_cell, outcome_cell
+from reports.chapters.cells import (
+    BRANCHES,
+    METHOD,
+    NONE,
+    OUTCOME,
+    ROLES,
+    capacity_cell,
+    demand_cell,
+    outcome_cell,
+    words,
+)
 from reports.chapters.check_cells import (
     ALLOWABLE,
     CAPACITY_PGA,
@@ -15,7 +25,6 @@ from reports.chapters.check_cells import (
     RATIO,
     demand_or_rest,
     ratio_cell,
-    role_text,
 )
 from reports.document import Cell, Column, Table
 from reports.language.texts import Text, say
@@ -34,7 +43,7 @@ def _shown(results: Results, mechanism: MechanismResult) -> list[Parameter]:
     """Return the eight parameters that an engineer checks by hand."""
     joint = mechanism.oscillator.overturning_flexible_rad is not None
     return [
-        (Column(say("Mass M"), "mass"), lambda of: of.mass_kg),
+        (Column(say("Mass M"), "mass"), lambda of: of.mass_kg if _has_mass(results, mechanism) else None),
         (Column(say("Radius R"), "length"), lambda of: of.radius_m),
         (Column(say("Slenderness α"), "rotation"), lambda of: of.slenderness_rad),
         (Column(say("Frequency parameter p"), "angular frequency"), lambda of: of.p_eq_per_s),
@@ -43,6 +52,12 @@ def _shown(results: Results, mechanism: MechanismResult) -> list[Parameter]:
         (Column(say("Restitution η"), "ratio"), lambda of: of.restitution),
         *_last(results, mechanism),
     ]
+
+
+def _has_mass(results: Results, mechanism: MechanismResult) -> bool:
+    """Return whether the mass is known: that of an equivalent block is a unit mass unless the project gives it."""
+    given = results.project.get(f"mechanisms.{mechanism.name}.mass")
+    return mechanism.kind != "equivalent-block" or (given is not None and given.given)
 
 
 def _at_uplift() -> Parameter:
@@ -60,7 +75,7 @@ def _last(results: Results, mechanism: MechanismResult) -> list[Parameter]:
     """Return the fraction of participating mass, or the longest equivalent period where no analysis has that."""
     share, motion = _share_of_mass(mechanism), results.ground_motion
     if share is not None:
-        return [(Column(say("Participating mass e*"), "ratio"), lambda _: share)]
+        return [(Column(say("Participating share e*"), "ratio"), lambda _: share)]
     periods = () if motion is None else motion.equivalent_periods
     longest = next((one.longest_s for one in periods if one.mechanism == mechanism.name), None)
     return [] if longest is None else [(Column(say("Equivalent period"), "time"), lambda _: longest)]
@@ -103,7 +118,7 @@ def _caption(results: Results) -> Text:
 def _row(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     return (
         check_title(check, among),
-        role_text(check),
+        words(ROLES, check.role),
         demand_or_rest(check, demand_cell(check)),
         capacity_cell(check),
         ratio_cell(check),

@@ -76,7 +76,10 @@ def parameters(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters of the spectrum with their sources."""
     rows: list[tuple[Cell, ...]] = [
         (say("Spectrum"), Term(spectrum.clause), _origin(results, "code")),
-        *((name, value, _origin(results, key)) for key, name, value in parameter_rows(spectrum.parameters)),
+        *(
+            (name, value, _origin(results, key))
+            for key, (name, value) in zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True)
+        ),
         (say("Damping ratio"), quantity(spectrum.damping), _origin(results, "damping")),
         (
             say("Peak ground acceleration, Sₐ(0)"),

@@ -1,4 +1,4 @@
-"""What the parameters of design spectra are called, with their symbols and dimensions."""
+"""What the parameters of design spectra are called, with their symbols and dimensions; accelerations in g."""
 
 from __future__ import annotations
 
@@ -6,17 +6,19 @@ from collections.abc import Mapping
 
 from scipy.constants import g
 
-from reports.language.texts import Phrase, Text, Verbatim, quantity, say
+from assess.messages.message import Quantity
+from reports.language.texts import Phrase, Text, Verbatim, say
 
-ACCELERATION, NONE = "ground acceleration", "ratio"
+ACCELERATION = "ground acceleration"
+_FIGURES = 5
 
 NAMES: Mapping[str, tuple[Phrase, str]] = {
     # ASCE 7
     "s_s": (say("S_S, mapped, at short periods"), ACCELERATION),
     "s_1": (say("S_1, mapped, at 1 s"), ACCELERATION),
-    "site_class": (say("Site class"), NONE),
-    "f_a": (say("F_a, site coefficient, short periods"), NONE),
-    "f_v": (say("F_v, site coefficient, 1 s"), NONE),
+    "site_class": (say("site class"), ""),
+    "f_a": (say("F_a, site coefficient, short periods"), ""),
+    "f_v": (say("F_v, site coefficient, 1 s"), ""),
     "s_ms": (say("S_MS, MCE on the site, short periods"), ACCELERATION),
     "s_m1": (say("S_M1, MCE on the site, 1 s"), ACCELERATION),
     "s_ds": (say("S_DS, design, at short periods"), ACCELERATION),
@@ -24,49 +26,49 @@ NAMES: Mapping[str, tuple[Phrase, str]] = {
     "t_l": (say("T_L, long-period transition"), "time"),
     "t_0": (say("T_0, start of the level branch"), "time"),
     "t_s": (say("T_S, end of the level branch"), "time"),
-    "hazard": (say("Hazard"), NONE),
+    "hazard": (say("hazard"), ""),
     # EN 1998-1 and NTC
     "a_g": (say("a_g, peak ground acceleration on rock"), ACCELERATION),
-    "importance_factor": (say("γ_I, importance factor"), NONE),
+    "importance_factor": (say("γ_I, importance factor"), ""),
     "design_a_g": (say("γ_I a_gR, design ground acceleration"), ACCELERATION),
     "a_vg": (say("a_vg, vertical ground acceleration"), ACCELERATION),
-    "ground_type": (say("Ground type"), NONE),
-    "type": (say("Type of spectrum"), NONE),
-    "s": (say("S, soil factor"), NONE),
+    "ground_type": (say("ground type"), ""),
+    "type": (say("type of spectrum"), ""),
+    "s": (say("S, soil factor"), ""),
     "t_b": (say("T_B, start of the level branch"), "time"),
     "t_c": (say("T_C, end of the level branch"), "time"),
     "t_d": (say("T_D, displacement constant from here"), "time"),
     "t_e": (say("T_E, displacement constant to here"), "time"),
     "t_f": (say("T_F, ground displacement from here"), "time"),
     # NTC
-    "limit_state": (say("Limit state"), NONE),
+    "limit_state": (say("limit state"), ""),
     "nominal_life": (say("V_N, nominal life"), "return period"),
-    "use_class": (say("Class of use"), NONE),
-    "use_coefficient": (say("C_U, coefficient of use"), NONE),
+    "use_class": (say("class of use"), ""),
+    "use_coefficient": (say("C_U, coefficient of use"), ""),
     "reference_life": (say("V_R, reference life"), "return period"),
     "return_period": (say("T_R, return period"), "return period"),
-    "f_0": (say("F_0, largest amplification on rock"), NONE),
+    "f_0": (say("F_0, largest amplification on rock"), ""),
     "t_c_star": (say("T_C*, end of the level branch on rock"), "time"),
-    "soil": (say("Subsoil category"), NONE),
-    "topography": (say("Topographic category"), NONE),
-    "s_soil": (say("S_S, soil factor"), NONE),
-    "s_topography": (say("S_T, topographic factor"), NONE),
-    "c_c": (say("C_C, coefficient of T_C*"), NONE),
-    "f_vertical": (say("F_V, largest vertical amplification"), NONE),
+    "soil": (say("subsoil category"), ""),
+    "topography": (say("topographic category"), ""),
+    "s_soil": (say("S_S, soil factor"), ""),
+    "s_topography": (say("S_T, topographic factor"), ""),
+    "c_c": (say("C_C, coefficient of T_C*"), ""),
+    "f_vertical": (say("F_V, largest vertical amplification"), ""),
     # NZS 1170.5
-    "subsoil": (say("Site subsoil class"), NONE),
-    "z": (say("Z, hazard factor"), NONE),
-    "r": (say("R, return period factor"), NONE),
-    "zr": (say("Z R as used"), NONE),
+    "subsoil": (say("site subsoil class"), ""),
+    "z": (say("Z, hazard factor"), ""),
+    "r": (say("R, return period factor"), ""),
+    "zr": (say("Z R as used"), ""),
     "near_fault_distance": (say("D, to the nearest major fault"), "length"),
-    "c_0": (say("C(0), spectrum at zero period"), NONE),
-    "vertical_ratio": (say("Vertical over horizontal"), NONE),
+    "c_0": (say("C(0), spectrum at zero period"), ""),
+    "vertical_ratio": (say("vertical over horizontal"), ""),
     # any
-    "scale": (say("Ordinates scaled by"), NONE),
+    "scale": (say("ordinates scaled by"), ""),
     # tables
-    "points": (say("Points of the table"), NONE),
-    "period_max": (say("Longest period of the table"), "time"),
-    "pga": (say("Ordinate at zero period"), ACCELERATION),
+    "points": (say("points of the table"), ""),
+    "period_max": (say("longest period of the table"), "time"),
+    "pga": (say("ordinate at zero period"), ACCELERATION),
 }
 CORNERS = ("t_0", "t_s", "t_b", "t_c", "t_d", "t_l")  # the parameters that are corner periods of the curve
 
@@ -77,14 +79,13 @@ def corners(parameters: Mapping[str, float | str]) -> tuple[float, ...]:
     return tuple(period for period in found if isinstance(period, float))
 
 
-def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[str, Text, Text], ...]:
-    """Return key, name and value of each parameter; one that is not known here is called by its key."""
-    named = ((key, *NAMES.get(key, (Verbatim(key), NONE)), value) for key, value in parameters.items())
-    return tuple((key, name, _value(value, dimension)) for key, name, dimension, value in named)
+def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[Text, Quantity | Verbatim], ...]:
+    """Return name and value of each parameter; one that is not known here keeps its name."""
+    return tuple(_parameter_row(*NAMES.get(key, (Verbatim(key), "")), value) for key, value in parameters.items())
 
 
-def _value(value: float | str, dimension: str) -> Text:
-    """Return a value with its dimension: results hold accelerations in m/s2."""
+def _parameter_row(name: Text, dimension: str, value: float | str) -> tuple[Text, Quantity | Verbatim]:
+    """Return a parameter as it is shown: results hold accelerations in m/s2."""
     if isinstance(value, str):
-        return Verbatim(value)
-    return quantity(value / g if dimension == ACCELERATION else value, dimension)
+        return name, Verbatim(value)
+    return name, Quantity(value / g if dimension == ACCELERATION else float(value), dimension or "ratio", _FIGURES)

@@ -28,6 +28,25 @@ PROCEDURES: Mapping[str, Phrase] = {
 }
 """Titles of the procedures, in place of the names by which a project file calls them."""
 
+SHORT: Mapping[str, Phrase] = {
+    "asce43-05-spectrum": say("ASCE 43-05 approximate"),
+    "asce43-05-spectrum-thesis": say("ASCE 43-05 appr., thesis"),
+    "asce43-05-history": say("ASCE 43-05 history"),
+    "dmi2008-linear": say("DMI 2008 linear"),
+    "dmi2008-nonlinear": say("DMI 2008 spectrum"),
+    "dmi2008-nonlinear-thesis": say("DMI 2008 sp., thesis"),
+    "dmi2008-history": say("DMI 2008 history"),
+    "ntc2018-linear": say("NTC 2018 linear"),
+    "ntc2018-nonlinear": say("NTC 2018 non-linear"),
+    "ntc2018-history": say("NTC 2018 history"),
+    "nzsee2017-face-loaded": say("NZSEE 2017"),
+    "asce41-13-ht": say("ASCE 41-13"),
+    "ec8-element": say("Eurocode 8"),
+    "sliding": say("Sliding"),
+    "asce43-05-sliding": say("ASCE 43-05 sliding"),
+}
+"""Shorter titles, for legends and narrow columns."""
+
 
 def mechanism_title(mechanism: MechanismResult) -> str:
     """Return the mechanism's label, or its name where it has none."""
@@ -51,10 +70,23 @@ def procedure_title(procedure: str) -> Text:
     return PROCEDURES.get(procedure, Verbatim(procedure))
 
 
+def short_title(procedure: str) -> Text:
+    """Return the short title of a procedure; the name itself of one that is not in the table."""
+    return SHORT.get(procedure, Verbatim(procedure))
+
+
 def check_title(check: Check, among: tuple[Check, ...]) -> Text:
     """Return the title of a check's procedure, with its limit state where `among` has several of the same procedure."""
+    return _with_state(procedure_title(check.procedure), check, among)
+
+
+def short_check_title(check: Check, among: tuple[Check, ...]) -> Text:
+    """Return the short title of a check's procedure, with its limit state as `check_title` has it."""
+    return _with_state(short_title(check.procedure), check, among)
+
+
+def _with_state(title: Text, check: Check, among: tuple[Check, ...]) -> Text:
     states = {other.limit_state for other in among if other.procedure == check.procedure}
-    title = procedure_title(check.procedure)
     if len(states) < 2:
         return title
     return say("{procedure}, {limit_state}", procedure=title, limit_state=Verbatim(check.limit_state))

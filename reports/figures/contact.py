@@ -7,40 +7,45 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import NullFormatter
 
 from assess.codes.check import BranchName
 from assess.results import MechanismResult
 from reports import joints
+from reports.figures.scale import table_scale
 from reports.figures.style import MUTED, label, report_style, sheet
-from reports.language.numerals import numeral
+from reports.language.locale import Locale
+from reports.language.texts import say
 
 COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
 BEFORE = 0.5  # of the rotation at which a joint opens
 SHORTEST = 1e-3  # of the largest rotation drawn
 LEAST = 1e-2  # of the largest value: curves that differ by less are one
 
-_PANELS = (("resultant_m", 1.0, "resultant from the edge [m]"), ("peak_stress_pa", 1e6, "stress at the edge [MPa]"))
+_PANELS = (
+    ("resultant_m", "length", say("resultant from the edge")),
+    ("peak_stress_pa", "stress", say("stress at the edge")),
+)
 
 
-def draw(mechanism: MechanismResult) -> Figure:
-    """Draw the distance of the resultant [m] and the peak stress [MPa] of each joint over the rotation [rad]."""
+def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
+    """Draw the distance of the resultant and the peak stress of each joint over the rotation."""
     end = max(
         side.overturning_rad for side in (mechanism.oscillator, mechanism.oscillator_negative) if side is not None
     )
     with report_style():
-        figure = sheet(2.35)
-        for axes, (key, size, name) in zip(figure.subplots(1, 2), _PANELS, strict=True):
+        figure = sheet(2.2, locale)
+        for axes, (key, dimension, name) in zip(figure.subplots(1, 2), _PANELS, strict=True):
+            scale = table_scale(dimension, locale)
             for interface, colour, dash, hinges in distinct_curves(mechanism):
                 curve = interface["curve"]
-                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), np.asarray(curve[key]) / size
+                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.of(curve[key])
                 axes.plot(rotation, values, dash, color=colour, label=label(hinges))
-            axes.set(xlabel="rotation φ [rad]", ylabel=name, xscale="log")
+            axes.set(xlabel=locale.heading(say("rotation φ"), "rotation"), ylabel=scale.heading(name), xscale="log")
             axes.set_xlim(axis_start(mechanism, end), end)
-            axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: numeral(value, digits=1)))
             axes.xaxis.set_minor_formatter(NullFormatter())
             axes.set_ylim(bottom=0.0)
-        _strength(axes, mechanism)
+        _strength(axes, mechanism, locale)
         axes.legend(loc="lower right")
         return figure
 
@@ -76,9 +81,16 @@ def _same_curve(one: dict[str, Any], other: dict[str, Any], key: str) -> bool:
     return bool(np.abs(values - between).max() <= LEAST * np.abs(values).max())
 
 
-def _strength(axes: Axes, mechanism: MechanismResult) -> None:
+def _strength(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
+    scale = table_scale("stress", locale)
     for strength in sorted({found["strength_pa"] for found in joints.deformable_joints(mechanism)} - {None}):
-        axes.axhline(strength / 1e6, color=MUTED, linewidth=0.8, linestyle=":")
+        at = float(scale.of(strength))
+        axes.axhline(at, color=MUTED, linewidth=0.8, linestyle=":")
         axes.annotate(
-            "strength", (1.0, strength / 1e6), xycoords=axes.get_yaxis_transform(), ha="right", va="bottom", color=MUTED
+            locale.text(say("strength")),
+            (1.0, at),
+            xycoords=axes.get_yaxis_transform(),
+            ha="right",
+            va="bottom",
+            color=MUTED,
         )

@@ -9,12 +9,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
+from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
-from reports.figures.style import FAIL, GRID, INK, MUTED, label, report_style, sheet
+from reports.figures.style import FAIL, GRID, INK, MUTED, label, legend_below, report_style, sheet
+from reports.figures.ticks import LogTicks
+from reports.language.locale import Locale
+from reports.language.texts import say
 from spectra.arrays import FloatArray
 
+PULSE = say("frequency of the pulse")
 ROCKS, FALLS = "#e7edf3", "#f2c1ad"
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b4c9a", "#8c6d31", "#000000")
 DASHES = ("-", "--", "-.", ":")
@@ -24,11 +28,11 @@ MOST_NAMES = 36
 """Lines that the legend of all mechanisms can name; the others are drawn in grey."""
 
 
-def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
+def draw(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -> Figure:
     """Draw the outcome of pulses [g] over frequency [Hz]: white at rest, grey rocking, red overturned."""
     frequency, amplitude = np.array(one.frequency_hz), np.array(one.amplitude_g)
     with report_style():
-        figure = sheet(3.1)
+        figure = sheet(2.7, locale)
         axes = figure.subplots()
         top = float(amplitude[-1])
         axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
@@ -38,11 +42,22 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
             ),
             autolim=False,
         )
-        axes.plot(frequency, one.uplift_g, color=MUTED, linewidth=0.9, linestyle="--", label="rocking starts")
-        axes.plot(frequency, _numbers(one.lower_bound_g), color=FAIL, label="least pulse that overturns")
-        _dots(axes, records, frequency, amplitude)
-        _frame(axes, frequency, _reach([one]), top, "peak acceleration of the pulse [g]")
-        figure.legend(loc="outside upper right", ncols=3)
+        axes.plot(
+            frequency,
+            one.uplift_g,
+            color=MUTED,
+            linewidth=0.9,
+            linestyle="--",
+            label=locale.text(say("rocking starts")),
+        )
+        axes.plot(
+            frequency, _numbers(one.lower_bound_g), color=FAIL, label=locale.text(say("least pulse that overturns"))
+        )
+        _dots(axes, records, frequency, amplitude, locale)
+        _frame(axes, frequency, _reach([one]), top, locale)
+        axes.set_xlabel(locale.heading(PULSE, "frequency"))
+        axes.set_ylabel(locale.heading(say("peak acceleration of the pulse"), "ground acceleration"))
+        legend_below(figure, columns=3)
         return figure
 
 
@@ -63,7 +78,9 @@ def _between(values: FloatArray) -> FloatArray:
     return np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
 
 
-def _dots(axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, amplitude: FloatArray) -> None:
+def _dots(
+    axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, amplitude: FloatArray, locale: Locale
+) -> None:
     """Draw the best pulse within each record, as the record is scaled, where the map shows its place."""
     found = [record.primary_pulses[0] for record in records if record.primary_pulses]
     inside = [
@@ -72,10 +89,10 @@ def _dots(axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, am
     ]  # fmt: skip
     if inside:
         at = [pulse.frequency_hz for pulse in inside], [pulse.amplitude_g for pulse in inside]
-        axes.plot(*at, "o", color=INK, markersize=3, label="primary pulses of the records")
+        axes.plot(*at, "o", color=INK, markersize=3, label=locale.text(say("primary pulses of the records")))
 
 
-def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResult) -> Figure:
+def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResult, locale: Locale) -> Figure:
     """Draw the least pulse [g] that overturns each mechanism over frequency [Hz], and below it the critical one.
 
     mapped : the name of each mechanism and its envelope
@@ -83,19 +100,24 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
     frequency = np.array(critical.frequency_hz)
     pens = {name: (COLOURS[k % 9], DASHES[k // 9 % 4]) for k, (name, _) in enumerate(mapped[:MOST_NAMES])}
     with report_style():
-        figure = sheet(3.9)
+        figure = sheet(3.6, locale)
         axes, band = figure.subplots(2, 1, sharex=True, height_ratios=(14, 1))
         for name, one in mapped:
             colour, dash = pens.get(name, (GRID, "-"))
             named = label(name, 24) if name in pens else None
             axes.plot(frequency, _numbers(one.lower_bound_g), color=colour, linestyle=dash, label=named)
         axes.plot(
-            frequency, _numbers(critical.lower_bound_g), color=INK, linewidth=3.0, alpha=0.25, label="least of all"
+            frequency,
+            _numbers(critical.lower_bound_g),
+            color=INK,
+            linewidth=3.0,
+            alpha=0.25,
+            label=locale.text(say("least of all")),
         )
         every = [one for _, one in mapped]
         top = min(one.amplitude_g[-1] for one in every)
-        _frame(axes, frequency, _reach(every), top, "least pulse that overturns [g]")
-        axes.set_xlabel("")
+        _frame(axes, frequency, _reach(every), top, locale)
+        axes.set_ylabel(locale.heading(say("least pulse that overturns"), "ground acceleration"))
         for part in critical.bands:
             colour, dash = pens.get(part.mechanism or "", (GRID, "-"))
             hatch = None if dash == "-" else "////"
@@ -108,8 +130,8 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
                 box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
                 band.text(middle, 0.5, label(part.mechanism, 14), ha="center", va="center", fontsize=6, bbox=box)
         band.set_yticks([])
-        band.set_ylabel("critical", rotation=0, ha="right", va="center")
-        band.set_xlabel("frequency of the pulse [Hz]")
+        band.set_ylabel(locale.text(say("critical")), rotation=0, ha="right", va="center")
+        band.set_xlabel(locale.heading(PULSE, "frequency"))
         band.grid(visible=False)
         figure.legend(*axes.get_legend_handles_labels(), loc="outside right upper", ncols=1 + len(pens) // 19)
         return figure
@@ -124,16 +146,14 @@ def _reach(mapped: Sequence[EnvelopeResult]) -> float:
     return min(BEYOND * max(known), whole[-1]) if known and max(known) > whole[0] else whole[-1]
 
 
-def _frame(axes: Axes, frequency: FloatArray, reach: float, top: float, name: str) -> None:
+def _frame(axes: Axes, frequency: FloatArray, reach: float, top: float, locale: Locale) -> None:
     axes.set_xlim(frequency[0], reach)
     axes.set_ylim(0.0, top)
     if frequency[-1] / frequency[0] > 2.0 and np.ptp(np.diff(frequency)) > 1e-6 * frequency[-1]:
         axes.set_xscale("log")
         axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.xaxis.set_major_formatter(FormatStrFormatter("%g"))
+        axes.xaxis.set_major_formatter(LogTicks(locale))
         axes.xaxis.set_minor_locator(NullLocator())
-    axes.set_xlabel("frequency of the pulse [Hz]")
-    axes.set_ylabel(name)
 
 
 def _numbers(values: Sequence[float | None]) -> FloatArray:

@@ -7,35 +7,45 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import HistoryResult, MechanismResult, Trace
-from reports.figures.style import FAIL, INK, MUTED, report_style, sheet
+from reports.figures.style import FAIL, INK, MUTED, legend_above, report_style, sheet
+from reports.language.locale import Locale
+from reports.language.texts import Phrase, quantity, say
 
+ALLOWABLE = "#e69f00"
 _LIMIT = 1.3  # of the rotation axis [-]
 
 
-def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allowable: float | None) -> Figure:
+def draw(
+    mechanism: MechanismResult, history: HistoryResult, trace: Trace, allowable: float | None, locale: Locale
+) -> Figure:
     """Draw acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s]."""
     with report_style():
-        figure = sheet(3.4)
+        figure = sheet(2.8, locale)
         ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
-        _motion(ground, trace)
+        _motion(ground, trace, locale)
         _rotation(rotation, mechanism, trace)
-        _limits(rotation, allowable, two_sided=mechanism.oscillator_negative is not None)
-        _peak(rotation, history)
-        rotation.set(xlabel="time t [s]", ylabel="rotation φ / φₒᵥ [-]")
+        _limits(rotation, allowable, locale, two_sided=mechanism.oscillator_negative is not None)
+        _peak(rotation, history, locale)
+        rotation.set_xlabel(locale.heading(say("time t"), "time"))
+        rotation.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
         rotation.set_xlim(trace.time_s[0], trace.time_s[-1])
-        rotation.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=3)
+        figure.align_ylabels()
+        legend_above(rotation, columns=3)
         return figure
 
 
-def _motion(axes: Axes, trace: Trace) -> None:
+def _motion(axes: Axes, trace: Trace, locale: Locale) -> None:
+    axes.set_ylabel(locale.heading(say("acceleration"), "ground acceleration"))
     if trace.base_acceleration_g is None:
         axes.plot(trace.time_s, trace.ground_acceleration_g, color=MUTED, linewidth=0.6)
-        axes.set(ylabel="ground\nacceleration [g]")
         return
-    axes.plot(trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label="at its base")
-    axes.plot(trace.time_s, trace.ground_acceleration_g, color=INK, linewidth=0.5, label="at the ground")
-    axes.set(ylabel="acceleration\n[g]")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=2)
+    axes.plot(
+        trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label=locale.text(say("at its base"))
+    )
+    axes.plot(
+        trace.time_s, trace.ground_acceleration_g, color=INK, linewidth=0.5, label=locale.text(say("at the ground"))
+    )
+    legend_above(axes, columns=2)
 
 
 def ratio(mechanism: MechanismResult, trace: Trace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -55,21 +65,37 @@ def _rotation(axes: Axes, mechanism: MechanismResult, trace: Trace) -> None:
     axes.set_ylim(low * max(top, 0.05), max(top, 0.05) * 1.25)
 
 
-def _limits(axes: Axes, allowable: float | None, *, two_sided: bool) -> None:
+def _limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sided: bool) -> None:
     sides = (1, -1) if two_sided else (1,)
-    lines = [(1.0, FAIL, "-", "overturning, φₒᵥ")]
-    lines += [] if allowable is None else [(allowable, "#e69f00", "--", f"allowable, {allowable:.3g} φₒᵥ")]
+    lines = [(1.0, FAIL, "-", say("overturning, φₒᵥ"))]
+    lines += [] if allowable is None else [(allowable, ALLOWABLE, "--", _allowable(allowable))]
     for height, colour, dash, name in lines:
         inside = height <= max(np.abs(axes.get_ylim()))
         for side in sides:
-            axes.plot([], [], dash, color=colour, linewidth=1.0, label=name if side > 0 and inside else "_")
+            axes.plot(
+                [], [], dash, color=colour, linewidth=1.0, label=locale.text(name) if side > 0 and inside else "_"
+            )
             if inside:
                 axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0)
 
 
-def _peak(axes: Axes, history: HistoryResult) -> None:
+def _allowable(ratio: float) -> Phrase:
+    return say("allowable, {ratio} φₒᵥ", ratio=quantity(ratio, "ratio", 3))
+
+
+def _peak(axes: Axes, history: HistoryResult, locale: Locale) -> None:
     if history.overturning_time_s is not None:
-        axes.axvline(history.overturning_time_s, color=FAIL, linewidth=0.8, linestyle=":", label="overturns")
+        axes.axvline(
+            history.overturning_time_s, color=FAIL, linewidth=0.8, linestyle=":", label=locale.text(say("overturns"))
+        )
     elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
         signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
-        axes.plot(history.time_of_max_s, signed, marker="o", color=INK, markersize=4, linestyle="none", label="largest")
+        axes.plot(
+            history.time_of_max_s,
+            signed,
+            marker="o",
+            color=INK,
+            markersize=4,
+            linestyle="none",
+            label=locale.text(say("largest")),
+        )

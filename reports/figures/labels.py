@@ -14,7 +14,7 @@ from reports.figures.style import INK, MUTED
 
 Box = tuple[float, float, float, float]  # left, bottom, right, top [pt]
 
-SIZE = 7.0  # of the letters [pt]
+SIZE = 6.5  # of the letters [pt]
 MARK = 4.0  # half the width of what is drawn at a point [pt]
 DISTANCES = (7.0, 13.0, 22.0, 34.0, 48.0)  # from a point to its name [pt]
 WAYS = ((1, 1), (-1, 1), (1, -1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))

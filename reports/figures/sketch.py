@@ -1,10 +1,9 @@
-"""The mechanism in its plane of motion, to scale: at rest, and turned to each side to which it rocks."""
+"""The mechanism in its plane of motion, to scale: at rest and displaced."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import ceil
 
 import numpy as np
 import shapely
@@ -16,25 +15,27 @@ from matplotlib.ticker import MaxNLocator
 
 from assess.results import Displaced, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
 from reports.figures.labels import Label, write
+from reports.figures.scale import Scale, table_scale
 from reports.figures.style import (
     BLOCKS,
     FIXED,
+    HALF,
     INK,
     LOAD,
     MUTED,
     NEGATIVE,
     POSITIVE,
     STONE_EDGE,
-    WIDTH,
     bare_sheet,
     label,
     report_style,
 )
+from reports.language.locale import Locale
+from reports.language.texts import Verbatim, quantity, say
 
 INCH = 72.0  # pt
-TALLEST = 4.1  # of the figure [in]
-LEFT, BOTTOM, TOP, GAP = 0.5, 0.42, 0.42, 0.3  # around and between the panels [in]
-NARROWEST = 1.45  # a panel [in], for the words above and below it
+TALLEST, LOWEST = 2.5, 0.9  # of the figure, of a panel [in]
+LEFT, BOTTOM, TOP, GAP = 0.42, 0.36, 0.2, 0.08  # around and between the panels [in]
 BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
 ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
 
@@ -55,27 +56,26 @@ class Window:
 
 @dataclass(frozen=True)
 class Layout:
-    """Arrangement of the panels: columns, inches to the metre, and the size of a panel [in]."""
+    """Inches to the metre, and the size of a panel [in]."""
 
-    columns: int
     scale: float
     panel: tuple[float, float]
 
 
-def draw(mechanism: MechanismResult) -> Figure:
-    """Draw a panel at rest with hinges, loads and centroids named, and one for each side to which it rocks."""
+def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
+    """Draw the mechanism at rest, hinges, loads and centroids named, and beside it displaced to its positive side.
+
+    The outline to which it is displaced on its negative side is dashed.
+    """
     drawing = mechanism.drawing
-    turned = [each for each in (drawing.displaced, drawing.displaced_negative) if each is not None]
-    count = 1 + len(turned)
     window = common_window(drawing)
-    layout = arrange_panels(count, window.size)
-    rows = ceil(count / layout.columns)
+    layout = arrange_panels(window.size)
+    metres = table_scale("length", locale)
     with report_style():
-        figure = bare_sheet(rows * (layout.panel[1] + BOTTOM + TOP))
-        panels = [add_panel(figure, place, layout, rows, window) for place in range(count)]
-        _at_rest(panels[0], drawing, window, layout)
-        for axes, displaced, colour in zip(panels[1:], turned, (POSITIVE, NEGATIVE), strict=False):
-            _turned(axes, drawing, displaced, colour, window, layout)
+        figure = bare_sheet(layout.panel[1] + BOTTOM + TOP, locale, width=HALF)
+        rest, turned = (add_panel(figure, column, layout, window, metres) for column in (0, 1))
+        _at_rest(rest, drawing, window, layout, locale)
+        _turned(turned, drawing, window, layout, locale)
         return figure
 
 
@@ -118,40 +118,35 @@ def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
     return (far, load.at) if load.kind == "force" else (load.at, far)
 
 
-def arrange_panels(count: int, size: tuple[float, float]) -> Layout:
-    """Return the layout in which `count` panels of a window's size [m] are drawn largest."""
+def arrange_panels(size: tuple[float, float]) -> Layout:
+    """Return the layout in which two panels of a window's size [m] are drawn largest side by side."""
     wide, high = size
-    made = []
-    for columns in range(1, count + 1):
-        rows = ceil(count / columns)
-        width = (WIDTH - LEFT - GAP * columns) / columns
-        height = TALLEST / rows - BOTTOM - TOP
-        scale = min(width / wide, height / high)
-        made.append(Layout(columns, scale, (max(scale * wide, NARROWEST), scale * high)))
-    return max(made, key=lambda layout: layout.scale)
+    room = 0.5 * (HALF - LEFT - 2 * GAP)
+    scale = min(room / wide, (TALLEST - BOTTOM - TOP) / high)
+    return Layout(scale, (room, max(scale * high, LOWEST)))
 
 
-def add_panel(figure: Figure, place: int, layout: Layout, rows: int, window: Window) -> Axes:
-    """Add the axes of one panel: equal scale, in metres."""
+def add_panel(figure: Figure, column: int, layout: Layout, window: Window, metres: Scale) -> Axes:
+    """Add the axes of one panel: equal scale, data in metres, ticks in the unit of the locale."""
     wide, high = layout.panel
-    row, column = divmod(place, layout.columns)
-    tall = rows * (high + BOTTOM + TOP)
-    spare = WIDTH - LEFT - GAP * layout.columns - wide * layout.columns
-    left = LEFT + 0.5 * spare + column * (wide + GAP)
-    low = (rows - 1 - row) * (high + BOTTOM + TOP) + BOTTOM
-    axes = figure.add_axes((left / WIDTH, low / tall, wide / WIDTH, high / tall))
-    middle, half = 0.5 * (window.low[0] + window.high[0]), 0.5 * wide / layout.scale
-    axes.set(xlim=(middle - half, middle + half), ylim=(window.low[1], window.high[1]))
+    tall = high + BOTTOM + TOP
+    axes = figure.add_axes(((LEFT + column * (wide + GAP)) / HALF, BOTTOM / tall, wide / HALF, high / tall))
+    middle, level = (0.5 * (low + up) for low, up in zip(window.low, window.high, strict=True))
+    across, up = 0.5 * wide / layout.scale, 0.5 * high / layout.scale
+    axes.set(xlim=(middle - across, middle + across), ylim=(level - up, level + up))
     axes.grid(visible=False)
-    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
-    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+    for axis, steps in ((axes.xaxis, 3), (axes.yaxis, 6)):
+        low, top = axis.get_view_interval() / metres.unit.size
+        ticks = [each for each in MaxNLocator(steps, steps=[1, 2, 5, 10]).tick_values(low, top) if low <= each <= top]
+        names = [metres.locale.number(each, figures=3) for each in ticks]
+        axis.set_ticks([each * metres.unit.size for each in ticks], labels=names)
     axes.tick_params(labelleft=column == 0)
-    axes.set(xlabel="x [m]", ylabel="elevation z [m]" if column == 0 else "")
+    axes.set(xlabel=metres.heading(Verbatim("x")), ylabel=metres.heading(say("elevation z")) if column == 0 else "")
     return axes
 
 
-def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> None:
-    axes.set_title("at rest", loc="left")
+def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout, locale: Locale) -> None:
+    axes.set_title(locale.text(say("at rest")), loc="left")
     _ground(axes, drawing, window)
     for ring, block in zip(drawing.blocks, drawing.block_of, strict=True):
         axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
@@ -194,19 +189,23 @@ def shaft(ends: tuple[Point, ...]) -> list[Point]:
     return [(x0 + part * (x1 - x0), z0 + part * (z1 - z0)) for part in (0.0, 0.25, 0.5, 0.75, 1.0)]
 
 
-def _turned(axes: Axes, drawing: Drawing, displaced: Displaced, colour: str, window: Window, layout: Layout) -> None:
-    side = "positive" if colour == POSITIVE else "negative"
-    axes.set_title(f"{side} side\nφ = {displaced.rotation_rad:.2g} rad", loc="left")
+def _turned(axes: Axes, drawing: Drawing, window: Window, layout: Layout, locale: Locale) -> None:
+    """Draw the mechanism displaced to its positive side over its outlines at rest and on its negative side."""
+    displaced, back = drawing.displaced, drawing.displaced_negative
+    angle = quantity(displaced.rotation_rad, "rotation", 2)
+    axes.set_title(locale.text(say("displaced, φ = {angle}", angle=angle)), loc="left")
     _ground(axes, drawing, window)
+    for ring in () if back is None else back.blocks:
+        axes.add_artist(Polygon(ring, facecolor="none", edgecolor=NEGATIVE, linewidth=0.7, linestyle=(0, (4, 2))))
     for ring, block in zip(displaced.blocks, displaced.block_of, strict=True):
-        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
+        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.8))
     for ring in drawing.blocks:
-        axes.add_artist(Polygon(ring, facecolor="none", edgecolor=MUTED, linewidth=0.7, linestyle=(0, (3, 2))))
+        axes.add_artist(Polygon(ring, facecolor="none", edgecolor=MUTED, linewidth=0.6, linestyle=(0, (1, 1.5))))
     _centroids(axes, displaced.centroids)
     _loads(axes, displaced.loads, window)
     for hinge in displaced.hinges:
-        _hinge(axes, hinge, colour)
-    named = [(hinge.at, label(hinge.name, 14), colour) for hinge in displaced.hinges]
+        _hinge(axes, hinge, POSITIVE)
+    named = [(hinge.at, label(hinge.name, 14), POSITIVE) for hinge in displaced.hinges]
     write(axes, _labels(axes, named, layout), window=_points(layout))
 
 
@@ -242,12 +241,12 @@ def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
 
 
 def _hinge(axes: Axes, hinge: NamedPoint, colour: str) -> None:
-    axes.plot(*hinge.at, marker="o", markersize=5, color="white", markeredgecolor=colour, markeredgewidth=1.3)
+    axes.plot(*hinge.at, marker="o", markersize=4, color="white", markeredgecolor=colour, markeredgewidth=1.1)
 
 
 def _centroids(axes: Axes, centroids: Sequence[Point]) -> None:
     for at in centroids:
-        axes.plot(*at, marker="+", markersize=8, markeredgewidth=1.2, color=INK)
+        axes.plot(*at, marker="+", markersize=6, markeredgewidth=1.0, color=INK)
 
 
 def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
@@ -262,24 +261,15 @@ def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
 
 
 def _direction(axes: Axes, layout: Layout) -> None:
-    """Draw the direction of motion, along +x, above the panel."""
+    """Draw the direction of motion, along +x, as an arrow above the panel."""
     arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
-    right, height = layout.panel[0] * INCH, layout.panel[1] * INCH + 9.0
+    right, height = layout.panel[0] * INCH, layout.panel[1] * INCH + 7.0
     axes.annotate(
         "",
         (right, height),
-        xytext=(right - 22.0, height),
+        xytext=(right - 26.0, height),
         xycoords="axes points",
         textcoords="axes points",
         arrowprops=arrow,
-        annotation_clip=False,
-    )
-    axes.annotate(
-        "direction",
-        (right - 25.0, height),
-        xycoords="axes points",
-        ha="right",
-        va="center",
-        fontsize=6.5,
         annotation_clip=False,
     )

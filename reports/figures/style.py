@@ -17,19 +17,19 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
-from matplotlib.legend import Legend
 
 from reports.figures.font import FAMILY, printable
-from reports.figures.legend import cache_extents
-from reports.figures.panel import Panel
-from reports.figures.ruler import Canvas
+from reports.figures.ticks import localise_ticks
 from reports.language.lettering import truncate, truncate_middle
+from reports.language.locale import Locale
 
 WIDTH = 6.7  # of the text on the page [in]
+HALF = 3.3  # of a figure beside another [in]
 NOTEBOOK_DPI = 130
 INK, MUTED, GRID, PAPER = "#1b2733", "#6b7680", "#d7dce1", "#f3f5f7"
 PASS, FAIL = "#00694c", "#b3380e"
 BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
+VERDICT = {"pass": "#9fd3bf", "fail": "#d8694a", "incomplete": "#ecd08a"}  # of masonry, apart in grey too
 STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
 POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
 BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, distinct in grey too
@@ -37,31 +37,35 @@ FIXED = "#dfe2e5"  # masonry that does not move
 
 _RC: dict[Any, Any] = {
     "font.family": [FAMILY],
-    "font.size": 7.5,
-    "axes.titlesize": 8,
-    "axes.labelsize": 7.5,
+    "font.size": 7,
+    "axes.titlesize": 7,
+    "axes.labelsize": 7,
     "axes.linewidth": 0.6,
     "axes.edgecolor": MUTED,
     "axes.labelcolor": INK,
     "axes.grid": True,
     "axes.axisbelow": True,
-    "axes.titley": 1.0,  # scales are below
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.formatter.use_mathtext": False,
     "axes.formatter.limits": (-4, 5),
     "grid.color": GRID,
     "grid.linewidth": 0.5,
-    "lines.linewidth": 1.3,
-    "legend.fontsize": 6.8,
+    "lines.linewidth": 1.2,
+    "legend.fontsize": 6.5,
+    "legend.handlelength": 1.8,
+    "legend.columnspacing": 1.2,
+    "legend.labelspacing": 0.3,
     "legend.frameon": False,
+    "figure.constrained_layout.w_pad": 0.02,
+    "figure.constrained_layout.h_pad": 0.02,
     "text.color": INK,
     "text.parse_math": False,
     "text.hinting": "none",  # letters measured as they are drawn
     "xtick.color": INK,
     "ytick.color": INK,
-    "xtick.labelsize": 7,
-    "ytick.labelsize": 7,
+    "xtick.labelsize": 6.5,
+    "ytick.labelsize": 6.5,
     "svg.hashsalt": "assess",
     "svg.fonttype": "path",
     "figure.dpi": 72,
@@ -109,25 +113,28 @@ def report_style() -> Iterator[None]:
         yield
 
 
-def sheet(height: float, *, width: float = WIDTH) -> Figure:
+def sheet(height: float, locale: Locale, *, width: float = WIDTH) -> Figure:
     """Return an empty figure of `width` x `height` [in] that lays itself out; made within `report_style`."""
-    return _Sheet(figsize=(width, height), layout="constrained")
+    return _Sheet(locale, figsize=(width, height), layout="constrained")
 
 
-def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
-    """Return an empty figure of `width` x `height` [in] whose panels are placed by hand; made within `report_style`."""
-    return _Sheet(figsize=(width, height))
+def bare_sheet(height: float, locale: Locale, *, width: float = WIDTH) -> Figure:
+    """Return an empty figure of `width` x `height` [in] whose axes are placed by hand; made within `report_style`."""
+    return _Sheet(locale, figsize=(width, height))
 
 
 class _Sheet(Figure):
-    """A figure of panels whose scales are drawn whole, in the report's style wherever it is drawn."""
+    """A figure in the report's style and with the numbers of a locale wherever it is drawn."""
 
-    def __init__(self, **given: Any) -> None:
+    def __init__(self, locale: Locale, **given: Any) -> None:
         super().__init__(**given)
-        Canvas(self)
+        self.locale = locale
 
     def draw(self, renderer: RendererBase) -> None:
         """Lay the figure out and draw it."""
+        for axes in self.axes:
+            localise_ticks(axes.xaxis, self.locale)
+            localise_ticks(axes.yaxis, self.locale)
         with report_style():
             super().draw(renderer)
 
@@ -137,23 +144,12 @@ class _Sheet(Figure):
         self.savefig(file, format="png", dpi=NOTEBOOK_DPI)
         return file.getvalue()
 
-    def legend(self, *given: Any, **named: Any) -> Legend:
-        """Return a legend whose boxes are measured once."""
-        return cache_extents(super().legend(*given, **named))
 
-    def add_subplot(self, *place: Any, **given: Any) -> Axes:
-        """Add a panel, unless another projection is asked for."""
-        made: Axes = super().add_subplot(*place, **_as_panel(given))
-        return made
-
-    def add_axes(self, *place: Any, **given: Any) -> Axes:
-        """Add a panel, unless another projection is asked for."""
-        made: Axes = super().add_axes(*place, **_as_panel(given))
-        return made
-
-
-def _as_panel(given: dict[str, Any]) -> dict[str, Any]:
-    return given if "projection" in given else {**given, "axes_class": Panel}
+def legend_below(figure: Figure, *, columns: int, axes: Axes | None = None) -> None:
+    """Put one legend below all axes, where it covers no curve. axes: whose names it has, the first without it."""
+    handles, names = (axes or figure.axes[0]).get_legend_handles_labels()
+    if handles:
+        figure.legend(handles, names, loc="outside lower center", ncols=columns)
 
 
 def legend_above(axes: Axes, *, columns: int) -> None:

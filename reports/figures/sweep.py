@@ -10,38 +10,42 @@ from matplotlib.ticker import MaxNLocator
 
 from assess.results import SweepResult
 from reports.figures.style import FAIL, label, report_style, sheet
+from reports.language.locale import Locale
+from reports.language.texts import Phrase, say
 
 Values = Sequence[float | None]
 
 
-def draw(sweep: SweepResult) -> Figure:
+def draw(sweep: SweepResult, locale: Locale) -> Figure:
     """Draw the results over the values, a panel for each quantity that is known of any case."""
     shown = panels(sweep)
     with report_style():
-        figure = sheet(2.3)
-        for axes, (values, name) in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
+        figure = sheet(2.0, locale)
+        for axes, (values, name, dimension) in zip(
+            figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True
+        ):
             _curve(axes, sweep, values)
-            axes.set_ylabel(name)
+            axes.set_ylabel(locale.heading(name, dimension))
             axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
             if values is sweep.demand_capacity:
                 axes.axhline(1.0, color=FAIL, linewidth=0.8)
-        figure.supxlabel(label(f"{sweep.key} [{sweep.unit}]", 90), fontsize=7.5)
+        figure.supxlabel(label(f"{sweep.key} [{sweep.unit}]", 90), fontsize=7)
         return figure
 
 
-def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
-    """Return the quantities of which any value is known, with their names.
+def panels(sweep: SweepResult) -> list[tuple[Values, Phrase, str]]:
+    """Return the quantities of which any value is known, with their names and dimensions.
 
     On joints without a threshold of uplift the overturning rotation replaces the multiplier.
     """
-    threshold = (sweep.uplift_multiplier, "load multiplier at uplift λ [-]")
-    overturning = (sweep.overturning_flexible_rad, "overturning on joints φₒᵥ [rad]")
-    all_of_them: list[tuple[Values, str]] = [
+    threshold = (sweep.uplift_multiplier, say("load multiplier at uplift λ"), "ratio")
+    overturning = (sweep.overturning_flexible_rad, say("overturning on joints φₒᵥ"), "rotation")
+    all_of_them: list[tuple[Values, Phrase, str]] = [
         threshold if known(sweep.uplift_multiplier) else overturning,
-        (sweep.p_eq_per_s, "frequency parameter p [1/s]"),
-        (sweep.demand_capacity, "demand / capacity [-]"),
+        (sweep.p_eq_per_s, say("frequency parameter p"), "angular frequency"),
+        (sweep.demand_capacity, say("demand / capacity"), "ratio"),
     ]
-    return [(values, name) for values, name in all_of_them if known(values)]
+    return [each for each in all_of_them if known(each[0])]
 
 
 def known(values: Values) -> bool:

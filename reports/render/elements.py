@@ -167,7 +167,7 @@ class Elements:
         )
 
     def _scrolling(self, table: str, *, label: str) -> str:
-        """Return a region in which a wide table scrolls, after a hint that is shown while some of it is out of sight."""
+        """Return a region in which a wide table scrolls, after a hint shown while some of it is out of sight."""
         hint = f'<p class="sideways" hidden>{self.text(SIDEWAYS)}</p>'
         return f'{hint}<div class="wide" tabindex="0" role="region" {label}>{table}</div>'
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from reports.chapters.site import event_name
-
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
 from assess.project.suites import Suite
@@ -13,6 +11,7 @@ from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
 from reports.chapters.annex_suite import requirements, sentences
+from reports.chapters.site import event_name
 from reports.document import Cell, Column
 from reports.figures import record_spectra
 from reports.language.locale import Locale

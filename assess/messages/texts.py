@@ -71,8 +71,8 @@ TEXTS: Mapping[str, str] = {
     "({tolerance} allowed); do not use the histories of this mechanism until the cause is found",
     "control-other-multiplier": "automatic control failed: the {quantity} differs by {difference} from that by moments "
     "about the hinges ({tolerance} allowed); do not use the results of this mechanism until the cause is found",
-    "control-not-converged": "automatic control failed: the {quantity} changes by {difference} with a coarser table and "
-    "coarser steps ({tolerance} allowed): this history is sensitive to small differences; judge by the whole suite",
+    "control-not-converged": "automatic control failed: the {quantity} changes by {difference} with a coarser table "
+    "and coarser steps ({tolerance} allowed): this history is sensitive to small differences; judge by the whole suite",
     # directions
     "direction-weaker": "the mechanism is clearly weaker towards {direction} than in the direction given: "
     "multiplier {weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",

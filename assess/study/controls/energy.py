@@ -3,31 +3,35 @@
     kinetic + potential energy at the end + loss at impacts = work of the ground's motion
 
 The work of the ground on the masses, the integral of -u_g'' B dphi, is integrated by parts with S = integral of B dphi,
-which is continuous through impacts, where B is not. Between samples u_g'' is linear, and S the cubic with its values and
-slopes at both ends.
+which is continuous through impacts, where B is not. Between samples u_g'' is linear, and S the cubic with its values
+and slopes at both ends. A mechanism that vibrates on its joints faster than its record is sampled is followed at more
+instants, of the same motion.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
+from math import ceil, pi
 
 import numpy as np
 
 from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, trace_with_events
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, Oscillator, elastic_frequency
 from assess.results import Control
 from assess.study.controls.governing import GoverningHistory
 from assess.study.controls.outcome import made, not_made
 from assess.study.controls.stores import StoresAt, of_line, of_masses, of_table
 from assess.study.study import Equation
-from records.record import Record
+from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray
 
 QUANTITY = "energy balance"
 HALF = 0.5  # of the overturning rotation: where free rocking is released
+PHASE = 0.4  # rad: of a vibration on joints, from one sample to the next
+MOST_PARTS = 64  # of a step of the record
 LONG = 20.0  # of 1 / p: a body released at HALF is back after 1.3 of them
 
 
@@ -60,15 +64,18 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     """
     if governing is None:
         return _free_control(mechanism, equation=equation)
-    path, events = trace_with_events(
-        governing.oscillator, governing.motion, scale=governing.scale, equation=governing.equation
-    )
+    motion = sampled_finely(governing.motion, governing.oscillator)
+    path, events = trace_with_events(governing.oscillator, motion, scale=governing.scale, equation=governing.equation)
     if governing.found.overturned:  # its last sample is where it overturned, between two samples of the record
         path = Trace(path.time[:-1], path.rotation[:-1], path.velocity[:-1])
     found = balance(
-        path, events, governing.oscillator, stores_of(mechanism, governing.oscillator, governing.equation),
-        governing.motion, scale=governing.scale,
-    )  # fmt: skip
+        path,
+        events,
+        governing.oscillator,
+        stores_of(mechanism, governing.oscillator, governing.equation),
+        motion,
+        scale=governing.scale,
+    )
     if found.largest <= 0.0:
         return _free_control(mechanism, equation=equation)
     return made(
@@ -84,7 +91,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
 
 
 def stores_of(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) -> tuple[StoresAt, ...]:
-    """Return the energies of each branch: of its masses if it is a rigid chain with all its actions, else of its table."""
+    """Return the energies of each branch: of the masses of a rigid chain with all its actions, else of the table."""
     if equation == "linearised":
         return tuple(of_line(branch.linearised) for branch in oscillator.branches)
     if by_masses(mechanism):
@@ -95,6 +102,16 @@ def stores_of(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) 
 def by_masses(mechanism: Mechanism) -> bool:
     """Return whether the histories are those of the rigid chain with every action that is there at rest."""
     return not mechanism.flexible and mechanism.variants.deciding is mechanism.oscillator
+
+
+def sampled_finely(motion: Record, oscillator: Oscillator) -> Record:
+    """Return the same motion at more samples, by the fastest vibration of the oscillator on its joints."""
+    fastest = max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
+    parts = min(ceil(2.0 * pi * fastest * motion.dt / PHASE), MOST_PARTS)
+    if parts <= 1:
+        return motion
+    samples = np.arange((motion.npts - 1) * parts + 1) / parts
+    return make_record(motion.id, np.interp(samples, np.arange(motion.npts), motion.acceleration), motion.dt / parts)
 
 
 def balance(
@@ -125,7 +142,7 @@ def balance(
     at_rest = [each(np.zeros(1)) for each in sides]
     inertia, leap = (np.array([getattr(each, key)[0] for each in at_rest]) for key in ("inertia", "slope"))
     bounce = np.array([branch.restitution for branch in oscillator.branches])[on]
-    after = np.where(_stays(times, path), 0.0, before * bounce * (1.0 if len(sides) == 2 else -1.0))
+    after = np.where(_stays(times, impact, path), 0.0, before * bounce * (1.0 if len(sides) == 2 else -1.0))
     lost = 0.5 * (inertia[on] * before**2 - inertia[partner] * after**2)[impact].sum()
     time = np.concatenate([path.time, times])
     order = np.argsort(time, kind="stable")
@@ -171,10 +188,12 @@ def _at_samples(path: Trace, sides: tuple[StoresAt, ...]) -> tuple[FloatArray, F
     return kinetic, stored, push, slope
 
 
-def _stays(times: FloatArray, path: Trace) -> BoolArray:
-    """Return whether the body is at rest at the first sample after each event [events]."""
+def _stays(times: FloatArray, impact: BoolArray, path: Trace) -> BoolArray:
+    """Return whether the body comes to rest at each event: until it lifts again, or at the next sample [events]."""
     following = np.minimum(np.searchsorted(path.time, times), path.time.size - 1)
-    return np.asarray((path.rotation[following] == 0.0) & (path.velocity[following] == 0.0))
+    still = (path.rotation[following] == 0.0) & (path.velocity[following] == 0.0)
+    sooner = np.append(times[1:] <= path.time[following[:-1]], [False])  # another event comes before that sample
+    return np.asarray(np.where(sooner, ~np.append(impact[1:], [True]), still))
 
 
 def _free_control(mechanism: Mechanism, *, equation: Equation) -> Control:

@@ -66,7 +66,7 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
             dimension="ratio",
             note=note("control-moments", mechanism.name, branch=branch),
         )
-        for chain, side, branch in zip(chains, oscillator.branches, ("positive", "negative"), strict=True)
+        for chain, side, branch in zip(chains, oscillator.branches, ("positive", "negative"), strict=False)
         if (by_hand := moment_multiplier(chain))
     ]
     return max(found, key=lambda one: one.difference or 0.0)

@@ -80,8 +80,8 @@ def of_branch(
     said = note(
         "control-reactions",
         mechanism.name,
-        branch=forces[0].branch,
-        multiplier=Quantity(multiplier or 0.0, "ratio", 4),
+        hinge=forces[0].hinge,
+        multiplier=Quantity(multiplier or 0.0, "ground acceleration", 4),
     )
     downward, onward = -sum(each.force[1] for each in acting), -sum(each.force[0] for each in acting) - inertia
     pairs = ((VERTICAL, vertical, downward), (HORIZONTAL, horizontal, onward))

@@ -64,9 +64,9 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
             reference=by_hand,
             scale=abs(by_hand),
             dimension="ratio",
-            note=note("control-moments", mechanism.name, branch=branch),
+            note=note("control-moments", mechanism.name, hinge=hinge),
         )
-        for chain, side, branch in zip(chains, oscillator.branches, ("positive", "negative"), strict=False)
+        for chain, side, hinge in zip(chains, oscillator.branches, ("A", "A'"), strict=False)
         if (by_hand := moment_multiplier(chain))
     ]
     return max(found, key=lambda one: one.difference or 0.0)

@@ -73,7 +73,6 @@ def warnings_of(controls: Sequence[Control]) -> tuple[Message, ...]:
         warning(
             FAILED[each.kind],
             each.mechanism,
-            quantity=each.quantity,
             difference=Quantity(100.0 * each.difference, "percent", 2),
             tolerance=Quantity(100.0 * each.tolerance, "percent", 2),
         )

@@ -10,10 +10,18 @@ from assess.short_repr import ShortRepr
 
 @dataclass(frozen=True, repr=False)
 class Program(ShortRepr):
-    """The program that made the results."""
+    """The program that made the results.
+
+    licence : of the package, such as "MIT"; "" in results of older versions, like the next two
+    origin : who publishes it, with the address of its sources if the package names one
+    sha256 : of its own Python files: of two runs with the same, the same code made both
+    """
 
     name: str
     version: str
+    licence: str = ""
+    origin: str = ""
+    sha256: str = ""
 
 
 @dataclass(frozen=True, repr=False)

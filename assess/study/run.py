@@ -95,6 +95,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),
+        report=study.report,
     )
 
 

@@ -23,6 +23,15 @@ from assess.results.joints import BranchMoment, HingeForceResult, InterfaceCurve
 from assess.results.loads import Lasting, LoadResult
 from assess.results.mechanism import MechanismResult
 from assess.results.oscillator import BranchCurve, Curve, LinearisedResult, OscillatorResult
+from assess.results.report_matter import (
+    NO_MATTER,
+    ChecklistItem,
+    ChecklistOutcome,
+    MediaType,
+    Picture,
+    ReportMatter,
+    Revision,
+)
 from assess.results.run import SCHEMA_VERSION, Results
 from assess.results.sensitivity import SensitivityResult
 from assess.results.site import PrimaryPulse, RecordResult, RecordSpectrum, SpectrumResult
@@ -31,12 +40,15 @@ from assess.results.values import Floats, Place, Point, Ring
 from assess.results.view import Axis, View
 
 __all__ = [
+    "NO_MATTER",
     "SCHEMA_VERSION",
     "AmplificationResult",
     "Axis",
     "BranchCurve",
     "BranchMoment",
     "CarriedMotion",
+    "ChecklistItem",
+    "ChecklistOutcome",
     "ComparisonRow",
     "Control",
     "ControlKind",
@@ -61,8 +73,10 @@ __all__ = [
     "LinearisedResult",
     "LoadResult",
     "MechanismResult",
+    "MediaType",
     "NamedPoint",
     "OscillatorResult",
+    "Picture",
     "Place",
     "Point",
     "PrimaryPulse",
@@ -70,9 +84,11 @@ __all__ = [
     "RecordResult",
     "RecordSpectrum",
     "Remaining",
+    "ReportMatter",
     "RequirementResult",
     "Resolved",
     "Results",
+    "Revision",
     "Ring",
     "SelectionResult",
     "SensitivityResult",

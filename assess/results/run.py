@@ -12,6 +12,7 @@ from assess.results.envelopes import CriticalResult
 from assess.results.ground_motion import GroundMotionResult
 from assess.results.inputs import Input, Program, Resolved
 from assess.results.mechanism import MechanismResult
+from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.results.sensitivity import SensitivityResult
 from assess.results.site import RecordResult, SpectrumResult
 from assess.results.sweeps import SweepResult
@@ -43,4 +44,5 @@ class Results(ShortRepr):
     ground_motion: GroundMotionResult | None = None
     sensitivity: tuple[SensitivityResult, ...] = ()
     stamp: str = ""
+    report: ReportMatter = NO_MATTER
     controls: tuple[Control, ...] = ()

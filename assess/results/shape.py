@@ -104,6 +104,7 @@ def _name_faults(results: r.Results) -> Iterator[str]:
         "verdict.mechanisms": [] if results.verdict is None else [row.mechanism for row in results.verdict.mechanisms],
         "sweeps": [row.mechanism for row in results.sweeps],
         "sensitivity": [row.mechanism for row in results.sensitivity],
+        "report.checklist": [name for item in results.report.checklist for name in item.mechanisms],
         "controls": [row.mechanism for row in results.controls],
     }
     for where, used in used_in.items():

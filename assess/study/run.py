@@ -8,7 +8,8 @@ from dataclasses import replace
 from assess.codes.verdict import Question, Verdict
 from assess.errors import ProjectError
 from assess.results import SCHEMA_VERSION, MechanismResult, Results
-from assess.results.stamp import stamp, this_program
+from assess.results.program import describe_program
+from assess.results.stamp import stamp
 from assess.study.case_severity import controlling_cases
 from assess.study.coarse_records import coarse_record_messages
 from assess.study.controls.all_controls import controls_of
@@ -77,7 +78,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     numbers = dict(study.fitting.nga)
     records = tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
     controls = controls_of(study, controlling, motions, mechanisms, jobs=jobs)
-    program = this_program()
+    program = describe_program()
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,
@@ -100,6 +101,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),
         controls=controls,
+        report=study.report,
     )
 
 

@@ -40,6 +40,8 @@ NAMES: Mapping[str, tuple[str, str]] = {
     "limit_state": ("limit state", "-"),
     "nominal_life": ("V_N, nominal life", "years"),
     "use_class": ("class of use", "-"),
+    "use_coefficient": ("C_U, coefficient of use", "-"),
+    "reference_life": ("V_R, reference life", "years"),
     "return_period": ("T_R, return period", "years"),
     "f_0": ("F_0, largest amplification on rock", "-"),
     "t_c_star": ("T_C*, end of the level branch on rock", "s"),

@@ -18,6 +18,7 @@ from assess.results import (
     AmplificationResult,
     Axis,
     BranchCurve,
+    ChecklistItem,
     ComparisonRow,
     Curve,
     Displaced,
@@ -29,9 +30,12 @@ from assess.results import (
     MechanismResult,
     NamedPoint,
     OscillatorResult,
+    Picture,
     Program,
+    ReportMatter,
     Resolved,
     Results,
+    Revision,
     SpectrumResult,
     SweepResult,
     View,
@@ -128,8 +132,38 @@ def results() -> Results:
     )
 
 
+def report_matter() -> ReportMatter:
+    return ReportMatter(
+        client="<b>&",
+        coordinates=(42.35, 13.4),
+        revisions=(Revision("0", "2024-01-01", "first issue", "A. B."),),
+        building_type="house",
+        logo=Picture("logo.png", "", "image/png", 2, 1, "AAAA"),
+        checklist=(
+            ChecklistItem("gable", None, "examined", ("w",)),
+            ChecklistItem("corner", None, "not-examined", (), "no access"),
+            ChecklistItem("in-plane", None, "not-examined", spoken_for=False),
+        ),
+    )
+
+
 def test_round_trip_keeps_every_value() -> None:
     assert loads(dumps(results())) == results()
+
+
+def test_the_matter_of_the_report_comes_back_whole_and_is_empty_in_older_files() -> None:
+    written = dumps(replace(results(), report=report_matter()))
+    assert loads(written).report == report_matter()
+    assert loads(dumps(replace(results(), report=replace(report_matter(), coordinates="near the well")))).report
+    older = json.loads(written)
+    del older["report"]
+    assert loads(json.dumps(older)).report == ReportMatter()
+
+
+def test_an_examined_item_names_mechanisms_of_the_results() -> None:
+    wrong = replace(report_matter(), checklist=(ChecklistItem("gable", None, "examined", ("nobody",)),))
+    with pytest.raises(ResultsError, match=r"report.checklist\[0\].mechanism: \"nobody\" is none of the mechanisms"):
+        loads(dumps(replace(results(), report=wrong)))
 
 
 def test_the_verdict_comes_back_whole() -> None:

@@ -81,11 +81,12 @@ def corners(parameters: Mapping[str, float | str]) -> tuple[float, ...]:
 
 def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[Text, Quantity | Verbatim], ...]:
     """Return name and value of each parameter; one that is not known here keeps its name."""
-    return tuple(_parameter_row(*NAMES.get(key, (Verbatim(key), "")), value) for key, value in parameters.items())
+    return tuple(_parameter_row(key, value) for key, value in parameters.items())
 
 
-def _parameter_row(name: Text, dimension: str, value: float | str) -> tuple[Text, Quantity | Verbatim]:
+def _parameter_row(key: str, value: float | str) -> tuple[Text, Quantity | Verbatim]:
     """Return a parameter as it is shown: results hold accelerations in m/s2."""
+    name, dimension = NAMES.get(key, (Verbatim(key), ""))
     if isinstance(value, str):
         return name, Verbatim(value)
     return name, Quantity(value / g if dimension == ACCELERATION else float(value), dimension or "ratio", _FIGURES)

@@ -11,7 +11,7 @@ from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
 from reports.chapters.annex_suite import requirements, sentences
-from reports.chapters.site import event_name
+from reports.chapters.suite import event_name
 from reports.document import Cell, Column
 from reports.figures import record_spectra
 from reports.language.locale import Locale

@@ -31,11 +31,20 @@ METHOD = say(
 
 
 def sections(results: Results) -> list[Section]:
-    """Return the annex: the critical mechanisms, then a part for each envelope; none without envelopes."""
+    """Return the annex, a part for each envelope; none without envelopes. The critical ones are in the comparison."""
+    return _annex(results, [])
+
+
+def report(results: Results) -> list[Section]:
+    """Return the chapter of a report on envelopes alone: the critical mechanisms, then a part for each envelope."""
+    return _annex(results, critical_blocks(results))
+
+
+def _annex(results: Results, first: list[Block]) -> list[Section]:
     mapped = mechanisms_with_envelope(results)
     if not mapped:
         return []
-    blocks: list[Block] = [Prose((METHOD,)), *critical_blocks(results)]
+    blocks: list[Block] = [*first, Prose((METHOD,))]
     blocks += nonempty(bands_table(results)) + nonempty(primary_pulses(results.records))
     head = Section(say("Overturning envelopes"), 0, tuple(blocks), starts_page=True, mark=MARK)
     return [head, *(_part(results, mechanism, one) for mechanism, one in mapped)]

@@ -50,8 +50,8 @@ figures: .venv/installed   ## pictures and the notebook of docs/, with those of 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
 	$(BIN)/python -m tests.same $(BASE)
 
-catalogue: demo            ## sentences of the demo's report that have no Italian entry
-	$(BIN)/python tests/languages/list_untranslated.py it $(DEMO)/results/results.json
+catalogue: .venv/installed ## bring the Italian catalogue up to date with the source, and list what it lacks
+	$(BIN)/python -m tests.languages.entries it
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock

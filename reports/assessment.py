@@ -103,7 +103,7 @@ def envelope_report(results: Results) -> Document:
     return replace(
         assessment(results),
         subject=say("Overturning envelopes of masonry by rocking dynamics"),
-        sections=_numbered([*annex_envelopes.sections(results), *annex_inputs.sections(results)]),
+        sections=_numbered([*annex_envelopes.report(results), *annex_inputs.sections(results)]),
         data=tuple(annex_envelopes.data(results)),
     )
 

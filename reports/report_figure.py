@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from assess.errors import AssessError
 from assess.results import Results
-from reports.assessment import assessment, file_stem
-from reports.document import Document, Section
-from reports.localisation import localise
+from reports.assessment import assessment
+from reports.document import Document
+from reports.titles import file_stem
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,8 +20,8 @@ def report_figure(name: str, results: Results, *, mechanism: str | None = None) 
     Parameters
     ----------
     name : of a mechanism "sketch", "view", "capacity", "pga-rotation", "history", "envelope", "moment", "contact",
-        "directions", "amplification", "sensitivity", "sweep-01"; of the whole run "spectrum", "suite", "overview",
-        "comparison", "critical". Results without histories have no figure of one, and so on.
+        "directions", "amplification", "sensitivity", "sweep-01", "place"; of the whole run "spectrum", "suite",
+        "overview", "comparison", "critical", "key-plan". Results without histories have no figure of one, and so on.
     results : of a run
     mechanism : name of the mechanism; it may be left out for figures of the whole run, and where there is only one
 
@@ -36,15 +35,14 @@ def report_figure(name: str, results: Results, *, mechanism: str | None = None) 
     AssessError
         for a name that these results have no figure of, and for an unknown mechanism; the known ones are listed
     """
-    document = assessment(results)
+    document = assessment(results, detail="full")
     names = figure_names(document, results, mechanism)
     if name not in names:
         of = "of the run" if mechanism is None else f'of mechanism "{mechanism}"'
         more = "; figures of a mechanism need its name" if mechanism is None else ""
         raise AssessError(f'there is no figure "{name}" {of}; known are {", ".join(names)}{more}')
     figure = next(each for each in document.figures if each.name == names[name])
-    alone = replace(document, sections=(Section("", 0, (figure,)),), data=())
-    return localise(alone).figures[0].draw()
+    return figure.draw(document.writer)
 
 
 def figure_names(document: Document, results: Results, mechanism: str | None) -> dict[str, str]:

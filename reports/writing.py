@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Literal
 
 from assess.results import Results
-from reports.assessment import assessment
+from reports.assessment import Detail, assessment, locale_of
 from reports.document import Document
-from reports.localisation import localise
 from reports.render.csv import write_csv
+from reports.render.frame_words import origin
 from reports.render.html import write_html
 from reports.render.pdf import write_pdf
 from reports.render.png import write_png
@@ -29,6 +29,7 @@ def write_all(
     folder: Path,
     *,
     language: str | None = None,
+    detail: Detail | None = None,
     figures: Sequence[Form] = ("svg",),
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
@@ -40,6 +41,7 @@ def write_all(
     results : of a run
     folder : an empty one
     language : of the report, "en" or "it"; that of the project if None
+    detail : "main", or "full" with the annexes; that of the project if None
     figures : forms in which they are written
     jobs : processes to use, 0 for as many as there are cores; the files are the same
     progress : called with the name of each stage as it begins
@@ -49,8 +51,7 @@ def write_all(
     Path
         of the PDF
     """
-    document = assessment(results)
-    document = replace(document, language=language or document.language)
+    document = replace(assessment(results, detail=detail), locale=locale_of(results, language))
     return write_document(document, folder, name="report.pdf", figures=figures, jobs=jobs, progress=progress)
 
 
@@ -63,11 +64,11 @@ def write_document(
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write a document in its units and language into the empty `folder` in every form.
+    """Write a document in its locale into the empty `folder` in every form.
 
     Parameters
     ----------
-    document : in English and SI
+    document : of any chapters
     folder : an empty one
     name : of the PDF
     figures : forms in which they are written
@@ -79,7 +80,7 @@ def write_document(
     Path
         of the PDF
     """
-    document, report_stage = localise(document), progress or (lambda _: None)
+    report_stage = progress or (lambda _: None)
     for part in ("tables", "figures"):
         (folder / part).mkdir(exist_ok=True)
     with processes(jobs or os.cpu_count() or 1, document) as pool:
@@ -88,8 +89,9 @@ def write_document(
         tables = pool.submit(_write_tables, folder)
         report_stage("report")
         path = write_pdf(document, folder / name, drawings=drawings)
+        creator = document.locale.text(origin(document))
         pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
-        _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.origin)
+        _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=creator)
         write_html(document, path.with_suffix(".html"), pictures=pictures)
         report_stage("tables")
         tables.result()

@@ -18,6 +18,13 @@ class Language(StrEnum):
     ITALIAN = "it"
 
 
+class Detail(StrEnum):
+    """How much of a report is written."""
+
+    MAIN = "main"
+    FULL = "full"
+
+
 def report(
     results: Annotated[Path, typer.Argument(metavar="RESULTS.json", help="The results.json of an earlier run.")],
     output: Annotated[
@@ -28,6 +35,10 @@ def report(
     language: Annotated[
         Language | None, typer.Option("--language", help="Language of the report (default: that of the project).")
     ] = None,
+    detail: Annotated[
+        Detail | None,
+        typer.Option("--detail", help="The main part, or the full report with its annexes (default: as the project)."),
+    ] = None,
 ) -> None:
     """Rewrite the report from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
     from assess.cli.stderr import print_message
@@ -35,12 +46,11 @@ def report(
 
     read = open_results(results, tell=print_message)
     found = read.results
-    from reports.chapters.inputs import project_text
-
     from assess.cli.progress import progress
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
-    from reports.assessment import envelope_report
+    from reports.assessment import envelope_report, locale_of
+    from reports.project_text import project_text
     from reports.writing import Form, write_all, write_document
 
     chosen = language or _language_of(project_text(found, "report.language"), source=results)
@@ -56,10 +66,17 @@ def report(
         read.blame_changes(),
     ):
         if alone:
-            envelopes = replace(envelope_report(found), language=chosen)
+            envelopes = replace(envelope_report(found), locale=locale_of(found, chosen))
             pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=shown.step)
         else:
-            pdf = write_all(found, stage, language=chosen, figures=figures, progress=shown.step)
+            pdf = write_all(
+                found,
+                stage,
+                language=chosen,
+                detail=detail.value if detail else None,
+                figures=figures,
+                progress=shown.step,
+            )
         for copy in copied:
             (stage / copy).write_bytes(read.path.read_bytes())
     print(folder / pdf.relative_to(stage))

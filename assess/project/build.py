@@ -27,6 +27,7 @@ from assess.project.horizontal_records import horizontal_records, vertical_recor
 from assess.project.key_text import value_text
 from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.question import facts_of, question_of
+from assess.project.report_matter import picture_files, report_matter_of
 from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.study_messages import project_messages
@@ -75,6 +76,7 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
+    report = report_matter_of(content, project.folder)
     site = site_in(content)
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
@@ -96,6 +98,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
+        report=report,
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
             *project.messages,
@@ -267,5 +270,5 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     chosen = content.records.select is not None
     used = [project.folder / record.path for record in records] if chosen else content.records.files
     beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
-    for path in dict.fromkeys([*bodies, *tables, *used, *beside]):
+    for path in dict.fromkeys([*bodies, *tables, *used, *beside, *picture_files(content)]):
         yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

@@ -18,7 +18,7 @@ from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.units import Kind
 
-_NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("format",))
+_NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("format",), ("report",))
 Key = tuple[str | int, ...]
 Given = int | float | str
 

@@ -210,5 +210,9 @@ def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
     if isinstance(section, sections.NtcSpectrum):
         return spectrum
     state, use_class = section.limit_state or DEFAULT_STATE, section.use_class or ""
-    asked: dict[str, float | str] = {"limit_state": state, "nominal_life": section.nominal_life, "use_class": use_class}
+    life = section.nominal_life
+    asked: dict[str, float | str] = {"limit_state": state, "nominal_life": life, "use_class": use_class}
+    if use_class:
+        asked["use_coefficient"] = ntc.USE_FACTORS[use_class]
+        asked["reference_life"] = ntc.reference_life(life, use_class=use_class)
     return replace(spectrum, parameters={**asked, **spectrum.parameters})

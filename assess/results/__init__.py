@@ -24,7 +24,7 @@ from assess.results.loads import Lasting, LoadResult
 from assess.results.mechanism import MechanismResult
 from assess.results.oscillator import BranchCurve, Curve, LinearisedResult, OscillatorResult
 from assess.results.report_matter import (
-    BuildingType,
+    NO_MATTER,
     ChecklistItem,
     ChecklistOutcome,
     MediaType,
@@ -40,12 +40,12 @@ from assess.results.values import Floats, Place, Point, Ring
 from assess.results.view import Axis, View
 
 __all__ = [
+    "NO_MATTER",
     "SCHEMA_VERSION",
     "AmplificationResult",
     "Axis",
     "BranchCurve",
     "BranchMoment",
-    "BuildingType",
     "CarriedMotion",
     "ChecklistItem",
     "ChecklistOutcome",

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from assess.codes.checklists import BuildingType
 from assess.results.values import Point
 from assess.short_repr import ShortRepr
 
 MediaType = Literal["image/png", "image/jpeg"]
 ChecklistOutcome = Literal["examined", "absent", "not-examined"]
-BuildingType = Literal["house", "church", ""]
 
 
 @dataclass(frozen=True, repr=False)
@@ -77,7 +77,7 @@ class ReportMatter(ShortRepr):
     revisions: tuple[Revision, ...] = ()
     seismic_zone: str = ""
     national_annex: str = ""
-    building_type: BuildingType = ""
+    building_type: BuildingType | Literal[""] = ""
     logo: Picture | None = None
     figures: tuple[Picture, ...] = ()
     checklist: tuple[ChecklistItem, ...] = ()

@@ -13,7 +13,7 @@ from assess.codes.verdict import Missing, Question
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
-from assess.results import Input, Resolved
+from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.study.grounding import Grounded
 from records.band import Band
 from records.pulses import Shape
@@ -101,6 +101,7 @@ class Study:
     survey : returns the surveyed numbers of a mechanism by its name
     variables : numbers that the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None if none are requested
+    report : what the report states besides the analysis
     """
 
     spectrum: Spectrum | None
@@ -134,6 +135,7 @@ class Study:
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
+    report: ReportMatter = NO_MATTER
 
 
 @dataclass(frozen=True)

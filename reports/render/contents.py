@@ -1,22 +1,23 @@
-"""The contents: a line for each heading, with a link to it, dots and the number of its page."""
+"""The contents: a line for each chapter and mechanism, with a link to it, dots and the number of its page."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import ceil
 
 from reportlab.lib.colors import HexColor
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Flowable
+from reportlab.platypus import Table as Grid
 
-from reports.figures.style import INK, MUTED
-from reports.render.cells import draw_cells, plain_cell
+from reports.figures.style import INK
 from reports.render.page import DeferredCanvas, Heading
-from reports.render.typeset import STYLES, width_of
+from reports.render.typeset import STYLES, fitted, width_of
 
-LONGEST = 48  # sections; of a longer report only the chapters are listed, the bookmarks have all
-_STYLES, _COLOURS, _INDENTS = ("contents-0", "contents-1"), (INK, MUTED), (0.0, 14.0)
-_ABOVE, _FOR_NUMBER = 2.6, 24.0  # [pt]
-_DOT = " . "
+COLUMN = 10  # lines up to which they stand in one column
+_STYLE, _INDENT = "contents", 9.0
+_GAP = 14.0  # between two columns [pt]
+_DOT = " ."
 
 
 class Entry(Flowable):
@@ -25,32 +26,45 @@ class Entry(Flowable):
     def __init__(self, heading: Heading, numbers: Mapping[str, int]) -> None:
         super().__init__()
         self.heading, self.numbers = heading, numbers
-        self.style, self.indent = _STYLES[heading.level], _INDENTS[heading.level]
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        self.cell = plain_cell(self.heading.short, self.style, width=aW - self.indent - _FOR_NUMBER)
-        self.width, self.height = aW, self.cell.height + _ABOVE
+        self.width, self.height = aW, STYLES[_STYLE].leading
         return self.width, self.height
 
     def draw(self) -> None:
         canvas = self.canv
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
-        draw_cells(canvas, [(self.cell, self.indent, self.cell.height)])
-        canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.cell.height), relative=1)
+        _set(canvas)
+        indent = _INDENT if self.heading.level else 0.0
+        text = fitted(self.heading.short, self.width - indent - 3 * _INDENT, _STYLE)
+        canvas.drawString(indent, self.height - STYLES[_STYLE].fontSize, text)
+        canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.height), relative=1)
+        self.free = self.width - indent - width_of(text, _STYLE)
         canvas.later(f"page-of-{self.heading.key}", self._number)
 
     def _number(self, canvas: Canvas) -> None:
-        """Draw dots and number at the right end of the last line."""
-        number = str(self.numbers[self.heading.key])
-        free = self.width - self.indent - self.cell.lines[-1].width - width_of(number, self.style)
-        of = STYLES[self.style]
-        canvas.setFont(of.fontName, of.fontSize)
-        canvas.setFillColor(HexColor(_COLOURS[self.heading.level]))
-        dots = _DOT * int(free / width_of(_DOT, self.style))
-        canvas.drawRightString(self.width, of.leading - of.fontSize, dots + number)
+        """Draw dots and number at the right end."""
+        _set(canvas)
+        number = f" {self.numbers[self.heading.key]}"
+        dots = _DOT * int((self.free - width_of(number, _STYLE)) / width_of(_DOT, _STYLE))
+        canvas.drawRightString(self.width, self.height - STYLES[_STYLE].fontSize, dots + number)
 
 
-def contents(headings: Sequence[Heading], numbers: Mapping[str, int]) -> list[Flowable]:
-    """Return the lines of all headings, or of the chapters alone."""
-    every = len(headings) <= LONGEST
-    return [Entry(each, numbers) for each in headings if every or each.level == 0]
+def contents(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
+    """Return the lines of the chapters and of the mechanisms, in two columns where they are many."""
+    entries = [Entry(each, numbers) for each in headings if each.is_listed]
+    high = len(entries) if len(entries) <= COLUMN else ceil(len(entries) / 2)
+    rows = [[entries[place], *entries[place + high : place + high + 1]] for place in range(high)]
+    wide = (width - _GAP) / 2
+    if high == len(entries):
+        return Grid(rows, colWidths=[width], style=_TIGHT)
+    whole = [[*row, "", ""][:2] for row in rows]
+    return Grid([[one, "", other] for one, other in whole], colWidths=[wide, _GAP, wide], style=_TIGHT)
+
+
+def _set(canvas: Canvas) -> None:
+    canvas.setFont(STYLES[_STYLE].fontName, STYLES[_STYLE].fontSize)
+    canvas.setFillColor(HexColor(INK))
+
+
+_TIGHT = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]

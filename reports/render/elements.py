@@ -3,35 +3,44 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import singledispatchmethod
 from html import escape
+from math import isfinite
 
+from assess.messages.message import Quantity
 from reports.document import (
-    SHEET_HEADS,
-    SIGNATURE_HEADS,
     Banner,
     Block,
     Cell,
     Code,
     Column,
     Document,
+    Facts,
     Figure,
+    Graded,
     Items,
-    Line,
     Model,
+    Photograph,
+    Prose,
+    Row,
     Sheet,
     Signatures,
     Table,
-    Text,
+    Writing,
 )
-from reports.language.formula import mark_up
 from reports.language.lettering import visible
-from reports.language.numerals import cell_text, step_result
-from reports.language.outcome_words import outcome_colour, spell_out
+from reports.language.texts import Kind, Text, say
+from reports.render.cell_text import cell_text, is_number, is_numeric
+from reports.render.frame_words import SHEET_HEADS, SIGNATURE_HEADS, verdict_word
+from reports.render.sheet_rows import SheetRow, marked_formula, sheet_rows
 from reports.render.svg import Picture
 
-_LONG = 400  # characters
+SIDEWAYS = say("Scroll sideways to see the whole table →")
+_LONG = 400  # characters, from which a cell scrolls
+_WORDS = 16  # characters, from which a column is that of sentences
+_ENLARGED = 1.85  # pixels to the point, at which letters of a figure are as high as those around it
 
 
 def markup(text: str) -> str:
@@ -43,7 +52,11 @@ class Elements:
     """Makes an element of each block of a document."""
 
     def __init__(self, document: Document, pictures: Mapping[str, Picture]) -> None:
-        self.titles, self.pictures, self.translate = document.titles, pictures, document.translate
+        self.locale, self.pictures = document.writer, pictures
+
+    def text(self, text: Text) -> str:
+        """Return a text of the document as markup."""
+        return markup(self.locale.text(text))
 
     @singledispatchmethod
     def of(self, block: Block) -> str:
@@ -51,89 +64,148 @@ class Elements:
         raise TypeError(f"{type(block).__name__}: not a block of a document")
 
     @of.register
-    def _(self, block: Text) -> str:
-        return "\n".join(f"<p>{markup(text)}</p>" for text in block.paragraphs)
+    def _(self, block: Prose) -> str:
+        return "\n".join(f"<p>{self.text(text)}</p>" for text in block.paragraphs)
 
     @of.register
     def _(self, block: Items) -> str:
-        return "<ul>" + "\n".join(f"<li>{markup(text)}</li>" for text in block.points) + "</ul>"
+        return "<ul>" + "\n".join(f"<li>{self.text(text)}</li>" for text in block.points) + "</ul>"
 
     @of.register
     def _(self, block: Banner) -> str:
-        word, headline = markup(self.translate(block.word)), markup(block.headline)
-        return f'<p class="banner {block.verdict}"><strong>{word}</strong> <span>{headline}</span></p>'
+        word, headline = self.text(verdict_word(block)), self.text(block.headline)
+        return f'<p class="banner {block.outcome}"><strong>{word}</strong> <span>{headline}</span></p>'
+
+    @of.register
+    def _(self, block: Facts) -> str:
+        return self.facts(block.pairs)
 
     @of.register
     def _(self, block: Code) -> str:
-        return f"<pre>{markup(chr(10).join(block.lines))}</pre>"
+        return f"<pre>{chr(10).join(map(markup, block.lines))}</pre>"
 
     @of.register
     def _(self, block: Table) -> str:
-        heads = [_head(column.heading, _kind(column)) for column in block.columns]
-        rows = [
-            _row(row, block.columns, muted=place in block.muted, translate=self.translate)
-            for place, row in enumerate(block.rows)
-        ]
-        return _wide("sortable", self.titles["Table", block.name], block.caption, heads, rows)
+        heads, columns = [], []
+        for column, cells in zip(block.columns, _by_column(block), strict=True):
+            look, shown = self._column(column, cells)
+            heads.append(_head(markup(self.locale.heading(column.label, column.dimension)), look))
+            columns.append(shown)
+        muted = [_classes("muted" if place in block.muted else "") for place in range(len(block.rows))]
+        rows = [f"<tr{look}>{''.join(row)}</tr>\n" for look, row in zip(muted, zip(*columns, strict=True), strict=True)]
+        return self._wide(block, "Table", f"sortable{' small' if block.small else ''}", heads, rows)
 
     @of.register
     def _(self, block: Sheet) -> str:
-        heads = [_head(text, "") for text in map(self.translate, SHEET_HEADS)]
-        return _wide("sheet", self.titles["Sheet", block.name], block.caption, heads, map(_step, block.lines))
+        heads = [_head(self.text(text)) for text in SHEET_HEADS]
+        return self._wide(block, "Sheet", "sheet", heads, map(_step, sheet_rows(block, self.locale)))
 
     @of.register
     def _(self, block: Figure) -> str:
-        title, picture = self.titles["Figure", block.name], self.pictures[block.name]
-        name = anchor(title)
-        return (
-            f'<figure id="{name}"><div class="picture">'
-            f'<svg role="img" aria-labelledby="{name}-caption" {picture.box}>{picture.upright}</svg></div>\n'
-            f'<figcaption id="{name}-caption"><b>{title}.</b> {markup(block.caption)}</figcaption>'
-            f"{'' if block.model is None else _data(block.model)}</figure>"
-        )
+        picture, name = self.pictures[block.name], self._anchor("Figure", block.name)
+        size = f'width="{_ENLARGED * picture.width:.0f}" {picture.box}'
+        drawing = f'<svg role="img" aria-labelledby="{name}-caption" {size}>{picture.upright}</svg>'
+        data = "" if block.model is None else _data(block.model)
+        return f'<figure id="{name}"><div class="picture">{drawing}</div>\n{self._figcaption(block)}{data}</figure>'
+
+    @of.register
+    def _(self, block: Row) -> str:
+        return f'<div class="row">{"".join(map(self.of, block.figures))}</div>'
+
+    @of.register
+    def _(self, block: Photograph) -> str:
+        name = self._anchor("Figure", block.name)
+        return f'<figure id="{name}" class="photograph">{self.image(block)}\n{self._figcaption(block)}</figure>'
+
+    @of.register
+    def _(self, block: Writing) -> str:
+        strut = f'<svg width="1" height="{block.height:g}mm" aria-hidden="true"></svg>'
+        return f'<div class="writing"><p>{self.text(block.title)}</p>{strut}</div>'
 
     @of.register
     def _(self, block: Signatures) -> str:
-        heads = "".join(f'<th scope="col">{markup(text)}</th>' for text in map(self.translate, SIGNATURE_HEADS))
+        heads = "".join(_head(self.text(text)) for text in SIGNATURE_HEADS)
         rows = "".join(
-            f'<tr><th scope="row">{markup(role)}</th><td>{markup(name)}</td><td></td><td></td></tr>'
+            f'<tr><th scope="row">{self.text(role)}</th><td>{self.text(name)}</td><td></td><td></td></tr>'
             for role, name in block.places
         )
-        return f'<div class="wide"><table class="signature"><thead><tr>{heads}</tr></thead>{rows}</table></div>'
+        return self._scrolling(
+            f'<table class="signature"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>',
+            label=f'aria-label="{self.text(SIGNATURE_HEADS[2])}"',
+        )
+
+    def facts(self, pairs: Iterable[tuple[Text, Text]]) -> str:
+        """Return labels and what they say as a list of terms; nothing where there are none."""
+        made = "".join(f"<dt>{self.text(label)}</dt><dd>{self.text(text)}</dd>" for label, text in pairs)
+        return f"<dl>{made}</dl>" if made else ""
+
+    def image(self, photograph: Photograph) -> str:
+        """Return a picture of the user, whose caption is read in its place."""
+        size = f'width="{photograph.width}" height="{photograph.height}"'
+        source = f"data:{photograph.media_type};base64,{escape(photograph.data)}"
+        return f'<img src="{source}" {size} alt="{self.text(photograph.caption)}">'
+
+    def _anchor(self, kind: Kind, name: str) -> str:
+        """Return the id of a block: figure-1."""
+        return f"{kind.lower()}-{self.locale.titles[kind, name]}"
+
+    def _caption(self, kind: Kind, block: Figure | Photograph | Table | Sheet) -> str:
+        return f"<b>{markup(self.locale.title(kind, block.name))}.</b> {self.text(block.caption)}"
+
+    def _figcaption(self, block: Figure | Photograph) -> str:
+        name = self._anchor("Figure", block.name)
+        return f'<figcaption id="{name}-caption">{self._caption("Figure", block)}</figcaption>'
+
+    def _wide(self, block: Table | Sheet, kind: Kind, look: str, heads: Iterable[str], rows: Iterable[str]) -> str:
+        """Return a table with its caption, which scrolls within the page where it is wider."""
+        name = self._anchor(kind, block.name)
+        return self._scrolling(
+            f'<table class="{look}" id="{name}">'
+            f'<caption id="{name}-caption"><span>{self._caption(kind, block)}</span></caption>\n'
+            f"<thead><tr>{''.join(heads)}</tr></thead>\n<tbody>{''.join(rows)}</tbody></table>",
+            label=f'aria-labelledby="{name}-caption"',
+        )
+
+    def _scrolling(self, table: str, *, label: str) -> str:
+        """Return a region in which a wide table scrolls, after a hint shown while some of it is out of sight."""
+        hint = f'<p class="sideways" hidden>{self.text(SIDEWAYS)}</p>'
+        return f'{hint}<div class="wide" tabindex="0" role="region" {label}>{table}</div>'
+
+    def _column(self, column: Column, cells: tuple[Cell, ...]) -> tuple[str, list[str]]:
+        """Return how the head of a column looks, and the cells below it."""
+        texts = [cell_text(cell, column, self.locale) for cell in cells]
+        number = is_numeric(cells)
+        made = [_cell(*each, number=number) for each in zip(cells, texts, strict=True)]
+        words = not number and any(len(text) > _WORDS for text in texts)
+        return "number" if number else "words" if words else "", made
 
 
-def anchor(title: str) -> str:
-    """Return the id of a title: figure-1."""
-    return title.lower().replace(" ", "-")
+def _by_column(table: Table) -> list[tuple[Cell, ...]]:
+    return list(zip(*table.rows, strict=True)) if table.rows else [()] * len(table.columns)
 
 
-def _wide(kind: str, title: str, caption: str, heads: Iterable[str], rows: Iterable[str]) -> str:
-    """Return a table that scrolls within the page where it is wider."""
-    name = anchor(title)
+def _head(label: str, look: str = "") -> str:
+    return f'<th scope="col"{_classes(look)}>{label}</th>'
+
+
+def _cell(cell: Cell, text: str, *, number: bool) -> str:
+    """Return one cell; a number carries its value to the last figure, to be sorted by."""
+    outcome = cell.outcome if isinstance(cell, Graded) else ""
+    value = _sorting_value(cell)
+    data = "" if value is None else f' data-value="{value!r}"'
     return (
-        f'<div class="wide" tabindex="0" role="region" aria-labelledby="{name}-caption">'
-        f'<table class="{kind}" id="{name}">'
-        f'<caption id="{name}-caption"><span><b>{title}.</b> {markup(caption)}</span></caption>\n'
-        f"<thead><tr>{''.join(heads)}</tr></thead>\n<tbody>{''.join(rows)}</tbody></table></div>"
+        f"<td{_classes('number' if number else '', outcome, 'empty' if cell is None else '')}{data}>{_whole(text)}</td>"
     )
 
 
-def _head(text: str, kind: str) -> str:
-    return f'<th scope="col"{_classes(kind)}>{markup(text)}</th>'
-
-
-def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool, translate: Callable[[str], str]) -> str:
-    cells = "".join(_cell(cell, column, translate) for cell, column in zip(row, columns, strict=True))
-    return f"<tr{_classes('muted' if muted else '')}>{cells}</tr>\n"
-
-
-def _cell(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
-    """Return one cell; a number carries its value to the last figure, to be sorted by."""
-    number = isinstance(cell, int | float) and not isinstance(cell, bool)
-    empty = "empty" if cell is None or cell == "" else ""
-    value = f' data-value="{cell!r}"' if number else ""
-    text = cell_text(spell_out(cell, column, translate), column.kind)
-    return f"<td{_classes(_kind(column), outcome_colour(cell, column), empty)}{value}>{_whole(text)}</td>"
+def _sorting_value(cell: Cell) -> float | int | None:
+    """Return the number by which a cell is sorted; None where its text is."""
+    content = cell.text if isinstance(cell, Graded) else cell
+    if isinstance(content, Quantity):
+        return content.value if isfinite(content.value) else None
+    if isinstance(content, int | float) and is_number(content):
+        return content if isfinite(content) else None
+    return None
 
 
 def _whole(text: str) -> str:
@@ -141,27 +213,24 @@ def _whole(text: str) -> str:
     return markup(text) if len(text) <= _LONG else f'<div class="long" tabindex="0">{markup(text)}</div>'
 
 
-def _kind(column: Column) -> str:
-    return "number" if column.kind == "number" else ""
-
-
-def _step(line: Line) -> str:
-    clause = f'<span class="clause">{markup(line.clause)}</span>' if line.clause else ""
-    numbers = f'<span class="numbers">= {_formula(line.substituted)}</span>' if line.substituted else ""
-    value = markup(step_result(line.value, line.unit, line.beside))
+def _step(row: SheetRow) -> str:
+    clause = f'<span class="clause">{markup(row.clause)}</span>' if row.clause else ""
+    numbers = f'<span class="numbers">= {_formula(row.numbers)}</span>' if row.numbers else ""
+    beside = f' <span class="beside">({markup(row.beside)})</span>' if row.beside else ""
     return (
-        f'<tr><th scope="row">{_formula(line.symbol)}</th><td>{_formula(line.description)}{clause}</td>'
-        f"<td>{_formula(line.formula)}{numbers}</td><td>{value}</td></tr>\n"
+        f'<tr><th scope="row">{_formula(row.symbol)}</th><td>{_formula(row.description)}{clause}</td>'
+        f"<td>{_formula(row.formula)}{numbers}</td><td>{markup(row.result)}{beside}</td></tr>\n"
     )
 
 
 def _formula(text: str) -> str:
-    return mark_up(markup(text), index=("<sub>", "</sub>"), power=("<sup>", "</sup>"))
+    return marked_formula(markup(text), power="sup")
 
 
 def _data(model: Model) -> str:
     """Return a model as data that no reader takes for markup."""
-    text = json.dumps(vars(model), default=vars, separators=(",", ":")).replace("<", "\\u003c")
+    shown = replace(model, wires=tuple(replace(wire, name=visible(wire.name)) for wire in model.wires))
+    text = json.dumps(vars(shown), default=vars, separators=(",", ":")).replace("<", "\\u003c")
     return f'<script type="application/json">{text}</script>'
 
 

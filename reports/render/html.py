@@ -15,23 +15,35 @@ from string import Template
 
 from reports.document import Document, Section
 from reports.language.lettering import truncate
+from reports.language.texts import Phrase, say
 from reports.render.elements import Elements, markup
+from reports.render.frame_words import CONTENTS, origin
 from reports.render.svg import Picture
 
-SCRIPTS = ("gestures.js", "picture.js", "model.js", "viewer.js", "tables.js")  # in the order they need each other
-FRAME = {  # words of the frame of the page
-    "to_report": "To the report",
-    "contents_word": "Contents",
-    "enlarge": "Enlarge",
-    "turn": "Turn in 3D",
-    "enlarged": "Figure, enlarged",
-    "hint_shift": "Drag to shift, wheel or pinch to enlarge, double click to start again; keys: arrows, +, −, 0.",
-    "hint_turn": "Drag to turn, with Shift or two fingers to shift, wheel or pinch to enlarge; keys: arrows, +, −, 0.",
-    "larger": "Larger",
-    "smaller": "Smaller",
-    "reset": "Reset",
-    "close": "Close",
-    "stage": "Figure, to be moved by the arrow keys",
+SCRIPTS = (  # in the order they need each other
+    "gestures.js",
+    "picture.js",
+    "model.js",
+    "viewer.js",
+    "tables.js",
+    "sideways.js",
+    "contents.js",
+)
+FRAME: Mapping[str, Phrase] = {  # words of the frame of the page
+    "to_report": say("To the report"),
+    "contents_word": CONTENTS,
+    "enlarge": say("Enlarge"),
+    "turn": say("Turn in 3D"),
+    "enlarged": say("Figure, enlarged"),
+    "hint_shift": say("Drag to shift, wheel or pinch to enlarge, double click to start again; keys: arrows, +, −, 0."),
+    "hint_turn": say(
+        "Drag to turn, with Shift or two fingers to shift, wheel or pinch to enlarge; keys: arrows, +, −, 0."
+    ),
+    "larger": say("Larger"),
+    "smaller": say("Smaller"),
+    "reset": say("Reset"),
+    "close": say("Close"),
+    "stage": say("Figure, to be moved by the arrow keys"),
 }
 _LONGEST_TITLE, _LONGEST_HEADING = 120, 180
 
@@ -40,19 +52,23 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, Picture
     """Write the document to `path`; the path written. pictures: its figures by name."""
     elements = Elements(document, pictures)
     style, script = resource("report.css"), "\n".join(map(resource, SCRIPTS))
+    opening, *rest = [_section(*each, elements) for each in enumerate(document.sections)] or [""]
     page = Template(resource("page.html")).substitute(
-        language=markup(document.language),
-        **{name: markup(document.translate(text)) for name, text in FRAME.items()},
+        **{name: elements.text(text) for name, text in FRAME.items()},
+        language=markup(document.locale.language),
         policy=policy(style=style, script=script),
-        program=markup(document.origin),
-        title=markup(truncate(document.title, _LONGEST_TITLE)),
-        subject=markup(document.subject),
+        program=elements.text(origin(document)),
+        title=_short(elements.locale.text(document.title), _LONGEST_TITLE),
+        subject=elements.text(document.subject),
+        running=" · ".join(map(elements.text, document.running)),
         style=style,
         script=script,
         definitions="\n".join(_definitions(pictures).values()),
-        facts=_facts(document),
-        contents=_contents(document.sections),
-        sections="\n".join(_section(section, place, elements) for place, section in enumerate(document.sections)),
+        logo="" if document.logo is None else elements.image(document.logo),
+        facts=elements.facts(document.facts),
+        contents=_contents(document.sections, elements),
+        opening=opening,
+        sections="\n".join(rest),
     )
     path.write_text(page, encoding="utf-8", newline="\n")
     return path
@@ -79,27 +95,27 @@ def _definitions(pictures: Mapping[str, Picture]) -> dict[str, str]:
     return {name: element for picture in pictures.values() for name, element in picture.definitions.items()}
 
 
-def _facts(document: Document) -> str:
-    pairs = "".join(f"<dt>{markup(label)}</dt><dd>{markup(text)}</dd>" for label, text in document.facts)
-    return f"<dl>{pairs}</dl>" if pairs else ""
-
-
-def _contents(sections: tuple[Section, ...]) -> str:
+def _contents(sections: tuple[Section, ...], elements: Elements) -> str:
     """Return the headings as links, those of parts below their chapter's."""
     made, depth = [], -1
     for place, section in enumerate(sections):
         made += ["<ul>"] * (section.level - depth) if section.level > depth else []
         made += ["</li></ul>"] * (depth - section.level) + ["</li>"] if section.level <= depth else []
-        made.append(f'<li><a href="#section-{place}">{_title(section)}</a>')
+        made.append(f'<li><a href="#section-{place}">{_title(section, elements)}</a>')
         depth = section.level
     return "\n".join([*made, *["</li></ul>"] * (depth + 1)])
 
 
-def _section(section: Section, place: int, elements: Elements) -> str:
+def _section(place: int, section: Section, elements: Elements) -> str:
     rank = section.level + 2
     blocks = "\n".join(map(elements.of, section.blocks))
-    return f'<section><h{rank} id="section-{place}">{_title(section)}</h{rank}>\n{blocks}</section>'
+    return f'<section><h{rank} id="section-{place}">{_title(section, elements)}</h{rank}>\n{blocks}</section>'
 
 
-def _title(section: Section) -> str:
-    return markup(truncate(section.title, _LONGEST_HEADING))
+def _title(section: Section, elements: Elements) -> str:
+    title = _short(elements.locale.text(section.title), _LONGEST_HEADING)
+    return f'<span class="mark">{markup(section.mark)}</span> {title}' if section.mark else title
+
+
+def _short(text: str, limit: int) -> str:
+    return markup(truncate(text, limit))

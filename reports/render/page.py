@@ -1,4 +1,4 @@
-"""The page: margins, header, footer with "page x of y", bookmarks."""
+"""The page: margins, running head, foot with "page x of y", bookmarks."""
 
 from __future__ import annotations
 
@@ -10,18 +10,22 @@ from reportlab.lib.colors import HexColor
 from reportlab.lib.pagesizes import A4, LETTER
 from reportlab.lib.units import mm
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.platypus import BaseDocTemplate, Flowable, Frame, PageTemplate
+from reportlab.platypus import BaseDocTemplate, Flowable, Frame, PageTemplate, Paragraph
 
-from reports.document import Document
+from reports.document import Document, Section
 from reports.figures.font import printable
 from reports.figures.style import GRID, MUTED
 from reports.language.lettering import truncate
-from reports.render.typeset import REGULAR, STYLES, paragraph
+from reports.language.locale import Locale
+from reports.language.texts import count, say
+from reports.render.frame_words import origin
+from reports.render.typeset import REGULAR, STYLES, fitted, markup, width_of
 
 PAPER = {"A4": A4, "letter": LETTER}
-_SIDE, _TOP, _BOTTOM = 18 * mm, 22 * mm, 20 * mm
-PAGE = "page {page} of {total}"
-_LONGEST_ENTRY = 90
+_SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
+_HEAD, _FOOT = 5 * mm, 10 * mm  # of the running head above the text, of the foot above the edge
+_LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each part of the running head
+_RUNNING_SHARE, _GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
 
 
 class DeferredCanvas(Canvas):
@@ -45,39 +49,32 @@ class DeferredCanvas(Canvas):
         super().save()
 
 
-class Heading(Flowable):
-    """A section heading that puts itself into the contents and the bookmarks."""
+class Heading(Paragraph):
+    """A section heading, which `Pages` puts into the contents and the bookmarks.
 
-    def __init__(self, text: str, *, level: int, key: str) -> None:
-        super().__init__()
-        self.text, self.level, self.key = truncate(text, 2 * _LONGEST_ENTRY), level, key
-        self._shape = paragraph(self.text, f"heading-{level}")
+    short : the text for contents and bookmarks
+    key : of its place in the file
+    """
 
-    @property
-    def short(self) -> str:
-        """The text for contents and bookmarks."""
-        return truncate(printable(self.text), _LONGEST_ENTRY)
+    def __init__(self, section: Section, locale: Locale, key: str) -> None:
+        text = " ".join(part for part in (section.mark, locale.text(section.title)) if part)
+        super().__init__(markup(truncate(text, 2 * _LONGEST)), STYLES[f"heading-{min(section.level, 1)}"])
+        self.short, self.level, self.key = truncate(printable(text), _LONGEST), section.level, key
+        self.is_listed = section.level == 0 or bool(section.mark)
 
-    def getSpaceBefore(self) -> float:  # noqa: N802 - reportlab's name
-        return float(STYLES[f"heading-{self.level}"].spaceBefore)
-
-    def getSpaceAfter(self) -> float:  # noqa: N802 - reportlab's name
-        return float(STYLES[f"heading-{self.level}"].spaceAfter)
-
-    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        width, height = self._shape.wrap(aW, aH)
-        return float(width), float(height)
-
-    def draw(self) -> None:
-        self._shape.drawOn(self.canv, 0, 0)
+    def split(self, aW: float, aH: float) -> list[Flowable]:
+        """Return nothing: a heading goes to the next page whole."""
+        return []
 
 
 class Pages(BaseDocTemplate):
     """The document template. numbers: of the pages of the headings, by their keys, as they become known."""
 
-    def __init__(self, path: Path, document: Document) -> None:
-        self.document = document
+    def __init__(self, path: Path, document: Document, locale: Locale) -> None:
+        self.document, self.locale = document, locale
         self.numbers: dict[str, int] = {}
+        self._depth = -1
+        text = locale.text
         super().__init__(
             str(path),
             pagesize=PAPER[document.paper],
@@ -85,51 +82,51 @@ class Pages(BaseDocTemplate):
             rightMargin=_SIDE,
             topMargin=_TOP,
             bottomMargin=_BOTTOM,
-            title=truncate(printable(document.title), 200),
+            title=truncate(printable(text(document.title)), 200),
             author=truncate(printable(document.author), 200),
-            subject=document.subject,
-            creator=document.origin,
+            subject=printable(text(document.subject)),
+            creator=printable(text(origin(document))),
             producer=document.program,
             invariant=1,
-            lang=document.language,
+            lang=locale.language,
             initialFontName=REGULAR,
             pageCompression=1,
         )
         frame = Frame(_SIDE, _BOTTOM, self.width, self.height, 0, 0, 0, 0, id="text")
         self.addPageTemplates(PageTemplate("page", [frame], onPage=self._furniture))
 
-    def afterFlowable(self, flowable: Flowable) -> None:  # noqa: N802 - reportlab's name
+    def afterFlowable(self, flowable: object) -> None:  # noqa: N802 - reportlab's name
         """Enter a heading into contents and bookmarks."""
         if isinstance(flowable, Heading):
+            self._depth = min(flowable.level, self._depth + 1)  # a bookmark is at most one below the one before
             self.canv.bookmarkPage(flowable.key)
-            self.canv.addOutlineEntry(flowable.short, flowable.key, flowable.level, closed=flowable.level)
+            self.canv.addOutlineEntry(flowable.short, flowable.key, self._depth, closed=self._depth)
             self.numbers[flowable.key] = self.page
 
     def _furniture(self, canvas: Canvas, _: object) -> None:
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
-        left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + 8 * mm
+        left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + _HEAD
+        text, document, page = self.locale.text, self.document, self.page
         canvas.saveState()
         _small(canvas)
         canvas.setStrokeColor(HexColor(GRID))
-        canvas.drawString(left, head, truncate(printable(self.document.title), 70))
-        canvas.drawRightString(right, head, truncate(printable(_reference(self.document)), 40))
-        canvas.line(left, head - 4, right, head - 4)
-        canvas.drawString(left, 12 * mm, self.document.origin)
-        page = self.page
+        said = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
+        running = fitted(" · ".join(said), _RUNNING_SHARE * self.width, "running")
+        room = self.width - width_of(running, "running") - _GAP
+        canvas.drawString(left, head, fitted(printable(text(document.title)), room, "running"))
+        canvas.drawRightString(right, head, running)
+        canvas.line(left, head - 3.5, right, head - 3.5)
+        canvas.drawString(left, _FOOT, truncate(printable(text(origin(document))), _LONGEST))
         canvas.later(f"number-{page}", lambda canvas: self._number(canvas, page))
         canvas.restoreState()
 
     def _number(self, canvas: Canvas, page: int) -> None:
         """Draw the number of a page, when the last page has its number."""
         _small(canvas)
-        number = self.document.translate(PAGE).format(page=page, total=self.page)
-        canvas.drawRightString(_SIDE + self.width, 12 * mm, number)
+        number = say("page {page} of {total}", page=count(page), total=count(self.page))
+        canvas.drawRightString(_SIDE + self.width, _FOOT, self.locale.text(number))
 
 
 def _small(canvas: Canvas) -> None:
-    canvas.setFont(REGULAR, 7)
+    canvas.setFont(STYLES["running"].fontName, STYLES["running"].fontSize)
     canvas.setFillColor(HexColor(MUTED))
-
-
-def _reference(document: Document) -> str:
-    return next((text for label, text in document.facts if label == document.translate("Reference")), "")

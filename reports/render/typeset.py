@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from xml.sax.saxutils import escape
 
@@ -13,52 +14,49 @@ from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.platypus import Paragraph
 
 from reports.figures.font import font_file, printable
-from reports.figures.style import FAIL, INK, MUTED, PAPER, PASS
+from reports.figures.style import INK, MUTED, PAPER
+from reports.language.lettering import truncate
+from reports.render.sheet_rows import marked_formula
 
 REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
 _FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}
-_ROOT = ParagraphStyle("root", fontName=REGULAR, fontSize=8.3, leading=11.6, textColor=HexColor(INK), splitLongWords=1)
-_CELL = ParagraphStyle("cell", _ROOT, fontSize=6.7, leading=8.7)
+_ROOT = ParagraphStyle(
+    "root", fontName=REGULAR, fontSize=8.5, leading=11.3, textColor=HexColor(INK), splitLongWords=1, allowWidows=0
+)
+_CELL = ParagraphStyle("cell", _ROOT, fontSize=7.3, leading=9.1)
+_SMALL = ParagraphStyle("small", _CELL, fontSize=6.3, leading=7.9)
 
-STYLES: dict[str, ParagraphStyle] = {
-    "body": ParagraphStyle("body", _ROOT, spaceAfter=5),
-    "item": ParagraphStyle("item", _ROOT, spaceAfter=4, leftIndent=11, bulletIndent=1),
-    "code": ParagraphStyle("code", _ROOT, fontSize=7.6, leading=10.4, leftIndent=11, backColor=HexColor(PAPER)),
-    "title": ParagraphStyle("title", _ROOT, fontName=BOLD, fontSize=19, leading=24, spaceAfter=3),
-    "subject": ParagraphStyle("subject", _ROOT, fontSize=10, leading=14, textColor=HexColor(MUTED), spaceAfter=9),
-    "verdict": ParagraphStyle("verdict", _ROOT, fontName=BOLD, fontSize=19, leading=24, leftIndent=4),
-    "heading-0": ParagraphStyle(
-        "heading-0", _ROOT, fontName=BOLD, fontSize=13.5, leading=17, spaceBefore=12, spaceAfter=6
-    ),
-    "heading-1": ParagraphStyle(
-        "heading-1", _ROOT, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=9, spaceAfter=4
-    ),
-    "contents-0": ParagraphStyle("contents-0", _ROOT),
-    "contents-1": ParagraphStyle("contents-1", _ROOT, fontSize=7.6, leading=10, textColor=HexColor(MUTED)),
-    "caption": ParagraphStyle("caption", _CELL, fontSize=7.4, leading=9.6, textColor=HexColor(INK)),
+
+def _bold(name: str, size: float, *, before: float = 0.0, after: float = 0.0) -> ParagraphStyle:
+    leading = 1.25 * size
+    return ParagraphStyle(
+        name, _ROOT, fontName=BOLD, fontSize=size, leading=leading, spaceBefore=before, spaceAfter=after
+    )
+
+
+STYLES: Mapping[str, ParagraphStyle] = {
+    "body": ParagraphStyle("body", _ROOT, spaceAfter=4),
+    "item": ParagraphStyle("item", _ROOT, spaceAfter=2.5, leftIndent=11, bulletIndent=1),
+    "code": ParagraphStyle("code", _ROOT, fontSize=7.6, leading=10.2, leftIndent=11, backColor=HexColor(PAPER)),
+    "title": _bold("title", 17, after=2),
+    "subject": ParagraphStyle("subject", _ROOT, fontSize=9.5, leading=13, textColor=HexColor(MUTED), spaceAfter=5),
+    "verdict": _bold("verdict", 17),
+    "heading-0": _bold("heading-0", 12.5, before=10, after=4),
+    "heading-1": _bold("heading-1", 9.8, before=7, after=3),
+    "contents": ParagraphStyle("contents", _ROOT, fontSize=8, leading=10.4),
+    "caption": ParagraphStyle("caption", _CELL, spaceBefore=2, spaceAfter=3),
     "cell": _CELL,
-    "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
+    "formula": ParagraphStyle("formula", _CELL, leading=10.6),
     "head": ParagraphStyle("head", _CELL, fontName=BOLD),
+    "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
     "head-number": ParagraphStyle("head-number", _CELL, fontName=BOLD, alignment=TA_RIGHT),
+    "small-cell": _SMALL,
+    "small-head": ParagraphStyle("small-head", _SMALL, fontName=BOLD),
+    "small-number": ParagraphStyle("small-number", _SMALL, alignment=TA_RIGHT),
+    "small-head-number": ParagraphStyle("small-head-number", _SMALL, fontName=BOLD, alignment=TA_RIGHT),
+    "running": ParagraphStyle("running", _ROOT, fontSize=7, leading=9),
     "muted": ParagraphStyle("muted", _CELL, textColor=HexColor(MUTED)),
-    "muted-number": ParagraphStyle("muted-number", _CELL, textColor=HexColor(MUTED), alignment=TA_RIGHT),
-    "pass": ParagraphStyle("pass", _CELL, fontName=BOLD, textColor=HexColor(PASS)),
-    "fail": ParagraphStyle("fail", _CELL, fontName=BOLD, textColor=HexColor(FAIL)),
 }
-SMALL = "-small"  # the ending of the styles of tables with many columns
-_OF_TABLES = ("cell", "number", "head", "head-number", "muted", "muted-number", "pass", "fail")
-STYLES |= {f"{name}{SMALL}": STYLES[name].clone(f"{name}{SMALL}", fontSize=5.7, leading=7.5) for name in _OF_TABLES}
-
-
-class Lines(Paragraph):
-    """A paragraph that is broken into lines once for a width."""
-
-    _for: float | None = None
-
-    def wrap(self, availWidth: float, availHeight: float) -> tuple[float, float]:
-        if self._for != availWidth or not hasattr(self, "blPara"):  # splitting over pages takes the lines away
-            self._for, self._size = availWidth, super().wrap(availWidth, availHeight)
-        return self._size
 
 
 @cache
@@ -74,12 +72,35 @@ def markup(text: str) -> str:
     return escape(printable(text))
 
 
-def paragraph(text: str, style: str) -> Lines:
-    """Return plain text as a paragraph in one of STYLES."""
-    return Lines(markup(text), STYLES[style])
+def paragraph(text: str, style: str, *, colour: str = "", bullet: str | None = None) -> Paragraph:
+    """Return plain text as a paragraph in one of STYLES. colour: in place of the style's; bullet: before it."""
+    chosen = STYLES[style]
+    if colour:
+        chosen = ParagraphStyle(f"{style}-{colour}", chosen, textColor=HexColor(colour))
+    return Paragraph(markup(text), chosen, bulletText=bullet)
+
+
+def captioned(title: str, caption: str, style: str = "caption") -> Paragraph:
+    """Return "Figure 5. What it shows"."""
+    return Paragraph(f"<b>{markup(title)}.</b> {markup(caption)}", STYLES[style])
+
+
+def formula(text: str) -> str:
+    """Return a formula as reportlab markup, with its indices and powers."""
+    return marked_formula(markup(text), power="super")
+
+
+def fitted(text: str, width: float, style: str) -> str:
+    """Return a text cut to a width [pt], with an ellipsis at its end."""
+    if width_of(text, style) <= width:
+        return text
+    short = truncate(text, int(width / STYLES[style].fontSize * 4))  # no letter is narrower than a quarter of its size
+    while len(short) > 1 and width_of(short, style) > width:
+        short = truncate(short, len(short) - 1)
+    return short
 
 
 @lru_cache(maxsize=8192)
 def width_of(text: str, style: str) -> float:
     """Return the width of one line of text [pt]."""
-    return pdfmetrics.stringWidth(printable(text), STYLES[style].fontName, STYLES[style].fontSize)
+    return float(pdfmetrics.stringWidth(printable(text), STYLES[style].fontName, STYLES[style].fontSize))

@@ -6,14 +6,14 @@ png.py write them to a file of their own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass
-from itertools import accumulate, cycle, pairwise, repeat
 from typing import Any
 
 import numpy as np
-from matplotlib.backend_bases import GraphicsContextBase
+from matplotlib.backend_bases import GraphicsContextBase, RendererBase
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
@@ -22,15 +22,12 @@ from matplotlib.transforms import Transform
 from numpy.typing import NDArray
 
 from reports.document import Document
-from reports.figures.ruler import Ruler
 from reports.figures.style import report_style
 from reports.render.processes import Pool
 
 Rgba = tuple[float, float, float, float]
 Rectangle = tuple[float, float, float, float]
-Outline = tuple[bytes, tuple[float, ...]]  # codes and numbers of a stroke
 _CLOSE = int(Path.CLOSEPOLY)
-_STRAIGHT = bytes((Path.MOVETO, Path.LINETO, Path.CLOSEPOLY))
 
 
 @dataclass(frozen=True)
@@ -75,13 +72,16 @@ class FigureMarks:
     height: float
 
 
-class _Recorder(Ruler):
+class _Recorder(RendererBase):
     """A matplotlib renderer that records what it draws; origin at the lower left, unit 1 pt."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()
         self.width, self.height = width, height
         self.marks: list[Stroke | Letters] = []
+
+    def flipy(self) -> bool:
+        return False
 
     def points_to_pixels(self, points: Any) -> Any:
         return points
@@ -105,44 +105,6 @@ class _Recorder(Ruler):
                 clip=_window(gc),
             )
         )
-
-    def draw_path_collection(
-        self,
-        gc: GraphicsContextBase,
-        master_transform: Transform,
-        paths: Any,
-        all_transforms: Any,
-        offsets: Any,
-        offset_trans: Transform,
-        facecolors: Any,
-        edgecolors: Any,
-        linewidths: Any,
-        linestyles: Any,
-        *rest: Any,
-        **more: Any,
-    ) -> None:
-        """Draw many paths where they are; those that are shifted or turned each by itself as matplotlib does."""
-        looks = facecolors, edgecolors, linewidths, linestyles
-        if len(all_transforms) or np.any(offset_trans.transform(offsets)):
-            placed = paths, all_transforms, offsets, offset_trans
-            super().draw_path_collection(gc, master_transform, *placed, *looks, *rest, **more)
-            return
-        cap, join, clip = str(gc.get_capstyle()), str(gc.get_joinstyle()), _window(gc)
-        shapes = _outlines(paths, master_transform)
-        for (codes, numbers), face, edge, width, dashes in zip(shapes, *map(_repeated, looks), strict=False):
-            self.marks.append(
-                Stroke(
-                    codes=codes,
-                    numbers=numbers,
-                    line=_rgba(edge) if edge is not None and width > 0 and edge[3] > 0 else None,
-                    filling=_rgba(face) if face is not None and face[3] > 0 else None,
-                    width=float(width),
-                    dashes=_dashes(*dashes),
-                    cap=cap,
-                    join=join,
-                    clip=clip,
-                )
-            )
 
     def draw_text(
         self,
@@ -183,22 +145,18 @@ def trace_figures(document: Document, *, pool: Pool) -> Drawings:
 
 def trace_at(document: Document, place: int) -> FigureMarks:
     """Return the figure at this place among those of the document as marks."""
-    return trace_figure(document.figures[place].draw())
+    return trace_figure(document.figures[place].draw(document.writer))
 
 
 def trace_figure(figure: Figure) -> FigureMarks:
     """Return the figure as marks, in points."""
     with report_style():
+        FigureCanvasAgg(figure)  # letters are measured on it where the figure lays itself out
         figure.set_dpi(72)
         width, height = (float(72 * side) for side in figure.get_size_inches())
         recorder = _Recorder(width, height)
         figure.draw(recorder)
     return FigureMarks(tuple(recorder.marks), width, height)
-
-
-def _repeated(looks: Any) -> Iterator[Any]:
-    """Yield one look after the other, from the first again after the last; without any, None."""
-    return cycle(looks.tolist() if isinstance(looks, np.ndarray) else looks) if len(looks) else repeat(None)
 
 
 def _dashes(offset: float | None, dashes: Any) -> tuple[tuple[float, ...], float]:
@@ -210,26 +168,8 @@ def _window(gc: GraphicsContextBase) -> Rectangle | None:
     return None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height))
 
 
-def _outlines(paths: Sequence[Path], transform: Transform) -> Iterator[Outline]:
-    """Yield the outlines of many paths; where all are straight, which most are, together."""
-    codes = [_codes(path) for path in paths]
-    if any(each.strip(_STRAIGHT) for each in codes):
-        yield from (_outline(path, transform, simplify=False) for path in paths)
-    elif paths:
-        points = transform.transform(np.concatenate([path.vertices for path in paths]))
-        numbers = _numbers(points, np.frombuffer(b"".join(codes), dtype=np.uint8))
-        ends = accumulate((2 * (len(each) - each.count(_CLOSE)) for each in codes), initial=0)
-        yield from ((each, numbers[start:end]) for each, (start, end) in zip(codes, pairwise(ends), strict=True))
-
-
-def _codes(path: Path) -> bytes:
-    if path.codes is None:
-        return bytes((Path.MOVETO, *[Path.LINETO] * (len(np.asarray(path.vertices)) - 1)))
-    return bytes(np.asarray(path.codes, dtype=np.uint8))
-
-
-def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
-    """Return the path cleaned as matplotlib does it: without what is not a number, curves as lines."""
+def _outline(path: Path, transform: Transform, *, simplify: bool) -> tuple[bytes, tuple[float, ...]]:
+    """Return codes and numbers of a path, cleaned by matplotlib: without what is not a number, curves as lines."""
     clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
     codes = np.asarray(clean.codes, dtype=np.uint8)
     drawn = codes[: codes.tobytes().index(Path.STOP)]

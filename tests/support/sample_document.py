@@ -37,6 +37,7 @@ from reports.document import (
     Wire,
     Writing,
 )
+from reports.figures.font import printable
 from reports.language.locale import Locale
 from reports.language.texts import (
     Paragraph,
@@ -137,7 +138,7 @@ def draw_sample(name: str, locale: Locale) -> Drawn:
     axes = figure.add_subplot()
     axes.plot([0.0, 0.1, 0.2], [0.0, 2.0 / locale.table_unit("length").size, 1.0])
     axes.set_xlabel(locale.heading(say("rotation φ"), "rotation"), parse_math=False)
-    axes.set_ylabel(locale.heading(hostile("axis"), "length")[-60:], parse_math=False)
+    axes.set_ylabel(printable(locale.heading(hostile("axis"), "length"))[-60:], parse_math=False)
     axes.set_title(name)
     return figure
 

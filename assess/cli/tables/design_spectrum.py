@@ -9,11 +9,13 @@ from scipy.constants import g
 
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
-from assess.messages.message import Message, warning
+from assess.messages.message import Message, Quantity, warning
 from assess.results.json import dumps_spectrum
 from assess.results.stamp import origin
 from assess.study.site_results import spectrum_result
-from reports.language.spectrum_parameters import ACCELERATION, corners, parameter_rows
+from reports.language.locale import Locale
+from reports.language.spectrum_parameters import corners, parameter_rows
+from reports.language.texts import Verbatim
 from reports.render.csv import csv_lines
 from spectra.spectrum import Spectrum
 
@@ -25,7 +27,7 @@ def table_text(spectrum: Spectrum) -> str:
     scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
     peak = f"PGA {spectrum.pga / g:.4g} g{scale}"
     heading = f"{spectrum.code}: {spectrum.clause}; damping {spectrum.damping:g}, {peak}\n"
-    parameters = [[words, *_shown(value, unit)] for words, unit, value in parameter_rows(spectrum.parameters)]
+    parameters = [[Locale().text(name), *_shown(value)] for name, value in parameter_rows(spectrum.parameters)]
     period = periods_of(spectrum)
     columns = zip(period, spectrum.acceleration(period) / g, spectrum.displacement(period), strict=True)
     ordinates = [[f"{T:.4g}", f"{S_a:.4f}", f"{1e3 * S_d:.2f}"] for T, S_a, S_d in columns]
@@ -72,8 +74,10 @@ def draw(spectrum: Spectrum, path: Path) -> Path:
     )
 
 
-def _shown(value: float | str, unit: str) -> tuple[str, str]:
-    """Format a value and its unit."""
-    if not isinstance(value, float):
-        return str(value), unit
-    return f"{value:.4g}" if unit == ACCELERATION else f"{value:.5g}", unit
+def _shown(value: Quantity | Verbatim) -> tuple[str, str]:
+    """Return a value and its unit, "-" for none."""
+    locale = Locale()
+    if isinstance(value, Verbatim):
+        return value.text, "-"
+    unit = locale.table_unit(value.dimension)
+    return locale.number(value.value / unit.size, figures=value.figures), unit.name or "-"

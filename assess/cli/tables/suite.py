@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from reports.chapters.site import event_name
-from reports.chapters.suite import requirements, sentences
-
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
 from assess.project.suites import Suite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
+from reports.chapters.annex_suite import requirements, sentences
+from reports.chapters.suite import event_name
+from reports.document import Cell, Column
 from reports.figures import record_spectra
+from reports.language.locale import Locale
+from reports.language.texts import Verbatim
+from reports.render.cell_text import cell_text
 from reports.render.csv import csv_lines
 from reports.render.figure_file import write_figure
 
@@ -25,9 +28,9 @@ def table_text(suite: Suite) -> str:
     motion = suite.motion
     steps = () if motion.selection is None else motion.selection.remaining
     left = "; ".join(f"{one.number} {one.step}" for one in steps)
-    told = "\n".join([*sentences(motion), *([f"Candidates: {left}."] if left else [])])
-    asked = [[str(cell) if cell is not None else "-" for cell in _short(row)] for row in requirements(motion).rows]
-    columns = ("requirement", "clause", "code", "found", "limit", "periods [s]", "met")
+    told = "\n".join([*map(Locale().text, sentences(motion)), *([f"Candidates: {left}."] if left else [])])
+    asked = [_short(row) for row in requirements(motion).rows]
+    columns = ("requirement", "clause", "code", "found", "limit", "periods", "met")
     return (
         "\n".join(
             (
@@ -70,6 +73,7 @@ def _row(record: RecordResult) -> list[str]:
     return [record.id, event_name(record), *known, record.component, *numbers]
 
 
-def _short(row: tuple[object, ...]) -> list[object]:
-    code, clause, what, found, limit, periods, met, _ = row
-    return [what, clause, code, f"{found:.4g}" if isinstance(found, float) else found, limit, periods, met]
+def _short(row: tuple[Cell, ...]) -> list[str]:
+    """Return a requirement without its remark."""
+    code, clause, what, *found, _ = (cell_text(cell, Column(Verbatim("")), Locale()) for cell in row)
+    return [what, clause, code, *found]

@@ -18,7 +18,7 @@ from assess.codes.verdict_text import (
     toml_lines,
 )
 from assess.project.key_text import escape_text
-from assess.results import Results
+from assess.results import ReportMatter, Results
 
 CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
 """Exit codes of `assess run`."""
@@ -44,7 +44,7 @@ def summary(results: Results) -> str:
         *_reasons(found),
         *(f"note: {each.where}: {each.text}" for each in notes),
         "",
-        *_verdict(found),
+        *_verdict(found, results.report),
         *(f"condition: {each.text}" for each in found.conditions),
         *(f"warning: {each.where}: {each.text}" for each in told),
         *_missing(found),
@@ -83,13 +83,21 @@ def _reasons(found: Verdict) -> Iterator[str]:
     yield from (f"{', '.join(of)}: {text}" for text, of in names.items())
 
 
-def _verdict(found: Verdict) -> Iterator[str]:
+def _verdict(found: Verdict, report: ReportMatter) -> Iterator[str]:
     states = ", ".join(found.limit_states) or "no limit state"
     said = _emphasise(outcome_text(found.outcome, near=found.at_the_limit))
     yield f"verdict: {said}"
     yield f"basis: {found.edition or 'none'}; {states}; site's own action: {action_text(found.action)}"
     if index := building_index_text(found):
-        yield f"index: {index}, target {target_text(found) or 'not known'}; local mechanisms only"
+        yield f"index: {index}, target {target_text(found) or 'not known'}; local mechanisms only{_unexamined(report)}"
+
+
+def _unexamined(report: ReportMatter) -> str:
+    """Say what else bounds the index: how many mechanisms the building can have that were not examined."""
+    if not report.building_type:
+        return "; possible mechanisms not listed (report.building_type)"
+    number = len(report.not_examined)
+    return f"; {number} possible mechanism{'' if number == 1 else 's'} not examined" if number else ""
 
 
 def _missing(found: Verdict) -> Iterator[str]:

@@ -14,6 +14,7 @@ from assess.project.sections.italian import FreeElement, Italian
 from assess.project.sections.loads import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
 from assess.project.sections.mechanisms import Chained, EquivalentBlock, FourHinge, Mechanism, SingleBlock, TwoBlock
 from assess.project.sections.pulses import Pulses
+from assess.project.sections.report import Report
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import SHARE, Change, Sensitivity
 from assess.project.sections.site import Building, Site
@@ -63,6 +64,7 @@ __all__ = [
     "Pulses",
     "RadialJoints",
     "Records",
+    "Report",
     "Select",
     "Sensitivity",
     "SingleBlock",

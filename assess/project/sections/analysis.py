@@ -1,11 +1,10 @@
-"""The tables [records], [analysis], [procedures.CODE] and [report]."""
+"""The tables [records], [analysis] and [procedures.CODE]."""
 
 from __future__ import annotations
 
 from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, StrictInt, model_validator
-from pydantic_core import PydanticCustomError
 
 from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
 from assess.project.quantities import (
@@ -21,26 +20,13 @@ from assess.project.quantities import (
     Share,
     unique,
 )
-from assess.project.section import Section, quote_names, wrong
+from assess.project.section import Section, wrong
 from assess.project.sections.italian import Dmi2008, Ntc2018
 from assess.project.sections.procedure_names import Procedure
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import Asked
 from assess.project.sections.sweeps import Sweep, Sweeps
-
-SOURCES = ("measured", "literature", "assumed")
-
-
-def _begins_with_its_kind(text: str) -> str:
-    if text.partition(":")[0].strip() not in SOURCES:
-        raise PydanticCustomError(
-            "project", "{reason}", {"reason": f"begin with {quote_names(SOURCES)}, then a colon and the source"}
-        )
-    return text
-
-
-Source = Annotated[str, AfterValidator(_begins_with_its_kind)]
 
 
 class Synthetic(Section):
@@ -169,17 +155,3 @@ class Procedures(Section):
     """options of asce41-13-ht"""
     ec8: Ec8 = Field(default_factory=Ec8)
     """options of ec8-element"""
-
-
-class Report(Section):
-    """How the report looks."""
-
-    units: Literal["SI", "US"] = "SI"
-    """units of the report, tables and figures; results.json is in SI, calculation sheets are in both"""
-    paper: Literal["A4", "letter"] = "A4"
-    """paper size"""
-    language: Literal["en", "it"] = "en"
-    """language of the report: English or Italian; numbers have decimal points in both"""
-    sources: dict[str, Source] = Field(default_factory=dict)
-    """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
-    "assumed: …\""""

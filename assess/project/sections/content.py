@@ -9,14 +9,20 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, StrictInt, StrictStr, model_validator
 
 from assess.codes.families import procedures_of_site
+from assess.project.key_text import value_text
 from assess.project.quantities import Name
 from assess.project.section import Section, quote_names, wrong
-from assess.project.sections.analysis import Analysis, Procedures, Records, Report
+from assess.project.sections.analysis import Analysis, Procedures, Records
 from assess.project.sections.bodies import BodySection, DirectBody, Material
+from assess.project.sections.checklist import checklist
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
 from assess.project.sections.mechanisms import Chained, MechanismSection
+from assess.project.sections.report import Report
 from assess.project.sections.site import Building, Site
 from assess.project.sections.verdict import VerdictSection
+
+ALIKE = ("client", "checker", "date", "reference")
+"""Keys that may stand at the top of the file or in [report]."""
 
 
 def _text_or_date(value: Any) -> Any:
@@ -88,6 +94,19 @@ class Content(Section):
                 )
             if isinstance(mechanism, Chained):
                 self._bodies_are_loads(name, mechanism, set(used))
+        return self
+
+    @model_validator(mode="after")
+    def _front_matter_agrees(self) -> Content:
+        for key in ALIKE:
+            above, below = getattr(self, key), getattr(self.report, key)
+            if above and below and above != below:
+                raise wrong(("report", key), f"beside {key} = {value_text(above)} at the top of the file; give one")
+        return self
+
+    @model_validator(mode="after")
+    def _checklist_agrees(self) -> Content:
+        checklist(self.report, self.mechanisms)
         return self
 
     def _bodies_are_loads(self, name: str, mechanism: Chained, moving: set[str]) -> None:

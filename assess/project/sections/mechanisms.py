@@ -29,6 +29,7 @@ from assess.project.quantities import (
     Uplift,
     unique,
 )
+from assess.project.report_texts import ItemKeys
 from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.amplification import AmplificationSection, NoAmplification
 from assess.project.sections.cuts import Crack, Cut
@@ -77,6 +78,8 @@ class Chained(Section):
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
     base_elevation: Length | None = None
     """of its base above the ground, where it is drawn alone and not in its place"""
+    examines: ItemKeys | None = None
+    """what of the report's list of possible mechanisms it examines, like "gable"; if absent, as its kind tells"""
 
     @model_validator(mode="after")
     def _interfaces_are_at_hinges(self) -> Self:
@@ -210,6 +213,8 @@ class EquivalentBlock(Section):
     """of the mechanism's base, in the coordinates of the bodies"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
+    examines: ItemKeys | None = None
+    """what of the report's list of possible mechanisms it examines, like "gable\""""
 
     @model_validator(mode="after")
     def _p_suits_the_radius(self) -> Self:

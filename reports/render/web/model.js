@@ -6,7 +6,9 @@ const DARKEST = 0.62; // of its colour: a face turned away from the light
 const TURN = 0.008; // rad for a CSS pixel
 const FINER = 2; // pixels of the drawing for one of CSS, at least
 const NUDGE = 0.004; // of the bodies' size: how much nearer an edge is taken than the face it belongs to
-const FILLED = 0.92; // of the window, by the diagonal of the bodies' box
+const BEHIND = 0.35; // opacity of a wire that begins behind a body
+const LETTERS = 14; // height of names [CSS px]
+const FILLED = 0.86; // of the window, by the diagonal of the bodies' box
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -49,7 +51,13 @@ function turnable(canvas, model) {
     }
     const pen = canvas.getContext("2d");
     pen.putImageData(pixels.image, 0, 0);
-    for (const wire of model.wires) drawWire(pen, wire, wire.points.map(seen), fine);
+    const taken = []; // boxes of names
+    for (const wire of model.wires) {
+      const points = wire.points.map(seen);
+      pen.globalAlpha = pixels.hides(points[0], NUDGE * size) ? BEHIND : 1;
+      drawWire(pen, wire, points, fine, taken);
+    }
+    pen.globalAlpha = 1;
     drawTriad(pen, axes, high, fine);
   }
   function soon() {
@@ -126,6 +134,13 @@ class Pixels {
     this.colours[place] = colour;
   }
 
+  // Whether a point lies behind what has been drawn.
+  hides([right, down, near], nudge) {
+    const [at, row] = [Math.round(right), Math.round(down)];
+    const inside = at >= 0 && at < this.wide && row >= 0 && row < this.high;
+    return inside && this.depths[row * this.wide + at] > near + nudge;
+  }
+
   // A triangle, row by row; each corner is [right, down, towards the eye].
   fill(corners, colour) {
     const ink = word(colour);
@@ -165,10 +180,9 @@ function cut(one, other, row) {
   return [one[0] + share * (other[0] - one[0]), one[2] + share * (other[2] - one[2])];
 }
 
-// A line over the bodies, its name at the end that is nearer to the eye; an arrow points to its last end.
-function drawWire(pen, wire, points, fine) {
-  if (wire.name && points[0][2] > points.at(-1)[2]) points.reverse();
-  const [end, before] = [points.at(-1), points.at(-2)];
+// A line over the bodies, its name at its last end, and an arrow to there. taken : boxes of the names drawn before.
+function drawWire(pen, wire, points, fine, taken = []) {
+  const [end, before] = [points.at(-1), points.at(-2) ?? points[0]];
   const length = Math.hypot(end[0] - before[0], end[1] - before[1]) || 1;
   const way = [(end[0] - before[0]) / length, (end[1] - before[1]) / length];
   Object.assign(pen, { strokeStyle: wire.colour, fillStyle: wire.colour, lineWidth: 1.6 * fine });
@@ -183,8 +197,22 @@ function drawWire(pen, wire, points, fine) {
     }
     pen.fill();
   }
-  Object.assign(pen, { font: `${13 * fine}px sans-serif`, textAlign: "center", textBaseline: "middle" });
-  pen.fillText(wire.name, end[0] + 13 * fine * way[0], end[1] + 13 * fine * way[1]);
+  if (wire.name) drawName(pen, wire.name, end, way, fine, taken);
+}
+
+// A name beyond the end of its line, on a white rim, lowered until it covers no other.
+function drawName(pen, name, end, way, fine, taken) {
+  const high = LETTERS * fine;
+  Object.assign(pen, { font: `bold ${high}px sans-serif`, textAlign: "center", textBaseline: "middle" });
+  const wide = pen.measureText(name).width;
+  const box = { x: end[0] + (0.5 * wide + 0.4 * high) * way[0], y: end[1] + 0.9 * high * way[1], wide, high };
+  const covers = (other) => 2 * Math.abs(other.x - box.x) < other.wide + wide && Math.abs(other.y - box.y) < high;
+  while (taken.some(covers)) box.y += 0.25 * high;
+  taken.push(box);
+  pen.setLineDash([]);
+  Object.assign(pen, { strokeStyle: "#fff", lineWidth: 0.25 * high, lineJoin: "round" });
+  pen.strokeText(name, box.x, box.y);
+  pen.fillText(name, box.x, box.y);
 }
 
 // The axes of the project, in the lower left corner.

@@ -39,7 +39,7 @@ viewer.addEventListener("click", (event) => {
 });
 addEventListener("resize", () => moved?.reset());
 
-for (const figure of document.querySelectorAll("main figure")) {
+for (const figure of document.querySelectorAll("main figure:has(.picture)")) {
   const tools = document.getElementById("tools").content.cloneNode(true);
   const [larger, turned] = tools.querySelectorAll("button");
   const caption = figure.querySelector("figcaption");

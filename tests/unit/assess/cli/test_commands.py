@@ -19,7 +19,7 @@ from assess.messages.message import Message, Severity
 from assess.outputs.manifest import MANIFEST
 from assess.project.build import build
 from assess.project.schema import load
-from assess.results import Program, Resolved, Results
+from assess.results import ChecklistItem, Program, ReportMatter, Resolved, Results
 from assess.results.json import dumps
 from assess.study.parameters import parameters
 from tests.support.command import ended
@@ -270,9 +270,27 @@ def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:
             "for",
             "DBE",
         ],
-        ["index:", "at", "least", "D/C", "1.25,", "target", "1;", "local", "mechanisms", "only"],
+        [
+            *("index:", "at", "least", "D/C", "1.25,", "target", "1;", "local", "mechanisms", "only;"),
+            *("possible", "mechanisms", "not", "listed"),
+        ],
+        ["(report.building_type)"],
         ["warning:", "procedures.dmi2008:", "FC", "is", "1.00"],
     ]
+
+
+def test_the_index_is_bounded_by_the_mechanisms_that_were_not_examined(project: Path) -> None:
+    results = results_of(project, check(SPECTRUM, "fail", 1.25))
+    items = (
+        ChecklistItem("gable", None, "examined", ("=wall, 1",)),
+        ChecklistItem("corner", None, "absent"),
+        ChecklistItem("chimney", None, "not-examined", (), "no access"),
+        ChecklistItem("in-plane", None, "not-examined", spoken_for=False),
+    )
+    said = {4: "only; 2 possible mechanisms not", 3: "only; 1 possible mechanism not", 2: "only\n"}
+    for number, words in said.items():
+        told = summary(replace(results, report=ReportMatter(building_type="house", checklist=items[:number])))
+        assert f"local mechanisms {words}" in told
 
 
 def test_what_lies_at_the_limit_is_told(project: Path) -> None:

@@ -1,0 +1,139 @@
+"""Sentences on the answer of a mechanism: the check that governs, its margin, what would make it pass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from assess.codes.basis import IndexKind
+from assess.codes.check import Check
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
+from assess.messages.message import DIMENSIONS, Quantity
+from assess.results import MechanismResult, Results
+from reports import governing
+from reports.chapters.check_cells import FIGURES, clause
+from reports.language.texts import Term, Text, Verbatim, names, quantity, say
+from reports.titles import procedure_title
+
+
+def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
+    """Yield what governs, up to which action the mechanism holds, and what would make it pass or complete."""
+    found = results.verdict
+    own = None if found is None else next((one for one in found.mechanisms if one.mechanism == mechanism.name), None)
+    if found is None or own is None:
+        return
+    for answer in own.answers:
+        yield _governing(governing.at_site(results, mechanism), answer)
+    yield from _remedy(own, found)
+    if own.at_the_limit:
+        yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
+    if own.conditions:
+        yield say("It depends on the conditions listed with the verdict.")
+
+
+def governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
+    """Return the check behind an answer, of those at the site's own action; None where no method was asked."""
+    own = tuple(check for check in governing.code_checks(checks) if check.procedure == answer.procedure)
+    of_state = tuple(check for check in own if check.limit_state == answer.limit_state)
+    return governing.worst(of_state or own)
+
+
+def _governing(checks: tuple[Check, ...], answer: Answer) -> Text:
+    """Return the governing check with its numbers and clause, or why there is none."""
+    check = governing_check(checks, answer)
+    if check is None or answer.outcome == Decision.INCOMPLETE:
+        return _unanswered(answer)
+    method, state, by = procedure_title(check.procedure), Verbatim(answer.limit_state), Term(clause(check))
+    if not check.demand or check.capacity is None or check.ratio is None:
+        return say(
+            "{method} governs at {state}: {reason} ({clause}).",
+            method=method,
+            state=state,
+            reason=check.reason,
+            clause=by,
+        )
+    return say(
+        "{method} governs at {state}: {quantity} {demand} against an allowable {allowable}, a ratio of {ratio} "
+        "({clause}).",
+        method=method,
+        state=state,
+        quantity=Term(check.quantity),
+        demand=_measured(check.demand, check.unit),
+        allowable=_measured(check.capacity, check.unit),
+        ratio=quantity(check.ratio, "ratio", FIGURES),
+        clause=by,
+    )
+
+
+def _measured(value: float, unit: str) -> Quantity:
+    return quantity(value, DIMENSIONS.get(unit, "ratio"), FIGURES)
+
+
+def _unanswered(answer: Answer) -> Text:
+    """Return why a limit state has no answer, with what it would be."""
+    if not answer.limit_state:
+        return say("No check governs: {reason}.", reason=answer.reason)
+    if answer.provisional is None:
+        return say(
+            "There is no answer for {state}: {reason}.", state=Verbatim(answer.limit_state), reason=answer.reason
+        )
+    if answer.provisional == Decision.PASS:
+        return say(
+            "There is no answer for {state}: {reason}. With the safe value of what is missing it would pass.",
+            state=Verbatim(answer.limit_state),
+            reason=answer.reason,
+        )
+    return say(
+        "There is no answer for {state}: {reason}. With the safe value of what is missing it would fail.",
+        state=Verbatim(answer.limit_state),
+        reason=answer.reason,
+    )
+
+
+def _remedy(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:
+    """Yield the margin of a pass, the factor that a failure lacks, or what is missing."""
+    held = None if own.margin is None else _ground(own.margin * found.action.pga_g)
+    if own.outcome == Decision.INCOMPLETE:
+        if own.missing:
+            yield say("An answer needs {keys}.", keys=names(each.key for each in own.missing))
+    elif own.outcome == Decision.PASS and own.margin is not None and held is not None:
+        yield say(
+            "It holds up to a peak ground acceleration of {pga}, {margin} times the site’s own.",
+            pga=held,
+            margin=quantity(own.margin, "ratio", FIGURES),
+        )
+    elif own.outcome == Decision.FAIL:
+        yield from _lacking(own, found, held)
+
+
+def _lacking(own: MechanismVerdict, found: Verdict, held: Quantity | None) -> Iterator[Text]:
+    """Yield by how much a mechanism that fails would have to resist more."""
+    factor = lacking_factor(own, found)
+    if factor is None:
+        return
+    if held is None:
+        yield say("To pass, its resistance must be {factor} times as large.", factor=quantity(factor, "ratio", FIGURES))
+    else:
+        yield say(
+            "It holds up to a peak ground acceleration of {pga}; to pass, this must be {factor} times as large.",
+            pga=held,
+            factor=quantity(factor, "ratio", FIGURES),
+        )
+
+
+def lacking_factor(own: MechanismVerdict, found: Verdict) -> float | None:
+    """Return by how much the resistance of a failing mechanism must grow; None where the numbers do not tell.
+
+    It is the target over the index of the basis, where it has one as a share of the action; else the inverse of the
+    margin; else the ratio of demand to capacity.
+    """
+    failing = [answer for answer in own.answers if answer.outcome == Decision.FAIL]
+    shares = [a.index.value for a in failing if a.index is not None and a.index.name != IndexKind.DEMAND_CAPACITY]
+    if shares and found.target is not None and min(shares) > 0.0:
+        return found.target / min(shares)
+    if own.margin is not None and 0.0 < own.margin < 1.0:
+        return 1.0 / own.margin
+    return max((answer.ratio for answer in failing if answer.ratio is not None), default=None)
+
+
+def _ground(pga_g: float) -> Quantity:
+    return quantity(pga_g, "ground acceleration", FIGURES)

@@ -1,0 +1,122 @@
+"""The chapter on the site: its spectrum, the actions that are combined, the records."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from assess.results import Results, SpectrumResult
+from reports.chapters import actions, suite
+from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
+from reports.figures import spectrum as spectrum_figure
+from reports.figures import suite as suite_figure
+from reports.language.spectrum_parameters import parameter_rows
+from reports.language.texts import Term, Text, Verbatim, quantity, say
+from reports.project_text import project_text
+
+SPECTRUM = "site.spectrum"
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the chapter."""
+    parts = [Section(say("Site and action"), 0, tuple(_hazard(results))), actions.section(results)]
+    if results.records:
+        parts.append(Section(say("Records"), 1, tuple(_records(results))))
+    return parts
+
+
+def _hazard(results: Results) -> Iterator[Block]:
+    if results.spectrum is None:
+        yield Prose((say("The project gives no spectrum of the site."),))
+        return
+    yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
+    yield parameters(results, results.spectrum)
+    figures = tuple(_figures(results, results.spectrum))
+    yield Row(figures) if len(figures) > 1 else figures[0]
+
+
+def _action(results: Results) -> Text:
+    """Return the action of the verdict in one sentence."""
+    assert results.verdict is not None
+    action = results.verdict.action
+    pga = quantity(action.pga_g, "ground acceleration", 3)
+    if action.return_period_years is not None:
+        return say(
+            "The site’s own action has a peak ground acceleration of {pga} ({state}, return period {years}).",
+            pga=pga,
+            state=_state(results),
+            years=quantity(action.return_period_years, "return period"),
+        )
+    return say(
+        "The site’s own action has a peak ground acceleration of {pga} ({state}).", pga=pga, state=_state(results)
+    )
+
+
+def _state(results: Results) -> Text:
+    assert results.verdict is not None
+    named = results.verdict.action.limit_state or ", ".join(results.verdict.limit_states)
+    return Verbatim(named) if named else say("no limit state stated")
+
+
+def _no_action() -> Text:
+    return say("No action decides: the project has no verdict.")
+
+
+def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:
+    caption = say("Elastic response spectrum of the site and of the records as scaled to it.")
+    if not results.records:
+        caption = say("Elastic response spectrum of the site.")
+    yield Figure("spectrum", caption, partial(spectrum_figure.draw, target, results.records))
+    if results.ground_motion is not None:
+        caption = say("Mean of the suite beside the target, with 90 % and 130 % of the target over the range fitted.")
+        yield Figure("suite", caption, partial(suite_figure.draw, results.ground_motion))
+
+
+def parameters(results: Results, spectrum: SpectrumResult) -> Table:
+    """Tabulate the parameters of the spectrum with their sources."""
+    rows: list[tuple[Cell, ...]] = [
+        (say("Spectrum"), Term(spectrum.clause), _origin(results, "code")),
+        *(
+            (name, value, _origin(results, key))
+            for key, (name, value) in zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True)
+        ),
+        (say("Damping ratio"), quantity(spectrum.damping), _origin(results, "damping")),
+        (
+            say("Peak ground acceleration, Sₐ(0)"),
+            quantity(spectrum.pga_g, "ground acceleration"),
+            _origin(results, "pga"),
+        ),
+    ]
+    columns = (Column(say("Parameter")), Column(say("Value")), Column(say("Source")))
+    return Table("site", say("The elastic response spectrum of the site."), columns, tuple(_once(rows)), small=True)
+
+
+def _once(rows: list[tuple[Cell, ...]]) -> Iterator[tuple[Cell, ...]]:
+    """Yield the rows, with a source that is repeated said once."""
+    before: Cell = None
+    for name, value, source in rows:
+        repeated = source == before and isinstance(source, Verbatim)
+        yield name, value, say("as above") if repeated else source
+        before = source
+
+
+def _origin(results: Results, name: str) -> Text:
+    """Return where a parameter comes from: the source that the project states, given without one, or a clause."""
+    key = "site.pga" if name == "pga" else f"{SPECTRUM}.{name}"
+    found = results.project.get(key)
+    if found is None or not found.given or found.value is None:
+        default = found is not None and found.value is not None
+        return say("default") if default else say("calculated")
+    for place in (key, SPECTRUM, "site"):
+        stated = project_text(results, f"report.sources.{place}")
+        if stated:
+            return Verbatim(stated)
+    return say("given")
+
+
+def _records(results: Results) -> Iterator[Block]:
+    yield from nonempty(suite.records(results))
+    told = tuple(suite.sentences(results))
+    if told:
+        yield Prose(told)
+    yield from nonempty(suite.requirements(results))

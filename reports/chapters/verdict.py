@@ -1,0 +1,224 @@
+"""Page 1: the verdict, its basis and conditions, what is missing, and the answer of each mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from assess.codes.verdict import Decision, Missing, Verdict
+from assess.codes.verdict_text import relevant_warnings, toml_lines
+from assess.messages.message import Message
+from assess.results import Results
+from reports.chapters import verdict_matrix
+from reports.chapters.checklist import not_examined_text
+from reports.chapters.front_matter import use_class_of
+from reports.chapters.index_text import building_index_text, target_text
+from reports.chapters.mechanism_list import mechanism_list
+from reports.document import Banner, Block, Code, Facts, Items, Prose, Section
+from reports.language.texts import (
+    Phrase,
+    Term,
+    Text,
+    Verbatim,
+    count,
+    listing,
+    names,
+    quantity,
+    say,
+    say_count,
+)
+from reports.project_text import project_text
+from reports.titles import procedure_title
+
+MANY = 6  # points of a list; page 1 holds no more
+LIMIT_STATES: Mapping[str, Phrase] = {
+    "SLV": say("SLV, life safety"),
+    "SLC": say("SLC, collapse prevention"),
+    "SLD": say("SLD, damage limitation"),
+    "SLO": say("SLO, operation"),
+    "ULS": say("ULS, ultimate limit state"),
+    "DBE": say("DBE, design basis earthquake"),
+    "LS": say("LS, life safety"),
+    "CP": say("CP, collapse prevention"),
+    "NCR": say("NCR, near collapse"),
+}
+WORKS: Mapping[str, Phrase] = {
+    "repair": say("local repair"),
+    "improvement": say("improvement"),
+    "upgrading": say("upgrading"),
+}
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the first page."""
+    found = results.verdict
+    if found is None:
+        words = say("These results hold no verdict: they were made by an older version of the program.")
+        return [Section(say("Verdict"), 0, (Prose((words,)),))]
+    blocks: list[Block] = [
+        Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
+        Facts(tuple(basis(results, found))),
+        *short_list(say("The verdict is subject to these conditions:"), list(found.conditions)),
+        *_missing(found, results),
+        *short_list(say("Warnings that bear on the verdict:"), warnings(results)),
+        verdict_matrix.table(results, found),
+    ]
+    return [Section(say("Verdict"), 0, tuple(blocks))]
+
+
+def headline(found: Verdict) -> Text:
+    """Return the meaning of the verdict in one sentence."""
+    pga = quantity(found.action.pga_g, "ground acceleration", 3)
+    every, number = len(found.mechanisms), sum(one.outcome == found.outcome for one in found.mechanisms)
+    if found.outcome == Decision.PASS:
+        return say_count(
+            "The one mechanism examined holds at the site’s own action, PGA {pga}.",
+            "All {number} mechanisms examined hold at the site’s own action, PGA {pga}.",
+            every,
+            pga=pga,
+        )
+    if found.outcome == Decision.FAIL:
+        return say_count(
+            "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
+            "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
+            number,
+            every=count(every),
+            pga=pga,
+        )
+    if not found.basis:
+        return say("No code is named that decides: the results of all methods are for comparison only.")
+    return say_count(
+        "{number} of {every} mechanisms examined has no deciding answer at the site’s own action, PGA {pga}.",
+        "{number} of {every} mechanisms examined have no deciding answer at the site’s own action, PGA {pga}.",
+        number,
+        every=count(every),
+        pga=pga,
+    )
+
+
+def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
+    """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
+    yield say("Code"), _code(results, found)
+    if found.limit_states:
+        states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in found.limit_states)
+        yield say("Limit state"), states
+    yield say("Site’s own action"), action_text(results, found)
+    if found.methods:
+        yield say("Methods that may decide"), listing(map(procedure_title, found.methods))
+    target = target_text(found)
+    if target is not None:
+        yield say("Target"), _with_works(results, target)
+    index = building_index_text(found)
+    if index is not None:
+        yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
+    left = not_examined_text(results)
+    if left is not None:
+        yield say("Possible, not examined"), left
+
+
+def _code(results: Results, found: Verdict) -> Text:
+    """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
+    if not found.basis:
+        return say("none named")
+    if found.basis == "own":
+        return Verbatim(found.clauses[0][0])
+    annex, edition = results.report.national_annex, Term(found.edition)
+    if not annex:
+        return edition
+    return say("{edition}, national annex: {annex}", edition=edition, annex=Verbatim(annex))
+
+
+def action_text(results: Results, found: Verdict) -> Text:
+    """Return the site's own action: PGA, limit state, return period and class of use as far as they are known."""
+    action = found.action
+    known: list[Text] = [say("PGA {pga}", pga=quantity(action.pga_g, "ground acceleration", 3))]
+    if action.limit_state:
+        known.append(say("stated for {limit_state}", limit_state=Verbatim(action.limit_state)))
+    if action.over_periods:
+        known.append(say("each limit state by the hazard of the site"))
+    if action.return_period_years:
+        known.append(say("return period {years}", years=quantity(action.return_period_years, "return period", 3)))
+    if use_class_of(results):
+        known.append(say("class of use {name}", name=Verbatim(use_class_of(results))))
+    return listing(known, "")
+
+
+def _with_works(results: Results, target: Text) -> Text:
+    works = WORKS.get(project_text(results, "verdict.works"))
+    return target if works is None else say("{target} ({works})", target=target, works=works)
+
+
+def _missing(found: Verdict, results: Results) -> list[Block]:
+    """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
+    if found.outcome != Decision.INCOMPLETE or not found.missing:
+        return []
+    blocks = short_list(say("What is missing:"), [missing_text(each) for each in found.missing])
+    given = [key for key, each in results.project.items() if each.given]
+    lines = toml_lines(found.missing, given)
+    if lines:
+        text = say("To complete the verdict, add these lines to the project file with your own values:")
+        blocks += [Prose((text,)), Code(lines)]
+    return [*blocks, *_provisional(found)]
+
+
+def _provisional(found: Verdict) -> list[Block]:
+    if found.provisional == Decision.PASS:
+        return [Prose((say("With the safe value of all that is missing, the verdict would be: pass."),))]
+    if found.provisional == Decision.FAIL:
+        return [Prose((say("With the safe value of all that is missing, the verdict would be: fail."),))]
+    return []
+
+
+def missing_text(missing: Missing) -> Text:
+    """Return the key of an input that is missing, and why it is needed."""
+    why = listing(missing.reasons, "") if missing.reasons else Term(missing.text)
+    return say("{key}: {why}", key=Verbatim(missing.key), why=why)
+
+
+def warnings(results: Results) -> list[Text]:
+    """Return the warnings of the run and the remarks of the checks that decide, each once with where it holds."""
+    found: dict[tuple[str, str], list[Message]] = {}
+    for each in (*relevant_warnings(results.warnings), *_remarks(results)):
+        found.setdefault((each.key, each.text), []).append(each)
+    return [_placed(results, same) for same in found.values()]
+
+
+def _remarks(results: Results) -> Iterator[Message]:
+    for mechanism in results.mechanisms:
+        deciding = (check for check in mechanism.checks if check.role == "deciding")
+        for each in (remark for check in deciding for remark in check.remarks):
+            yield Message(each.key, each.severity, f"mechanisms.{mechanism.name}", each.text, each.values)
+
+
+def _placed(results: Results, same: Sequence[Message]) -> Text:
+    """Return a message with the mechanisms or the keys of the project file that it concerns."""
+    owners = [_owner(results, each.where) for each in same]
+    if all(owners):
+        return say("{places}: {message}", places=mechanism_list(results, owners), message=same[0])
+    keys = [each.where for each in same if "." in each.where]
+    return say("{places}: {message}", places=names(keys), message=same[0]) if keys else same[0]
+
+
+def _owner(results: Results, where: str) -> str:
+    """Return the mechanism that a key of the project file belongs to; empty for none."""
+    rest = where.removeprefix("mechanisms.")
+    known = [one.name for one in results.mechanisms if rest == one.name or rest.startswith(f"{one.name}.")]
+    return max(known, key=len, default="") if where.startswith("mechanisms.") else ""
+
+
+def is_shortened(points: Sequence[Text]) -> bool:
+    """Return whether page 1 shows only the first of these points."""
+    return len(points) > MANY + 1
+
+
+def short_list(title: Text, points: Sequence[Text]) -> list[Block]:
+    """Return a list under its title; of a long one the first points, and how many there are besides."""
+    if not points:
+        return []
+    if not is_shortened(points):
+        return [Prose((title,)), Items(tuple(points))]
+    rest = say_count(
+        "and {number} other, under Scope and limits",
+        "and {number} others, under Scope and limits",
+        len(points) - MANY,
+    )
+    return [Prose((title,)), Items((*points[:MANY], rest))]

@@ -1,0 +1,172 @@
+"""Tables and calculation sheets on the page: reportlab's own tables, whose rows and heads go on over pages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from reportlab.lib.colors import HexColor
+from reportlab.platypus import LongTable, Paragraph
+
+from reports.document import Cell, Graded, Sheet, Table
+from reports.figures.font import printable
+from reports.figures.style import BANNER, GRID, MUTED
+from reports.language.locale import Locale
+from reports.render.cell_text import cell_text, is_numeric
+from reports.render.frame_words import SHEET_HEADS
+from reports.render.sheet_rows import SheetRow, sheet_rows
+from reports.render.typeset import STYLES, formula, markup, paragraph, width_of
+
+TINT: Mapping[str, str] = {"pass": "#dcefe6", "fail": "#f8dfd6", "incomplete": "#faeccb", "comparison": "#e9ecef"}
+INK_OF: Mapping[str, str] = {**BANNER, "comparison": MUTED}
+_PADDING = 3.0  # left and right of a cell [pt]
+_WIDEST, _LEAST = 0.5, 62.0  # share of the table that a text may ask for; width up to which words are not broken [pt]
+_LOOSEST = 1.7  # a table is stretched so many times at most to fill its line
+_LONG = 120  # letters: a longer text is not measured
+_SHEET_SHARES = (0.11, 0.33, 0.39, 0.17)
+_LOOK: tuple[Any, ...] = (
+    ("VALIGN", (0, 0), (-1, -1), "TOP"),
+    ("LINEBELOW", (0, 0), (-1, 0), 0.7, HexColor(MUTED)),
+    ("LINEBELOW", (0, 1), (-1, -1), 0.3, HexColor(GRID)),
+    ("LEFTPADDING", (0, 0), (-1, -1), _PADDING),
+    ("RIGHTPADDING", (0, 0), (-1, -1), _PADDING),
+    ("TOPPADDING", (0, 0), (-1, -1), 1.4),
+    ("BOTTOMPADDING", (0, 0), (-1, -1), 1.9),
+)
+
+
+def table_grid(table: Table, locale: Locale, width: float) -> LongTable:
+    """Return a table as wide as its cells need, at most `width` [pt]; with the head again on each page."""
+    prefix = "small-" if table.small else ""
+    rows = [_letters(table, row, locale) for row in table.rows]
+    right = [is_numeric(tuple(row[place] for row in table.rows)) for place in range(len(table.columns))]
+    heads = [printable(locale.heading(column.label, column.dimension)) for column in table.columns]
+    widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}head")
+    styles = [f"{prefix}{'number' if each else 'cell'}" for each in right]
+    made: list[list[Any]] = [
+        [paragraph(head, f"{prefix}head{'-number' if each else ''}") for head, each in zip(heads, right, strict=True)]
+    ]
+    for place, (cells, texts) in enumerate(zip(table.rows, rows, strict=True)):
+        colour = MUTED if place in table.muted else ""
+        row = zip(cells, texts, styles, widths, strict=True)
+        made.append([_cell(cell, text, style, wide, colour) for cell, text, style, wide in row])
+    return _grid(made, widths, [*_letters_look(f"{prefix}cell"), *_alignment(right), *_tints(table)])
+
+
+def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> LongTable:
+    """Return a calculation sheet, `width` [pt] wide."""
+    heads = [paragraph(locale.text(head), "head") for head in SHEET_HEADS]
+    rows = [_step(row) for row in sheet_rows(sheet, locale)]
+    return _grid([list(heads), *rows], [share * width for share in _SHEET_SHARES], [])
+
+
+def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width: float, style: str) -> list[float]:
+    """Return the widths of columns [pt]: those with a share of `width` have it, the others what their cells need.
+
+    Parameters
+    ----------
+    rows : texts, the heads first, which may be folded
+    shares : of the width, 0 for a column that shares what is left
+    width : of the table at most [pt]
+    style : of the letters
+    """
+    free = [place for place, share in enumerate(shares) if not share]
+    given = [share * width / max(1.0, sum(shares)) for share in shares]
+    left = width - sum(given)
+    words = [max(map(_word_width(style), (row[place] for row in rows))) for place in free]
+    lines = [max(map(_line_width(style), (row[place] for row in rows[1:])), default=0.0) for place in free]
+    least = [word + 2 * _PADDING + 1 for word in words]
+    wanted = [max(low, min(_WIDEST * width, line + 2 * _PADDING + 1)) for low, line in zip(least, lines, strict=True)]
+    for place, found in zip(free, _shared(wanted, least, left, fills=len(free) < len(shares)), strict=True):
+        given[place] = found
+    return given
+
+
+def _shared(wanted: Sequence[float], least: Sequence[float], left: float, *, fills: bool) -> list[float]:
+    """Return what each column gets of the width that is `left`: what it wants, or at least its longest word."""
+    if sum(wanted) <= left:
+        return [want * min(left / sum(wanted), left if fills else _LOOSEST) for want in wanted]
+    if sum(least) <= left:
+        return _filled(least, wanted, left)
+    return _filled([0.0] * len(least), least, left)
+
+
+def _filled(floor: Sequence[float], wanted: Sequence[float], left: float) -> list[float]:
+    """Return widths from `floor` up to what is `wanted`, the same more for each until nothing is left."""
+    widths, open_ = list(floor), set(range(len(floor)))
+    while open_ and left - sum(widths) > 1e-6:
+        share = (left - sum(widths)) / len(open_)
+        for place in tuple(open_):
+            widths[place] = min(wanted[place], widths[place] + share)
+        open_ = {place for place in open_ if widths[place] < wanted[place]}
+    return widths
+
+
+def _line_width(style: str) -> Any:
+    size = STYLES[style].fontSize
+    return lambda text: width_of(text, style) if len(text) <= _LONG else 0.6 * size * len(text)
+
+
+def _word_width(style: str) -> Any:
+    return lambda text: min(_LEAST, max((width_of(word, style) for word in text[:_LONG].split(" ")), default=0.0))
+
+
+def _letters(table: Table, row: tuple[Cell, ...], locale: Locale) -> list[str]:
+    pairs = zip(row, table.columns, strict=True)
+    return [printable(cell_text(cell, column, locale)) for cell, column in pairs]
+
+
+def _cell(cell: Cell, text: str, style: str, width: float, colour: str) -> str | Paragraph:
+    """Return the text itself where one line has room for it, which reportlab draws at once, else a paragraph."""
+    if isinstance(cell, Graded):
+        return Paragraph(f"<b>{markup(text)}</b>", _coloured(style, INK_OF[cell.outcome]))
+    if not colour and len(text) <= _LONG and width_of(text, style) <= width - 2 * _PADDING:
+        return text
+    return paragraph(text, style, colour=colour)
+
+
+def _coloured(style: str, colour: str) -> Any:
+    return STYLES[style].clone(f"{style}-{colour}", textColor=HexColor(colour))
+
+
+def _step(row: SheetRow) -> list[Any]:
+    style = STYLES["formula"]
+    clause = f'<br/><font color="{MUTED}">{markup(row.clause)}</font>' if row.clause else ""
+    numbers = f"<br/>= {formula(row.numbers)}" if row.numbers else ""
+    beside = f"<br/>({markup(row.beside)})" if row.beside else ""
+    texts = (
+        formula(row.symbol),
+        formula(row.description) + clause,
+        formula(row.formula) + numbers,
+        markup(row.result) + beside,
+    )
+    return [Paragraph(text, style) for text in texts]
+
+
+def _letters_look(style: str) -> Iterator[tuple[Any, ...]]:
+    of = STYLES[style]
+    yield ("FONT", (0, 0), (-1, -1), of.fontName, of.fontSize, of.leading)
+    yield ("TEXTCOLOR", (0, 0), (-1, -1), of.textColor)
+
+
+def _alignment(right: Sequence[bool]) -> Iterator[tuple[Any, ...]]:
+    return (("ALIGN", (place, 0), (place, -1), "RIGHT") for place, each in enumerate(right) if each)
+
+
+def _tints(table: Table) -> Iterator[tuple[Any, ...]]:
+    for row, cells in enumerate(table.rows, start=1):
+        for column, cell in enumerate(cells):
+            if isinstance(cell, Graded):
+                yield ("BACKGROUND", (column, row), (column, row), HexColor(TINT[cell.outcome]))
+
+
+def _grid(rows: Sequence[list[Any]], widths: Sequence[float], look: Sequence[Any]) -> LongTable:
+    return LongTable(
+        rows,
+        colWidths=widths,
+        repeatRows=1,
+        splitInRow=1,
+        hAlign="LEFT",
+        spaceAfter=8,
+        style=[*_LOOK, *look],
+    )

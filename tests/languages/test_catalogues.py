@@ -1,0 +1,64 @@
+"""Every sentence that the source can say has an entry in every language, with the same gaps."""
+
+from __future__ import annotations
+
+from string import Formatter
+
+import pytest
+
+from reports.language.catalogue import ENGLISH, languages
+from reports.language.locale import Locale
+from reports.language.texts import quantity, say, say_count
+from tests.languages.entries import Entry, catalogue_of, english_entries, is_translated
+
+OTHERS = [language for language in languages() if language != ENGLISH]
+ENTRIES = {entry.english: entry for entry in english_entries()}
+
+
+def gaps(text: str) -> set[str]:
+    return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_english_entry_is_translated(language: str) -> None:
+    known = catalogue_of(language)
+    lacking = [text for text in ENTRIES if (found := known.get(text)) is None or not is_translated(found.string)]
+    assert not lacking, f"{len(lacking)} without a translation, as {lacking[:3]}; run make catalogue"
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_translations_have_the_gaps_of_the_english_entry(language: str) -> None:
+    for message in catalogue_of(language):
+        if not message.id or not message.string:
+            continue
+        forms = message.string if isinstance(message.string, tuple | list) else (message.string,)
+        english = message.id if isinstance(message.id, tuple | list) else (message.id,)
+        for form in forms:
+            assert gaps(form) in [gaps(text) for text in english], message.id
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_catalogues_hold_no_entry_that_nothing_says(language: str) -> None:
+    known = [message.id for message in catalogue_of(language) if message.id]
+    unused = [each for each in known if (each[0] if isinstance(each, tuple | list) else each) not in ENTRIES]
+    assert not unused
+
+
+def test_entries_are_collected_from_the_source() -> None:
+    places = {entry.place for entry in ENTRIES.values()}
+    assert Entry("Figure", "", "reports/language/locale.py") in ENTRIES.values()
+    assert {"assess/messages/texts.py", "reports/chapters/annex_sheets.py"} <= places
+
+
+def test_italian_has_a_decimal_comma_and_plural_forms() -> None:
+    italian = Locale("it")
+    assert italian.text(quantity(0.25, "ground acceleration")) == "0,25\u00a0g"
+    impacts = [italian.text(say_count("{number} impact", "{number} impacts", number)) for number in (1, 2)]
+    assert impacts == ["1 impatto", "2 impatti"]
+
+
+def test_a_language_does_not_change_texts_of_the_user() -> None:
+    from reports.language.texts import Verbatim
+
+    said = say("Notes: {notes}", notes=Verbatim("Wall 6 m, {x} 1.5 and %s"))
+    assert "Wall 6 m, {x} 1.5 and %s" in Locale("it", "US").text(said)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from assess.codes.checklists import CHECKLISTS, item_name
 from assess.results import ChecklistItem, Results
 from reports.chapters.index_text import RATIO
+from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Cell, Column, Prose, Table
-from reports.language.texts import Term, Text, Verbatim, count, listing, names, say, say_count
-from reports.titles import mechanism_number
+from reports.language.texts import Term, Text, Verbatim, count, listing, say, say_count
 
 MANY = 6  # items that page 1 names
 IN_PLANE = frozenset(each.key for items in CHECKLISTS.values() for each in items if each.in_plane)
@@ -50,7 +50,7 @@ def state(results: Results, item: ChecklistItem) -> Text:
     """Return what became of an item."""
     if item.outcome == "absent":
         return say("absent")
-    numbers = names(mechanism_number(results, name) for name in item.mechanisms)
+    numbers = mechanism_list(results, item.mechanisms)
     if item.outcome == "examined":
         return say("examined ({mechanisms})", mechanisms=numbers) if item.mechanisms else say("examined")
     return _not_examined(item, numbers)

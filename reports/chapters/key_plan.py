@@ -7,10 +7,10 @@ from functools import partial
 from assess.results import Results
 from reports.chapters import checklist
 from reports.chapters.front_matter import photograph
+from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
-from reports.language.texts import Text, Verbatim, names, say
-from reports.titles import mechanism_number
+from reports.language.texts import Text, Verbatim, say
 
 
 def sections(results: Results) -> list[Section]:
@@ -26,13 +26,16 @@ def sections(results: Results) -> list[Section]:
 def plan(results: Results) -> list[Block]:
     """Return the key plan, and the mechanisms that it does not show for want of geometry."""
     drawn = [each for each in results.mechanisms if each.view is not None]
-    undrawn = names(mechanism_number(results, each.name) for each in results.mechanisms if each.view is None)
+    undrawn = [each.name for each in results.mechanisms if each.view is None]
     if not drawn:
         return [Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))]
     figure = Figure("key-plan", _caption(), partial(key_plan.draw, results), key_plan.model_of_key_plan(results))
-    if not undrawn.texts:
+    if not undrawn:
         return [figure]
-    words = say("{mechanisms}: given by parameters, without geometry, and not drawn.", mechanisms=undrawn)
+    words = say(
+        "{mechanisms}: given by parameters, without geometry, and not drawn.",
+        mechanisms=mechanism_list(results, undrawn),
+    )
     return [figure, Prose((words,))]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from assess.results import Results
 from reports.chapters.front_matter import author, checker, client, credentials, engineer, reference
-from reports.document import Facts, Prose, Section, Signatures
+from reports.document import Block, Facts, Prose, Section, Signatures
 from reports.language.texts import Text, Verbatim, say
 
 
@@ -17,7 +17,7 @@ def sections(results: Results) -> list[Section]:
     places.append((say("Checked by"), Verbatim(checker(results))))
     if client(results):
         places.append((say("Received for the client"), Verbatim(client(results))))
-    blocks = (Prose((statement(results),)), *_identity(results), Signatures(tuple(places)))
+    blocks: tuple[Block, ...] = (Prose((statement(results),)), *_identity(results), Signatures(tuple(places)))
     return [Section(say("Signatures"), 0, blocks)]
 
 

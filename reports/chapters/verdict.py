@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.verdict import Decision, Missing, Verdict
 from assess.codes.verdict_text import relevant_warnings, toml_lines
@@ -12,6 +12,7 @@ from reports.chapters import verdict_matrix
 from reports.chapters.checklist import not_examined_text
 from reports.chapters.front_matter import use_class_of
 from reports.chapters.index_text import building_index_text, target_text
+from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Banner, Block, Code, Facts, Items, Prose, Section
 from reports.language.texts import (
     Phrase,
@@ -26,7 +27,7 @@ from reports.language.texts import (
     say_count,
 )
 from reports.project_text import project_text
-from reports.titles import mechanism_number, procedure_title
+from reports.titles import procedure_title
 
 MANY = 6  # points of a list; page 1 holds no more
 LIMIT_STATES: Mapping[str, Phrase] = {
@@ -175,10 +176,10 @@ def missing_text(missing: Missing) -> Text:
 
 def warnings(results: Results) -> list[Text]:
     """Return the warnings of the run and the remarks of the checks that decide, each once with where it holds."""
-    found: dict[tuple[str, str], tuple[Message, list[str]]] = {}
+    found: dict[tuple[str, str], list[Message]] = {}
     for each in (*relevant_warnings(results.warnings), *_remarks(results)):
-        found.setdefault((each.key, each.text), (each, []))[1].append(_place(results, each.where))
-    return [_placed(each, [place for place in places if place]) for each, places in found.values()]
+        found.setdefault((each.key, each.text), []).append(each)
+    return [_placed(results, same) for same in found.values()]
 
 
 def _remarks(results: Results) -> Iterator[Message]:
@@ -188,25 +189,36 @@ def _remarks(results: Results) -> Iterator[Message]:
             yield Message(each.key, each.severity, f"mechanisms.{mechanism.name}", each.text, each.values)
 
 
-def _place(results: Results, where: str) -> str:
-    """Return where a message holds: the number of its mechanism or its key; empty for a whole table of the file."""
-    start = "mechanisms."
-    rest = where.removeprefix(start)
-    owners = [one.name for one in results.mechanisms if rest == one.name or rest.startswith(f"{one.name}.")]
-    if where.startswith(start) and owners:
-        return mechanism_number(results, max(owners, key=len))
-    return where if "." in where else ""
+def _placed(results: Results, same: Sequence[Message]) -> Text:
+    """Return a message with the mechanisms or the keys of the project file that it concerns."""
+    owners = [_owner(results, each.where) for each in same]
+    if all(owners):
+        return say("{places}: {message}", places=mechanism_list(results, owners), message=same[0])
+    keys = [each.where for each in same if "." in each.where]
+    return say("{places}: {message}", places=names(keys), message=same[0]) if keys else same[0]
 
 
-def _placed(said: Message, places: list[str]) -> Text:
-    return say("{places}: {message}", places=names(places), message=said) if places else said
+def _owner(results: Results, where: str) -> str:
+    """Return the mechanism that a key of the project file belongs to; empty for none."""
+    rest = where.removeprefix("mechanisms.")
+    known = [one.name for one in results.mechanisms if rest == one.name or rest.startswith(f"{one.name}.")]
+    return max(known, key=len, default="") if where.startswith("mechanisms.") else ""
 
 
-def short_list(title: Text, points: list[Text]) -> list[Block]:
+def is_shortened(points: Sequence[Text]) -> bool:
+    """Return whether page 1 shows only the first of these points."""
+    return len(points) > MANY + 1
+
+
+def short_list(title: Text, points: Sequence[Text]) -> list[Block]:
     """Return a list under its title; of a long one the first points, and how many there are besides."""
     if not points:
         return []
-    kept = points if len(points) <= MANY + 1 else points[:MANY]
-    more = len(points) - len(kept)
-    rest = say_count("and {number} other, under Scope and limits", "and {number} others, under Scope and limits", more)
-    return [Prose((title,)), Items((*kept, *([rest] if more else [])))]
+    if not is_shortened(points):
+        return [Prose((title,)), Items(tuple(points))]
+    rest = say_count(
+        "and {number} other, under Scope and limits",
+        "and {number} others, under Scope and limits",
+        len(points) - MANY,
+    )
+    return [Prose((title,)), Items((*points[:MANY], rest))]

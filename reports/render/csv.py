@@ -7,9 +7,11 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
-from reports.document import STAMP, Cell, Document, Table
+from reports.document import Document, Table
 from reports.language.lettering import visible
-from reports.language.outcome_words import spell_out_table
+from reports.language.locale import Locale
+from reports.render.frame_words import STAMP
+from reports.render.plain_cell import PlainCell, plain_cell
 from reports.render.sheet_table import as_table
 from spectra.formulas import harmless_cell
 
@@ -17,15 +19,15 @@ from spectra.formulas import harmless_cell
 def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
     """Write every table and calculation sheet into `folder` as name.csv (UTF-8); the paths written.
 
-    The last column is the stamp of the results: a row that is copied elsewhere takes it along.
+    The last column is the stamp of the results: a row that is copied elsewhere takes it along. Numbers have a decimal
+    point in every language.
     """
-    everything = (*document.tables, *(as_table(sheet, translate=document.translate) for sheet in document.sheets))
-    return tuple(
-        _write(spell_out_table(table, document.translate), folder, stamp=document.stamp) for table in everything
-    )
+    locale = document.writer
+    everything = (*document.tables, *(as_table(sheet, locale) for sheet in document.sheets))
+    return tuple(_write(table, folder, locale, stamp=document.stamp) for table in everything)
 
 
-def field(cell: Cell) -> str:
+def field(cell: PlainCell) -> str:
     """Return a cell as CSV text: numbers to full precision, text that looks like a formula behind an apostrophe."""
     if cell is None:
         return ""
@@ -36,17 +38,18 @@ def field(cell: Cell) -> str:
     return harmless_cell(cell, shown=visible(cell))
 
 
-def csv_lines(rows: Iterable[Iterable[Cell]]) -> str:
+def csv_lines(rows: Iterable[Iterable[PlainCell]]) -> str:
     """Return rows, the header first, as the text of a CSV file; every cell goes through `field`."""
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows([field(cell) for cell in row] for row in rows)
     return stream.getvalue()
 
 
-def _write(table: Table, folder: Path, *, stamp: str) -> Path:
+def _write(table: Table, folder: Path, locale: Locale, *, stamp: str) -> Path:
     path = folder / f"{table.name}.csv"
-    head, rows = [column.heading for column in table.columns], table.rows
-    if stamp:
-        head, rows = [*head, STAMP], tuple((*row, stamp) for row in rows)
-    path.write_text(csv_lines([head, *rows]), encoding="utf-8", newline="")
+    last = [stamp] if stamp else []
+    head = [locale.heading(column.label, column.dimension) for column in table.columns]
+    rows = ([plain_cell(*each, locale) for each in zip(row, table.columns, strict=True)] for row in table.rows)
+    named = [*head, *([locale.text(STAMP)] if stamp else [])]
+    path.write_text(csv_lines([named, *([*row, *last] for row in rows)]), encoding="utf-8", newline="")
     return path

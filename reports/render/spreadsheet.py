@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import datetime
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
@@ -13,15 +13,20 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import STAMP, Cell, Column, Document, Table
-from reports.figures.style import FAIL, INK, MUTED, PASS
+from reports.document import Cell, Column, Document, Graded, Table
+from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.lettering import truncate, visible
-from reports.language.numerals import FIGURES, decimals, numeral
-from reports.language.outcome_words import outcome_colour, spell_out
+from reports.language.locale import Locale
+from reports.language.numerals import numeral
+from reports.language.texts import say
+from reports.render.cell_text import NOTHING, is_numeric
+from reports.render.frame_words import origin
+from reports.render.plain_cell import PlainCell, plain_cell
 from reports.render.sheet_table import as_table
 from spectra.formulas import is_formula
 
-CONTENTS, SHEETS = "contents", "calculation sheets"
+CONTENTS, SHEETS = say("contents"), say("calculation sheets")
+_HEADS = (Column(say("Sheet")), Column(say("In the report")), Column(say("What it holds")))
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
@@ -35,9 +40,11 @@ _BOLD: Look = {"font_color": INK, "bold": 1}
 _GREY: Look = {"font_color": MUTED}
 _LINK: Look = {"font_color": "#00588a", "underline": 1}
 _TITLE: Look = {"bold": 1, "font_size": 14}
-_VERDICTS: dict[object, Look] = {
-    "pass": {"font_color": PASS, "bold": 1},
-    "fail": {"font_color": FAIL, "bold": 1},
+_OUTCOMES: dict[str, Look] = {
+    "pass": {"font_color": PASS, "bg_color": "#E3F1EC", "bold": 1},
+    "fail": {"font_color": FAIL, "bg_color": "#FBE9E2", "bold": 1},
+    "incomplete": {"font_color": BANNER["incomplete"], "bg_color": "#F8F0DD"},
+    "comparison": {**_GREY, "italic": 1},
 }
 _HEAD: Look = {**_BOLD, "bg_color": "#E3E8ED", "bottom": 1, "bottom_color": "#6B7680", "text_wrap": 1}
 _WRAPPED: Look = {"text_wrap": 1, "valign": "top"}
@@ -45,9 +52,10 @@ _WRAPPED: Look = {"text_wrap": 1, "valign": "top"}
 
 @dataclass(frozen=True)
 class _Book:
-    """A workbook that makes each look once."""
+    """A workbook in the letters of a locale, that makes each look once."""
 
     book: Workbook
+    locale: Locale
     made: dict[tuple[tuple[str, str | int], ...], Format] = field(default_factory=dict)
 
     def format(self, look: Look) -> Format | None:
@@ -62,20 +70,22 @@ class _Book:
 
 def write_xlsx(document: Document, path: Path) -> Path:
     """Write every table of the document to a workbook at `path`; text is never taken for a formula."""
-    own = (document.translate(CONTENTS), document.translate(SHEETS))
-    names = unique([table.name for table in document.tables], taken=own)
+    locale = document.writer
+    contents, last = locale.text(CONTENTS), locale.text(SHEETS)
+    names = unique([table.name for table in document.tables], taken=(contents, last))
     starts = _starts(document)
     with Workbook(str(path), {"in_memory": True}) as made:
-        book = _Book(made)
+        book = _Book(made, locale)
         _describe(made, document)
-        _contents(made.add_worksheet(own[0]), document, names, starts, book=book)
+        listed = [*_listed_tables(document, names, locale), *_listed_sheets(document, last, starts, locale)]
+        _contents(made.add_worksheet(contents), document, listed, book=book)
         for table, name in zip(document.tables, names, strict=True):
-            _alone(made.add_worksheet(name), table, translate=document.translate, book=book)
-        _sheets(made.add_worksheet(own[1]), document, starts, book=book)
+            _alone(made.add_worksheet(name), table, book=book)
+        _sheets(made.add_worksheet(last), document, starts, book=book)
     return path
 
 
-def unique(names: list[str], *, taken: Iterable[str] = (CONTENTS, SHEETS)) -> list[str]:
+def unique(names: list[str], *, taken: Iterable[str] = ("contents", "calculation sheets")) -> list[str]:
     """Return valid worksheet names, no two alike nor `taken` in any case: at most 31 characters, no []:*?/\\."""
     used, made = {_RESERVED, *(name.lower() for name in taken)}, []
     for wanted in names:
@@ -93,42 +103,51 @@ def _cut(name: str, length: int) -> str:
     return name.encode("utf-16-le")[: 2 * length].decode("utf-16-le", "ignore")
 
 
-def number_format(value: float) -> str:
-    """Return the format in which a spreadsheet shows a number as the report does: to four figures."""
-    places = decimals(value, figures=FIGURES)
-    if places is None:
-        return f"0.{'0' * (FIGURES - 1)}E+00"
-    return "0" if places == 0 else f"0.{'0' * places}"
+def number_format(value: float, figures: int) -> str:
+    """Return the format in which a spreadsheet shows a number as the report does: to so many figures."""
+    exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
+    if value != 0 and not -4 <= exponent < 5:
+        return f"0.{'0' * (figures - 1)}E+00"
+    places = max(0, figures - 1 - exponent) if value != 0 else 0
+    return f"0.{'0' * places}" if places else "0"
 
 
 def _describe(book: Workbook, document: Document) -> None:
-    texts = {"title": document.title, "subject": document.subject, "author": document.program}
-    texts["keywords"] = f"{STAMP} {document.stamp}" if document.stamp else ""
+    locale = document.writer
+    texts = {"title": locale.text(document.title), "subject": locale.text(document.subject)}
+    texts |= {"author": document.program, "keywords": document.stamp}
     described = {key: truncate(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}
     book.set_properties({**described, "created": _CREATED})
 
 
-def _contents(sheet: Worksheet, document: Document, names: list[str], starts: list[int], *, book: _Book) -> None:
-    titles = document.titles
-    _write(sheet, 0, 0, document.title, book.format(_TITLE))
-    _write(sheet, 1, 0, f"{document.subject}; {document.origin}", book.format(_GREY))
-    _head(
-        sheet, 3, [Column(document.translate(text)) for text in ("Sheet", "In the report", "What it holds")], book=book
-    )
-    lines = [
-        (name, f"'{name}'!A1", titles.get(("Table", table.name), "—"), table.caption)
+_Listed = tuple[str, str, str, str]
+"""A line of the contents: the name that is shown, where it leads, the title in the report, the caption."""
+
+
+def _listed_tables(document: Document, names: list[str], locale: Locale) -> list[_Listed]:
+    return [
+        (name, f"'{name}'!A1", _title(table, locale), locale.text(table.caption))
         for name, table in zip(names, document.tables, strict=True)
     ]
-    lines += [
-        (
-            document.translate(SHEETS),
-            f"'{document.translate(SHEETS)}'!A{start + 1}",
-            titles["Sheet", each.name],
-            each.caption,
-        )
+
+
+def _title(table: Table, locale: Locale) -> str:
+    return locale.title("Table", table.name) if ("Table", table.name) in locale.titles else NOTHING
+
+
+def _listed_sheets(document: Document, sheet: str, starts: list[int], locale: Locale) -> list[_Listed]:
+    return [
+        (sheet, f"'{sheet}'!A{start + 1}", locale.title("Sheet", each.name), locale.text(each.caption))
         for start, each in zip(starts, document.sheets, strict=True)
     ]
-    for place, (name, target, title, caption) in enumerate(lines, start=4):
+
+
+def _contents(sheet: Worksheet, document: Document, listed: Iterable[_Listed], *, book: _Book) -> None:
+    locale = book.locale
+    _write(sheet, 0, 0, locale.text(document.title), book.format(_TITLE))
+    _write(sheet, 1, 0, f"{locale.text(document.subject)}; {locale.text(origin(document))}", book.format(_GREY))
+    _head(sheet, 3, _HEADS, [False] * 3, book=book)
+    for place, (name, target, title, caption) in enumerate(listed, start=4):
         sheet.write_url(place, 0, f"internal:{target}", book.format(_LINK), name)
         _write(sheet, place, 1, title, None)
         _write(sheet, place, 2, caption, None)
@@ -137,21 +156,20 @@ def _contents(sheet: Worksheet, document: Document, names: list[str], starts: li
     _paper(sheet, head=3)
 
 
-def _alone(sheet: Worksheet, table: Table, *, translate: Callable[[str], str], book: _Book) -> None:
+def _alone(sheet: Worksheet, table: Table, *, book: _Book) -> None:
     """Write a table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, start=0, translate=translate, book=book)
+    _table(sheet, table, start=0, book=book)
     sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
     if table.rows:
         sheet.autofilter(1, 0, len(table.rows) + 1, len(table.columns) - 1)
-    _widths(sheet, [_width(column, [row[at] for row in table.rows[:200]]) for at, column in enumerate(table.columns)])
+    few = table.rows[:200]
+    _widths(sheet, [_width(column, [row[at] for row in few], book) for at, column in enumerate(table.columns)])
     _paper(sheet, head=1)
 
 
 def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
     for start, each in zip(starts, document.sheets, strict=True):
-        _table(
-            sheet, as_table(each, translate=document.translate), start=start, translate=document.translate, book=book
-        )
+        _table(sheet, as_table(each, book.locale), start=start, book=book)
     _widths(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12))
     _paper(sheet, head=None)
 
@@ -160,47 +178,50 @@ def _starts(document: Document) -> list[int]:
     """Return the row of each calculation sheet's caption, from 0; one row stays empty between them."""
     starts = [0]
     for each in document.sheets:
-        starts.append(starts[-1] + len(each.lines) + 3)
+        starts.append(starts[-1] + len(each.steps) + 3)
     return starts[:-1]
 
 
-def _table(sheet: Worksheet, table: Table, *, start: int, translate: Callable[[str], str], book: _Book) -> None:
+def _table(sheet: Worksheet, table: Table, *, start: int, book: _Book) -> None:
     """Write caption, head and rows from the row `start` on."""
-    _write(sheet, start, 0, table.caption, book.format(_BOLD))
-    _head(sheet, start + 1, table.columns, book=book)
-    look = _look if len(table.rows) <= _LONG else _look_of_verdicts
+    numeric = [is_numeric(cells) for cells in zip(*table.rows, strict=True)] or [False] * len(table.columns)
+    _write(sheet, start, 0, book.locale.text(table.caption), book.format(_BOLD))
+    _head(sheet, start + 1, table.columns, numeric, book=book)
+    shaped = len(table.rows) <= _LONG
     for place, row in enumerate(table.rows):
-        muted = place in table.muted
         for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
-            shape = book.format(look(cell, column, muted=muted))
-            _write(sheet, start + 2 + place, at, spell_out(cell, column, translate), shape)
+            plain = plain_cell(cell, column, book.locale)
+            look = {**_colours(cell, muted=place in table.muted), **_quoted(plain)}
+            shape = _shape(plain, column) if shaped else {}
+            _write(sheet, start + 2 + place, at, plain, book.format({**look, **shape}))
 
 
-def _head(sheet: Worksheet, place: int, columns: Iterable[Column], *, book: _Book) -> None:
-    for at, column in enumerate(columns):
-        side: Look = {"align": "right"} if column.kind == "number" else {"valign": "top"}
-        _write(sheet, place, at, column.heading, book.format({**_HEAD, **side}))
+def _head(sheet: Worksheet, place: int, columns: Iterable[Column], numeric: Iterable[bool], *, book: _Book) -> None:
+    for at, (column, number) in enumerate(zip(columns, numeric, strict=True)):
+        side: Look = {"align": "right"} if number else {"valign": "top"}
+        _write(sheet, place, at, book.locale.heading(column.label, column.dimension), book.format({**_HEAD, **side}))
 
 
-def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
-    """Return how a cell looks: as the report shows it."""
-    look: Look = {**_GREY, **_quoted(cell)} if muted else _look_of_verdicts(cell, column, muted=muted)
-    if isinstance(cell, float) and isfinite(cell) and column.kind != "given":
-        return {**look, "num_format": number_format(cell)}
-    return {**look, **_WRAPPED} if isinstance(cell, str) and len(cell) > _WIDEST else look
+def _colours(cell: Cell, *, muted: bool) -> Look:
+    """Return outcomes in their colours and rows for information in grey."""
+    if muted:
+        return _GREY
+    return _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
 
 
-def _look_of_verdicts(cell: Cell, column: Column, *, muted: bool) -> Look:
-    """Return verdicts in their colours, anything else plain."""
-    return _quoted(cell) if muted else {**_VERDICTS.get(outcome_colour(cell, column), {}), **_quoted(cell)}
+def _shape(cell: PlainCell, column: Column) -> Look:
+    """Return a number to the figures of its column, and a long text in several lines."""
+    if isinstance(cell, float) and isfinite(cell):
+        return {"num_format": number_format(cell, column.figures)}
+    return _WRAPPED if isinstance(cell, str) and len(cell) > _WIDEST else {}
 
 
-def _quoted(cell: Cell) -> Look:
+def _quoted(cell: PlainCell) -> Look:
     """Return text that stays text also where somebody edits its cell."""
     return {"quote_prefix": 1} if isinstance(cell, str) and is_formula(cell) else {}
 
 
-def _write(sheet: Worksheet, place: int, at: int, cell: Cell, look: Format | None) -> None:
+def _write(sheet: Worksheet, place: int, at: int, cell: PlainCell, look: Format | None) -> None:
     """Write a value at full precision, or text that is never taken for anything else."""
     if isinstance(cell, bool):
         sheet.write_boolean(place, at, cell, look)
@@ -218,12 +239,11 @@ def _write_text(sheet: Worksheet, place: int, at: int, text: str, look: Format |
         sheet.write_string(place, at, shown, look)
 
 
-def _width(column: Column, cells: Sequence[Cell]) -> int:
-    """Return characters that a column needs: whole words of its head, texts, and numbers as they are shown."""
-    words = [len(word) + 4 for word in column.heading.split()]
-    texts = [len(cell) + 2 for cell in cells if isinstance(cell, str)]
-    numbers = [len(str(cell)) + 2 for cell in cells if column.kind == "given" and not isinstance(cell, str)]
-    return min(max([_NARROWEST + 2, *words, *texts, *numbers]), _WIDEST)
+def _width(column: Column, cells: Sequence[Cell], book: _Book) -> int:
+    """Return characters that a column needs: whole words of its head, and texts; numbers have room in the narrowest."""
+    words = [len(word) + 4 for word in book.locale.heading(column.label, column.dimension).split()]
+    plain = (plain_cell(cell, column, book.locale) for cell in cells)
+    return min(max([_NARROWEST + 2, *words, *(len(text) + 2 for text in plain if isinstance(text, str))]), _WIDEST)
 
 
 def _widths(sheet: Worksheet, widths: Iterable[int]) -> None:

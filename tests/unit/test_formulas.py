@@ -18,7 +18,8 @@ from records.formats.comments import parse_comments
 from records.reading import read_records
 from records.record import Earthquake, Site, make_record
 from records.writing import csv_text
-from reports.document import Column, Document, Section, Table
+from reports.document import NOTHING, Column, Document, Section, Table
+from reports.language.texts import Verbatim
 from reports.render.csv import csv_lines
 from reports.render.spreadsheet import write_xlsx
 from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
@@ -119,8 +120,10 @@ def test_free_text_in_comments_is_read_as_it_was_written(text: str) -> None:
 
 
 def test_text_in_a_workbook_stays_text_when_its_cell_is_edited(tmp_path: Path) -> None:
-    table = Table("t", "", (Column("x"), Column("y")), ((HOSTILE, -1.5), ("plain", 2.0)))
-    write_xlsx(Document("", "", "", "", "A4", (), (Section("s", 0, (table,)),), ()), tmp_path / "t.xlsx")
+    cells = ((Verbatim(HOSTILE), -1.5), (Verbatim("plain"), 2.0))
+    table = Table("t", NOTHING, (Column(Verbatim("x")), Column(Verbatim("y"))), cells)
+    section = Section(Verbatim("s"), 0, (table,))
+    write_xlsx(Document(NOTHING, NOTHING, "", "", "A4", (), (section,)), tmp_path / "t.xlsx")
     rows = list(load_workbook(tmp_path / "t.xlsx")["t"].iter_rows(min_row=3))
     assert [(cell.value, cell.data_type, cell.quotePrefix) for cell in rows[0]] == [
         (HOSTILE, "s", True),

@@ -1,0 +1,221 @@
+"""The materials, the values that are assumed, and where all others come from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from assess.results import Resolved, Results
+from reports import governing
+from reports.chapters.mechanism_list import mechanism_list
+from reports.chapters.project_values import entries
+from reports.chapters.value_titles import value_title, value_word
+from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
+from reports.language.texts import Phrase, Text, Verbatim, say
+
+SOURCES = "report.sources."
+START = "mechanisms."
+KINDS: Mapping[str, Phrase] = {
+    "measured": say("measured"),
+    "literature": say("literature"),
+    "assumed": say("assumed"),
+}
+ASSUMED, DEFAULT, UNSTATED = "assumed", "default", ""
+CHOICES = (
+    "site.limit_state",
+    "verdict.works",
+    "records.scale_to",
+    "records.synthetic.count",
+    "records.synthetic.seed",
+    "records.synthetic.duration",
+    "analysis.equation",
+    "mechanisms.*.sides",
+    "mechanisms.*.amplification.method",
+    "mechanisms.*.interface.model",
+)
+"""Values that the engineer chooses, for which there is no source."""
+WITHOUT_EFFECT = ("verdict.works", "mechanisms.*.interface.shape")  # defaults that change no number by themselves
+PROPERTIES: tuple[tuple[str, Phrase], ...] = (
+    ("density", say("Density")),
+    ("young_modulus", say("Young’s modulus E")),
+    ("compressive_strength", say("Compressive strength f_m")),
+    ("tensile_strength", say("Tensile strength f_mt")),
+    ("friction", say("Friction μ")),
+    ("disintegration", say("Disintegration")),
+)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a value comes from. kind: a key of `KINDS`, "default", or empty where nobody said; words: of the user."""
+
+    kind: str
+    words: str = ""
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the chapter: what is assumed first, then the materials and the sources."""
+    found = assumed(results)
+    blocks: list[Block] = nonempty(found)
+    if not found.rows:
+        blocks = [Prose((say("No value is marked as assumed, and no default of the program affects the results."),))]
+    rest = (*blocks, *_restitution(results), *nonempty(materials(results)), *nonempty(sources(results)))
+    return [Section(say("Assumptions"), 0, rest)]
+
+
+def _restitution(results: Results) -> list[Block]:
+    """Return where coefficients of restitution come from that the project does not give."""
+    computed = [each.name for each in results.mechanisms if each.restitution_source not in ("", "given")]
+    if not computed:
+        return []
+    words = say(
+        "The project gives no coefficient of restitution for {mechanisms}; the page of each mechanism states the one "
+        "used and its source.",
+        mechanisms=mechanism_list(results, computed),
+    )
+    return [Prose((words,))]
+
+
+def assumed(results: Results) -> Table:
+    """Tabulate the values that the user assumed, then the defaults of the program on which results depend."""
+    columns = (
+        Column(say("Assumption"), share=0.34),
+        Column(say("Value"), share=0.16),
+        Column(say("Source")),
+        Column(say("For"), share=0.16),
+    )
+    own, defaults = list(_rows(results, ASSUMED)), list(_rows(results, DEFAULT))
+    caption = say("What is assumed: by the engineer, and, in grey, by default of the program.")
+    muted = frozenset(range(len(own), len(own) + len(defaults)))
+    return Table("assumed", caption, columns, (*own, *defaults), muted, small=True)
+
+
+def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
+    """Yield the values with this kind of source; what several mechanisms share has one row."""
+    found: dict[tuple[str, str, str], tuple[Cell, list[str]]] = {}
+    for key, value in results.project.items():
+        source = source_of(results, key, value)
+        if source.kind != kind or value.value in (None, [], {}, ""):
+            continue
+        owner, rest = split_key(results, key)
+        if kind == DEFAULT and not _matters(results, rest):
+            continue
+        for entry in entries(rest, value):
+            kept = found.setdefault((entry.key, repr(entry.cell), source.words), (entry.cell, []))
+            kept[1].extend([owner] if owner else [])
+    for (key, _, words), (cell, owners) in found.items():
+        label = value_title(key) or Verbatim(key)
+        where = mechanism_list(results, owners) if owners else None
+        yield label, _worded(cell), _source_text(kind, words), where
+
+
+def _matters(results: Results, key: str) -> bool:
+    """Return whether answers depend on a default: one with a title, of a code whose method was answered."""
+    if key in WITHOUT_EFFECT or value_title(key) is None:
+        return False
+    table, _, rest = key.partition(".")
+    if table != "procedures":
+        return True
+    code = rest.partition(".")[0]
+    answered = (check for each in results.mechanisms for check in each.checks if check.verdict not in governing.SILENT)
+    return any(check.procedure.startswith(code) for check in answered)
+
+
+def _worded(cell: Cell) -> Cell:
+    if isinstance(cell, bool):
+        return say("yes") if cell else say("no")
+    return value_word(cell) if isinstance(cell, Verbatim) else cell
+
+
+def _source_text(kind: str, words: str) -> Text:
+    if kind == DEFAULT:
+        return say("default of the program")
+    return say("assumed: {words}", words=Verbatim(words)) if words else say("assumed")
+
+
+def split_key(results: Results, key: str) -> tuple[str, str]:
+    """Return the mechanism that a key belongs to, and the key with * in its place; empty and the key for no one's."""
+    if not key.startswith(START):
+        return "", key
+    rest = key.removeprefix(START)
+    owners = [each.name for each in results.mechanisms if rest.startswith(f"{each.name}.")]
+    owner = max(owners, key=len, default="")
+    return (owner, f"{START}*.{rest.removeprefix(f'{owner}.')}") if owner else ("", key)
+
+
+def source_of(results: Results, key: str, value: Resolved) -> Source:
+    """Return the source of a value: of the longest key of the sources that its own key begins with."""
+    stated = [start for start in _stated(results) if key == start or key.startswith(f"{start}.")]
+    if stated and value.given:
+        kind, _, words = str(_stated(results)[max(stated, key=len)]).partition(":")
+        return Source(kind.strip(), words.strip())
+    return Source("" if value.given else DEFAULT)
+
+
+def _stated(results: Results) -> dict[str, str]:
+    """Return the lines of [report.sources] by the keys that they are for."""
+    return {
+        key.removeprefix(SOURCES): str(each.value) for key, each in results.project.items() if key.startswith(SOURCES)
+    }
+
+
+def materials(results: Results) -> Table:
+    """Tabulate the materials with the properties that some of them has."""
+    found: dict[str, dict[str, Cell]] = {}
+    for key, value in results.project.items():
+        table, _, rest = key.partition(".")
+        name, _, last = rest.rpartition(".")
+        if table == "materials" and last in dict(PROPERTIES):
+            cells = [entry.cell for entry in entries(key, value)]
+            found.setdefault(name, {})[last] = cells[0] if len(cells) == 1 else None
+    kept = [(key, label) for key, label in PROPERTIES if any(cells.get(key) is not None for cells in found.values())]
+    rows = tuple((Verbatim(name), *(_worded(cells.get(key)) for key, _ in kept)) for name, cells in found.items())
+    columns = (Column(say("Material")), *(Column(label) for _, label in kept))
+    return Table("materials", say("Materials."), columns, rows if kept else ())
+
+
+def sources(results: Results) -> Table:
+    """Tabulate the sources that the project states, but for assumed values, then what is given without a source."""
+    found: dict[str, tuple[Text, Text, str, list[str]]] = {}
+    for label, kind, words, owner in (*_stated_sources(results), *_unstated(results)):
+        row = found.setdefault(repr((label, kind, words)), (label, kind, words, []))
+        row[-1].extend([owner] if owner else [])
+    rows = tuple(
+        (label, kind, Verbatim(words) if words else None, mechanism_list(results, owners) if owners else None)
+        for label, kind, words, owners in found.values()
+    )
+    columns = (
+        Column(say("Value"), share=0.32),
+        Column(say("Kind of source"), share=0.14),
+        Column(say("Source")),
+        Column(say("For"), share=0.16),
+    )
+    return Table("sources", say("Sources of the values that are not assumed."), columns, rows, small=True)
+
+
+def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
+    for key, line in _stated(results).items():
+        kind, _, words = line.partition(":")
+        if kind.strip() == ASSUMED:
+            continue
+        owner, rest = split_key(results, f"{key}.")
+        label = value_title(rest.removesuffix(".")) or Verbatim(key)
+        yield label, KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
+
+
+def _unstated(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
+    for key, value in results.project.items():
+        owner, rest = split_key(results, key)
+        label = value_title(_first(rest))
+        if rest in CHOICES or label is None or not value.given:
+            continue
+        if source_of(results, key, value).kind == UNSTATED:
+            yield label, say("not stated"), "", owner
+
+
+def _first(key: str) -> str:
+    """Return a key of hinges and loads without the name of each; others as they are."""
+    for whole in ("mechanisms.*.hinges", "mechanisms.*.loads"):
+        if key.startswith(f"{whole}."):
+            return whole
+    return key

@@ -108,7 +108,7 @@ def conclusions(results: Results, found: list[Influence]) -> Iterator[Text]:
     if not strong:
         yield say("None of the values moves an answer within its range.")
         return
-    first = listing(list(dict.fromkeys(map(_named_input, strong)))[:2])
+    first = listing(input_name(each.varied.number) for each in one_for_each_input(strong)[:2])
     yield say("Survey first: {inputs}. These move the answers most.", inputs=first)
     changing = [each for each in found if each.decides]
     if changing:
@@ -118,8 +118,10 @@ def conclusions(results: Results, found: list[Influence]) -> Iterator[Text]:
         yield say("No outcome that decides changes within these ranges.")
 
 
-def _named_input(each: Influence) -> Term | Text:
-    return input_name(each.varied.number)
+def one_for_each_input(found: list[Influence]) -> list[Influence]:
+    """Return each input once, in the mechanism whose answer it moves most."""
+    called = [input_name(each.varied.number) for each in found]
+    return [each for place, each in enumerate(found) if called[place] not in called[:place]]
 
 
 def _change(results: Results, each: Influence) -> Text:
@@ -137,8 +139,8 @@ def table(results: Results, found: list[Influence]) -> Table:
         *(Column(label) for label in (say("At low"), say("As assessed"), say("At high"))),
         Column(say("Outcome")),
     )
-    caption = say("The inputs with the largest effects on the answer that decides, over all mechanisms.")
-    rows = tuple(_row(results, each) for each in found[:MOST])
+    caption = say("The inputs with the largest effects, each in the mechanism whose answer it moves most.")
+    rows = tuple(_row(results, each) for each in one_for_each_input(found)[:MOST])
     return Table("influences", caption, columns, rows, small=True)
 
 
@@ -216,8 +218,9 @@ def _unvaried(results: Results) -> list[Block]:
     """Return which inputs are not varied, and why."""
     told = {
         (row.mechanism, row.remark): say(
-            "{mechanism}: {remark}.",
+            "{mechanism}, {input}: {remark}.",
             mechanism=Verbatim(mechanism_number(results, row.mechanism)),
+            input=input_name(row) if row.parameter else say("all inputs"),
             remark=Term(row.remark),
         )
         for row in results.sensitivity

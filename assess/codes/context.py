@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from math import inf
 from typing import Literal
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import BranchName, InputAt
 from assess.errors import ProcedureError
 from assess.hinge_forces import HingeForces
@@ -142,11 +143,15 @@ class Hazard:
 
 @dataclass(frozen=True)
 class FreePeriod:
-    """T_0 of an element that vibrates before it lifts off [s], and how it was found, for the calculation sheets."""
+    """T_0 of an element that vibrates before it lifts off [s], and how it was found, for the calculation sheets.
+
+    inputs : the symbols of `formula`; empty where the period itself is given; remark : a fixed term
+    """
 
     value: float
-    formula: str
-    substituted: str
+    formula: str = "given"
+    inputs: Given = field(default_factory=dict)
+    remark: str = ""
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from math import inf
 
 from scipy.constants import g
 
+from assess.codes.calculation_step import UNANSWERED, Given
 from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
 from assess.codes.worst_branch import least_known
@@ -124,7 +125,7 @@ def _unanswered(level: float, context: Context, reason: Message) -> Check:
         verdict=Outcome.NOT_ANSWERED,
         reason=reason,
         slides_at=None,
-        steps=(step("|T| / N", "friction needed at the hinges", EDITION, "-", None, remark=reason.text),),
+        steps=(step("|T| / N", "friction needed at the hinges", EDITION, "-", None, remark=UNANSWERED),),
     )
 
 
@@ -167,7 +168,7 @@ def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float 
     return (
         *incipient_motion_steps(hinge),
         *_level_steps(hinge, level, context),
-        *_sliding_steps(hinge, slides_at),
+        *_sliding_steps(hinge, context, slides_at),
         *(step for each in held for step in _held_steps(each)),
     )
 
@@ -195,14 +196,15 @@ def incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
     """Write H, V, N and T of a hinge when the mechanism starts to rock, and the friction they need."""
     H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
     N, T = hinge.starting.normal, hinge.starting.shear
-    faces = "faces on the geometry" if hinge.found else "no faces found: taken level"
+    faces = "square to the faces, which lie on the geometry"
+    faces = faces if hinge.found else "square to the faces, taken level as none were found"
     forces = {"H": (H, "N"), "V": (V, "N"), "n_x": (n_x, "-"), "n_z": (n_z, "-")}
     return (
         step("a_r", "acceleration that starts rocking", EDITION, "λ g", hinge.acceleration, "m/s2",
              given={"λ": hinge.acceleration / g}),
         _horizontal_step(hinge),
         step(f"V_{name}", "on the block that presses, up", EDITION, BALANCE, V, "N", remark=TABLE),
-        step(f"N_{name}", f"square to the faces; {faces}", EDITION, "H n_x + V n_z", N, "N", given=forces),
+        step(f"N_{name}", faces, EDITION, "H n_x + V n_z", N, "N", given=forces),
         step(f"T_{name}", "along the faces", EDITION, "H n_z − V n_x", T, "N", given=forces),
         _friction_step("μ_req", "friction needed to rock without sliding", hinge),
     )  # fmt: skip
@@ -244,10 +246,33 @@ def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[St
     )  # fmt: skip
 
 
-def _sliding_steps(hinge: HingeForces, slides_at: float | None) -> tuple[Step, ...]:
-    least_pga = "least PGA that slides a hinge before it rocks; none where it rocks first"
-    pga, remark = (None, "") if slides_at is None else (slides_at / g, "of all hinges")
+def _sliding_steps(hinge: HingeForces, context: Context, slides_at: float | None) -> tuple[Step, ...]:
     return (
         step("μ", "coefficient of friction of the joint", EDITION, "given", hinge.friction),
-        step("PGA_s", least_pga, EDITION, "|T| = μ N, over the amplification", pga, "g", remark=remark),
+        _least_pga_step(context, slides_at),
     )
+
+
+def _least_pga_step(context: Context, slides_at: float | None) -> Step:
+    """Write the least PGA at which any hinge slides: where |T| reaches mu N between rest and incipient motion."""
+    words, symbol = "least PGA that slides a hinge before it rocks; none where it rocks first", "PGA_s"
+    sliding = [each for each in _resting_on_friction(context.hinges) if each.sliding_acceleration is not None]
+    if slides_at is None or not sliding:
+        return step(symbol, words, EDITION, "|T| = μ N, over the amplification", None, "g")
+    first = min(sliding, key=lambda each: each.sliding_acceleration or 0.0)
+    if not slides_at:
+        remark = "a hinge slides at rest"
+        return step(symbol, words, EDITION, "|T| = μ N, over the amplification", 0.0, "g", remark=remark)
+    side = -1.0 if first.starting.shear < 0.0 else 1.0
+    given: Given = {
+        "μ": first.friction or 0.0,
+        "N_0": (first.resting.normal, "N"),
+        "T_0": (side * first.resting.shear + 0.0, "N"),
+        "N_r": (first.starting.normal, "N"),
+        "T_r": (side * first.starting.shear, "N"),
+        "a_r": (first.acceleration, "m/s2"),
+        "f": context.amplification,
+    }
+    formula = "(μ N_0 − T_0) / (T_r − T_0 − μ (N_r − N_0)) a_r / (f g)"
+    remark = "the least of all hinges"
+    return step(symbol, words, EDITION, formula, slides_at / g, "g", given=given, remark=remark)

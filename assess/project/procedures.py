@@ -123,9 +123,7 @@ def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
     given = content.procedures.ntc2018.free_periods
     _require_mechanisms(content, "procedures.ntc2018.free_periods", given)
     return {
-        name: free_period(**each.model_dump())
-        if isinstance(each, sections.FreeElement)
-        else FreePeriod(each, "given", f"{each:.5g} s")
+        name: free_period(**each.model_dump()) if isinstance(each, sections.FreeElement) else FreePeriod(each)
         for name, each in given.items()
     }
 

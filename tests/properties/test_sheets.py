@@ -17,7 +17,7 @@ from assess.codes.registry import PROCEDURES
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.readings import LINES
 from tests.support.sheet import Sheet
-from tests.support.sheets import faults, faults_of
+from tests.support.sheets import comes_to, faults, faults_of
 from tests.support.subjects import LEVELS, Subject, subjects
 
 EVERY = pytest.mark.parametrize("name", PROCEDURES)
@@ -144,8 +144,8 @@ def test_numbers_printed_that_are_not_those_worked_are_seen(name: str) -> None:
             other = tuple(replace(each, value=each.value * 1.7 + 0.1) for each in step.inputs)
             changed = replace(step, substituted=substitute(step.formula, other))
             try:
-                same = evaluate(changed.substituted, {}) == pytest.approx(step.value, rel=0.03)
-            except (NoFormulaError, ValueError, TypeError):
+                same = comes_to(evaluate(changed.substituted, {}), step.value)
+            except (NoFormulaError, ValueError, TypeError, ZeroDivisionError):
                 continue
             assert same or seen(changed, sheet), changed
 

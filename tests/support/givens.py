@@ -11,9 +11,8 @@ from math import acosh, atan2, hypot, inf, pi, sqrt
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.worst_branch import branch_of
-from assess.oscillator import Branch, interpolant
-from tests.support.readings import floor_demands
+from assess.oscillator import interpolant
+from tests.support.readings import breaking, first_to_slide, floor_demands, shares
 from tests.support.sheet import Sheet
 from tests.support.subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
 
@@ -37,12 +36,6 @@ def secant(sheet: Sheet) -> float:
         end = sheet.rotation_of(sheet.known[symbol]) * (1 - 1e-9)
     moment, B = (interpolant(side.rotation, each) for each in (side.restoring, side.excitation))
     return float(moment(end) / B(end) / g)
-
-
-def breaking(sheet: Sheet) -> Branch:
-    """The branch with actions until they end."""
-    rocker = sheet.subject.context.breaking or sheet.subject.rocker
-    return branch_of(rocker, sheet.subject.check.branch)
 
 
 def largest(sheet: Sheet) -> float:
@@ -80,8 +73,14 @@ def at_the_floor(sheet: Sheet, first: float, period: float) -> float:
 
 
 def hinge_value(sheet: Sheet, name: str) -> float:
-    hinge = sheet.hinge()
+    first = first_to_slide(sheet) if sheet.step.symbol == "PGA_s" else None
+    hinge = first or sheet.hinge()
+    if first is not None and name.startswith("T"):
+        return abs((first.resting if name == "T_0" else first.starting).shear)
     return {
+        "N_r": hinge.starting.normal,
+        "a_r": hinge.acceleration,
+        "μ": FRICTION,
         "H": hinge.horizontal,
         "V": hinge.vertical,
         "n_x": hinge.face[0],
@@ -137,12 +136,79 @@ def pga_in_line(sheet: Sheet) -> float:
     return sheet.subject.context.spectrum.pga if sheet.step.symbol.startswith("PGA_S") else sheet.pga
 
 
+def point(name: str) -> Callable[[Sheet], float]:
+    """An ordinate of a line that reads a table: of the points on either side, of the largest, or of Simpson's rule."""
+
+    def reading(sheet: Sheet) -> float:
+        letter, place = name.split("_")
+        side = breaking(sheet) if sheet.step.symbol in ("R", "B") else sheet.subject.branch
+        columns = {"φ": side.rotation, "R": side.restoring, "B": side.excitation}
+        line = {each.symbol: each.value for each in (*sheet.step.inputs, *sheet.step.at)}
+        if place == "m":
+            return float(columns[letter][np.argmax(side.restoring / side.excitation)])
+        if "φ_1" in line:
+            read = sheet.step.symbol in ("R", "B")
+            at = next(iter(line.values())) if read else sheet.instability()
+            return float(columns[letter][np.searchsorted(side.rotation, at) - 2 + int(place)])
+        strips = sum(each.startswith(f"{letter}_") for each in line) - 1
+        return float(interpolant(side.rotation, columns[letter])(next(iter(line.values())) * int(place) / strips))
+
+    return reading
+
+
+def local_limit(sheet: Sheet, kind: str) -> float:
+    """The rotation where a tie ends, or a seat is lost."""
+    here = [each for each in sheet.subject.context.limits if each.branch == sheet.subject.check.branch]
+    return next(each.rotation for each in here if each.kind == kind)
+
+
+def share(number: int, of: str) -> Callable[[Sheet], float]:
+    """d* of a record over a displacement."""
+
+    def ratio(sheet: Sheet) -> float:
+        found = shares(sheet, sheet.known[of])[number]
+        return inf if found is None else found
+
+    return ratio
+
+
+def row(sheet: Sheet, name: str) -> float:
+    """A row of the hazard beside the PGA at capacity."""
+    hazard, (what, place) = sheet.subject.context.hazard, name.rsplit("_", 1)
+    above = int(np.searchsorted(hazard.pga, sheet.subject.check.capacity_pga_g * g))
+    return {"T": hazard.return_period, "PGA": hazard.pga}[what][above - 2 + int(place)]
+
+
+def demand_damping(sheet: Sheet) -> float:
+    """Of an ordinate: 5 % before uplift, 10 % of a sliding body, else of the check."""
+    return {"S_e(T0)": 0.05, "f_es": 0.10}.get(sheet.step.symbol) or sheet.subject.check.damping
+
+
 Reading = Callable[[Sheet], float]
+POINTS = tuple(f"{letter}_{place}" for letter in "φRB" for place in (*range(17), "m"))
+KINDS = {"φ": "rotation", "R": "moment", "B": "first moment"}
 COMMON: Mapping[tuple[str, str], Reading] = {
     ("B0", "first moment"): lambda s: s.rest("excitation"),
     ("M", "mass"): lambda s: s.mass,
     ("V'(0) − M", "moment"): lambda s: s.rest("restoring"),
-    ("R0", "moment"): lambda s: s.rest("restoring"),
+    **{(name, KINDS[name[0]]): point(name) for name in POINTS},
+    ("φ_break1", "rotation"): lambda s: local_limit(s, "break"),
+    ("φ_seat1", "rotation"): lambda s: local_limit(s, "seat"),
+    ("n", "ratio"): lambda s: float(np.searchsorted(s.subject.branch.rotation, s.step.at[0].value)),
+    **{(name, "return period"): (lambda s, name=name: row(s, name)) for name in ("T_1", "T_2")},
+    **{(name, "acceleration"): (lambda s, name=name: row(s, name)) for name in ("PGA_1", "PGA_2")},
+    ("PGA_C", "acceleration"): lambda s: s.subject.check.capacity_pga_g * g,
+    ("T_R", "return period"): lambda s: s.step.value,
+    ("ξ", "ratio"): demand_damping,
+    ("level", "ground acceleration"): lambda s: s.level / g,
+    ("least PGA(θ)", "ground acceleration"): lambda s: min(s.subject.check.pga_curve.pga_g),
+    ("T", "time"): lambda s: 1 / s.known["f_e"],
+    ("T0", "time"): lambda s: 0.0,  # of what does not move before it lifts off
+    ("κ", "ratio"): lambda s: 6.2,
+    ("L", "length"): lambda s: 4.0,
+    ("t", "length"): lambda s: 0.3,
+    ("ρ", "density"): lambda s: 1800.0,
+    ("E", "stress"): lambda s: 7e8,
     ("I_O", "inertia"): lambda s: s.rest("inertia"),
     ("Σ m δx", "first moment"): lambda s: s.rest("excitation"),
     ("Σ m δx²", "inertia"): lambda s: s.rest("participation"),
@@ -171,7 +237,9 @@ COMMON: Mapping[tuple[str, str], Reading] = {
     ("Z", "length"): lambda s: min(s.subject.context.support_height, s.house.height),
     ("z", "length"): lambda s: s.subject.context.support_height,
     ("H", "length"): lambda s: s.house.height,
-    ("ξ1", "ratio"): lambda s: s.mode_damping("T1" if "(T1)" in s.step.symbol else "T1'"),
+    ("ξ1", "ratio"): lambda s: (
+        0.2 if s.step.symbol == "d(20 %)" else s.mode_damping("T1" if "(T1)" in s.step.symbol else "T1'")
+    ),
     ("η", "ratio"): resonance_damping,
     ("b", "ratio"): lambda s: 1.1,
     ("a", "ratio"): lambda s: 0.8,
@@ -214,6 +282,13 @@ OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {
         ("M", "moment"): lambda s: linearised(s, "M"),
         ("B", "first moment"): lambda s: linearised(s, "B"),
     },
+    **{
+        f"{code}-history": {
+            **{(f"c_{number}", "ratio"): share(number - 1, "d0*") for number in range(1, 8)},
+            **{(f"r_{number}", "ratio"): share(number - 1, "d_SLV") for number in range(1, 8)},
+        }
+        for code in ("dmi2008", "ntc2018")
+    },
     "asce43-05-sliding": {
         ("μ", "ratio"): lambda s: FRICTION,
         ("N", "force"): normal,
@@ -225,7 +300,8 @@ OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {
         **{
             (name, kind): (lambda s, name=name: hinge_value(s, name))
             for name, kind in (("H", "force"), ("V", "force"), ("n_x", "ratio"), ("n_z", "ratio"), ("T", "force"),
-                               ("N", "force"), ("N_0", "force"), ("T_0", "force"), ("H_0", "force"), ("λ", "ratio"))
+                               ("N", "force"), ("N_0", "force"), ("T_0", "force"), ("N_r", "force"), ("T_r", "force"),
+                               ("a_r", "acceleration"), ("μ", "ratio"), ("H_0", "force"), ("λ", "ratio"))
         },
     },
 }  # fmt: skip

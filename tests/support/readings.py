@@ -12,8 +12,11 @@ from math import inf, isclose, pi, sqrt
 import numpy as np
 from scipy.constants import g
 
+from assess.codes.worst_branch import branch_of
+from assess.hinge_forces import HingeForces
+from assess.oscillator import Branch, interpolant
 from tests.support.sheet import Sheet
-from tests.support.subjects import AMPLIFIED, FRICTION, SLIDING
+from tests.support.subjects import FRICTION, SLIDING
 
 PERMISSIBLE = {"other": (20.0, 16.0, 13.0), "first": (20.0, 18.0, 15.0), "top": (14.0, 14.0, 9.0)}  # Table 11-5
 
@@ -65,13 +68,9 @@ def shares(sheet: Sheet, of: float) -> list[float | None]:
     return [None if r is None else sheet.moved(r * over) / sheet.mass / sheet.e / of for r in sheet.suite]
 
 
-def mean(sheet: Sheet) -> float | None:
-    found = shares(sheet, sheet.known["d_SLV"])
-    return None if None in found else float(np.mean(found))
-
-
 def farthest(sheet: Sheet) -> float | None:
-    return max((each for each in shares(sheet, sheet.known["d0*"]) if each is not None), default=None)
+    """None where every record overturns; the others have a formula."""
+    return None if all(each is None for each in sheet.suite) else inf
 
 
 def permissible(sheet: Sheet) -> float:
@@ -82,6 +81,8 @@ def permissible(sheet: Sheet) -> float:
 
 def stated(sheet: Sheet) -> float:
     spans = sheet.subject.context.support == "spanning"
+    if sheet.step.symbol == "T0":
+        return sheet.subject.context.free_period.value
     return {"q_a": 2.0 if spans else 1.0, "γ_a": 1.0, "δ_all": SLIDING, "μ": FRICTION}[sheet.step.symbol]
 
 
@@ -142,17 +143,21 @@ def years(sheet: Sheet) -> float:
     return float(np.exp(at))
 
 
-def local_end(sheet: Sheet) -> float:
-    """d* at the rotation where a tie ends, or a seat is lost, by the number that the line bears."""
-    here = [each for each in sheet.subject.context.limits if each.branch == sheet.subject.check.branch]
-    kind = sheet.step.symbol[2:].rstrip("0123456789")
-    rotation = next(each.rotation for each in here if each.kind == kind)
-    return sheet.moved(rotation) / sheet.mass / sheet.e
+def read_from_table(sheet: Sheet) -> float:
+    """R or B at the rotation of the line, on the branch with actions until they end."""
+    side = breaking(sheet)
+    column = {"R": side.restoring, "B": side.excitation}[sheet.step.symbol]
+    return float(interpolant(side.rotation, column)(sheet.step.at[0].value))
 
 
-def largest_multiplier(sheet: Sheet) -> float:
-    branch = sheet.subject.branch
-    return float((branch.restoring / branch.excitation).max() / g)
+def breaking(sheet: Sheet) -> Branch:
+    """The branch with actions until they end."""
+    rocker = sheet.subject.context.breaking or sheet.subject.rocker
+    return branch_of(rocker, sheet.subject.check.branch)
+
+
+def secant_rotation(sheet: Sheet) -> float:
+    return sheet.rotation_of(sheet.known[sheet.step.at[0].symbol])
 
 
 def at_worst(sheet: Sheet) -> float:
@@ -175,15 +180,20 @@ def sliding_frequency(sheet: Sheet) -> float | None:
 
 
 def slides_from(sheet: Sheet) -> float | None:
-    """PGA at which a hinge that nothing else holds slides before it rocks, |T| = mu N, T from rest on in proportion."""
+    """The PGA at which a hinge slides: it has a formula where there is one."""
+    return 0.0 if sheet.step.remark and first_to_slide(sheet) is not None else None
+
+
+def first_to_slide(sheet: Sheet) -> HingeForces | None:
+    """The hinge that nothing else holds which slides first, |T| = mu N, T from rest on in proportion."""
     found = []
     for hinge in sheet.subject.context.hinges:
         low, high = hinge.resting, hinge.starting
         if hinge.held or abs(high.shear) <= FRICTION * high.normal:
             continue
         first, last = (abs(each.shear) - FRICTION * each.normal for each in (low, high))
-        found.append(-first / (last - first) * hinge.acceleration / AMPLIFIED / g)
-    return min(found, default=None)
+        found.append((-first / (last - first) * hinge.acceleration, hinge))
+    return min(found, key=lambda each: each[0], default=(0.0, None))[1]
 
 
 def force(sheet: Sheet) -> float:
@@ -208,11 +218,12 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "1.5 in high seismicity, 2.5 in moderate": lambda s: 1.5,
     "1 at the ground, 3 at most": lambda s: 1.0,
     # the table of the branch
-    "restoring moment = 0": Sheet.instability,
-    "restoring moment at rest": lambda s: s.rest("restoring"),
+    "V'(0) − M": lambda s: s.rest("restoring"),
+    "table of the mechanism": read_from_table,
+    "∫ R dφ": lambda s: float(s.spline("restoring").integrate(0.0, s.known[s.step.at[0].symbol])),
+    "∫ B dφ = d* M e*": secant_rotation,
     "Σ m (x'² + z'²) + J_G θ'²": lambda s: s.rest("inertia"),
     "Σ m x'": lambda s: s.rest("excitation"),
-    "∫ B dφ / M": lambda s: s.moved(s.instability()) / s.mass,
     # the curve of the answer
     "largest PGA with θ ≤ θ_1/2": largest_pga,
     "PGA ≤ least PGA(θ)": still,
@@ -226,7 +237,7 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "S_e(T, 5 %)": lambda s: s.ordinate(s.known["T_s"]),
     "S_e(T, ξ1)": spectral,
     "S_e(T, ξ)": spectral,
-    "T0 ≤ T ≤ T_SLV": farthest_moved,
+    "T0 ≤ T ≤ T_LS": farthest_moved,
     "as above, with ξ1 = 0.2": shown,
     "S_A(f_es, 10 %) = c_s": sliding_frequency,
     "c_s / (2π f_es)²": lambda s: 0.0 if s.known["f_es"] is None else inf,
@@ -234,27 +245,20 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "count": counted,
     "Σ max |φ(t)| / φ_u / n": lambda s: None if None in s.suite else inf,
     "largest d* / d0*": farthest,
-    "mean": mean,
+    "d* / d_LS": lambda s: None if None in s.suite else inf,
     # the forces at the hinges
     "equilibrium of each block at a_r": force,
     "|T| = μ N, over the amplification": slides_from,
     "|T| / N": lambda s: None if s.hinge().starting.normal <= 0.0 else inf,
     # no answer
     "-": nothing,
-    "2 E(φ_i) / φ_i: the line with the work of the curve": lambda s: (
-        2 * float(s.spline("restoring").integrate(0.0, s.instability())) / s.instability()
-    ),
     "max |φ(t)| / φ_u": lambda s: None if all(each is None for each in s.suite) else inf,
     "C_p(0) R_p = λ": lambda s: None if s.subject.mechanism.flexible else inf,
     # what few sheets have
     "1": lambda s: 1.0 if s.subject.branch.restitution == 0.0 else inf,
     "1 at worst, 0 for what is rigid": at_worst,
     "0: the building is not known": lambda s: 0.0,
-    "largest λ of the curve": largest_multiplier,
-    "largest (V' − M) / (g B)": largest_multiplier,
-    "log T_R linear in log PGA between rows of the hazard, S a_g": years,
-    "∫ B dφ / (M · e*)": local_end,
-    "κ λ L √(w / (E g))": lambda s: s.subject.context.free_period.value,
+    "first or last row of the hazard": years,
     "as stated": stated_mode,
     "displacement spectrum, T > T_E": beyond,
     "h / t": nothing,

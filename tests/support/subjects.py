@@ -14,6 +14,7 @@ from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
 from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit, Suite
+from assess.codes.ntc2018.clauses import free_period
 from assess.codes.registry import CodeOptions, procedure
 from assess.codes.worst_branch import branch_of
 from assess.geometry.planar import planar_body
@@ -99,10 +100,10 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
     stated = {"SLV": FirstMode(0.5, 0.08, "by a model"), "SLC": FirstMode(0.55, 0.09, "by a model")}
     spectra = {state: replace(SPECTRUM, factor=share) for state, share in (("SLD", 0.4), ("SLV", 1.0), ("SLC", 1.3))}
     hazard = Hazard(spectra, (50.0, 475.0, 975.0), tuple(each.pga for each in spectra.values()))
-    given = FreePeriod(0.45, "κ λ L √(w / (E g))", "6.2 · 13 · 4 √(…)")
+    formed = free_period(length=4.0, thickness=0.3, young_modulus=7e8, density=1800.0)
     for period, first in ((0.45, 0.24), (3.0, 0.24), (0.9, 0.5)):
         soft = replace(HOUSE, period=first)
-        yield high, replace(context_of(high, None), building=soft, free_period=replace(given, value=period))
+        yield high, replace(context_of(high, None), building=soft, free_period=FreePeriod(period))
     yield (
         high,
         replace(
@@ -111,7 +112,7 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
             hazard=hazard,
             limits=(LocalLimit("break", "tie 1", "positive", 0.03), LocalLimit("seat", "floor", "negative", 0.02)),
             breaking=ending(high.oscillator),
-            free_period=given,
+            free_period=formed,
         ),
     )
     far = ec8_spectrum(a_g=0.25 * g, ground_type="C", spectrum_type=1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from scipy.constants import g
@@ -16,11 +17,13 @@ from assess.codes.asce41_13.clauses import (
     STRICTEST,
     Options,
     Position,
+    Seismicity,
     is_parapet,
     largest_s_x1,
     permissible,
     position_of,
 )
+from assess.codes.calculation_step import UNANSWERED
 from assess.codes.check import BranchName, Check, Outcome, Reason, Step, missing_ordinate, reason_message, step
 from assess.codes.context import Context, Wall
 from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
@@ -32,6 +35,15 @@ NAME = "asce41-13-ht"
 CLAUSE, CHECKLIST = "ASCE 41-13 Table 11-5", "ASCE 41-13, checklist for nonstructural components"
 KEY = "procedures.asce41-13.s_x1"
 PERIOD, DAMPING = 1.0, 0.05  # s, of S_X1
+PERMITTED: Mapping[Position | Seismicity, str] = {
+    "one-storey": "the permissible h/t (wall of a one-storey building)",
+    "first-storey": "the permissible h/t (first-storey wall of a multistorey building)",
+    "top-storey": "the permissible h/t (wall in the top storey of a multistorey building)",
+    "other": "the permissible h/t (all other walls)",
+    "moderate": "the permissible h/t of parapets in moderate seismicity",
+    "high": "the permissible h/t of parapets in high seismicity",
+}
+SEISMICITY: Mapping[Seismicity, str] = {"moderate": "moderate seismicity, given", "high": "high seismicity, given"}
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
@@ -61,7 +73,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
         uplift_pga_g=threshold(branch),
         caveat=(CAVEAT_PARAPET if parapet else CAVEAT) + other_spectrum_note(NAME, context.spectrum.code),
         conditions=() if options.masonry else (message("premise-coursed", severity=Severity.WARNING),),
-        steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=reason.text),),
+        steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=UNANSWERED),),
     )
     if verdict != Outcome.PASS or context.wall is None:
         return empty
@@ -88,9 +100,9 @@ def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
 
 def _of_parapet(check: Check, wall: Wall, options: Options) -> Check:
     most, slenderness = PARAPET[options.seismicity], wall.height / wall.thickness
-    words = f"of parapets in {options.seismicity} seismicity"
-    answered = _answered(check, slenderness, most, f"the permissible h/t {words}")
-    limit = step("max h/t", words, CHECKLIST, "1.5 in high seismicity, 2.5 in moderate", most, remark="given")
+    answered = _answered(check, slenderness, most, PERMITTED[options.seismicity])
+    limit = step("max h/t", "permissible slenderness of parapets", CHECKLIST,
+                 "1.5 in high seismicity, 2.5 in moderate", most, remark=SEISMICITY[options.seismicity])  # fmt: skip
     return replace(answered, steps=(*_size_steps(wall), limit, _ratio_step(slenderness, most)))
 
 
@@ -110,8 +122,7 @@ def _in_row(check: Check, wall: Wall, context: Context, options: Options, positi
     ordinate = s_x1_over_pga(context, options)
     slenderness, s_x1 = wall.height / wall.thickness, ordinate * check.level_pga_g
     most, bound = permissible(position, s_x1), largest_s_x1(position, slenderness)
-    answered = _answered(check, slenderness, most, f"the permissible h/t ({PLACES[position]})")
-    row = f"{PLACES[position]}: {_source(context, options)}"
+    answered = _answered(check, slenderness, most, PERMITTED[position])
     factors = {"S_a(1 s)/PGA": (ordinate, "-"), "PGA": (check.level_pga_g, "g")}
     return replace(
         answered,
@@ -119,10 +130,11 @@ def _in_row(check: Check, wall: Wall, context: Context, options: Options, positi
         steps=(
             *_size_steps(wall),
             step("S_X1", "spectrum at 1 s", CLAUSE, "S_a(1 s)/PGA PGA", s_x1, "g", given=factors),
-            step("max h/t", row, CLAUSE, "row of the wall, column of S_X1", most, remark=f"S_X1 = {s_x1:.4g} g"),
+            step("max h/t", PLACES[position], CLAUSE, "row of the wall, column of S_X1", most,
+                 remark=_source(context, options), at={"S_X1": (s_x1, "g")}),
             _ratio_step(slenderness, most),
         ),
-    )
+    )  # fmt: skip
 
 
 def s_x1_over_pga(context: Context, options: Options) -> float:
@@ -141,10 +153,10 @@ def _answered(check: Check, slenderness: float, most: float, permitted: str) -> 
 
 def _source(context: Context, options: Options) -> str:
     if options.position is not None:
-        return "given"
+        return "row given"
     if context.building is None or context.building.storeys is None:
-        return "not known, so the strictest row; give [building] height and storeys, or the position"
-    return "by storeys and elevation"
+        return "row not known: the strictest; give [building] height and storeys, or the position"
+    return "row by storeys and elevation"
 
 
 def _size_steps(wall: Wall) -> tuple[Step, ...]:

@@ -18,6 +18,6 @@ def _with_height(check: Check, height: float) -> Check:
     if check.input_at != "ground":
         return check
     words = "height of what holds the mechanism; the motion is that of the ground, not amplified"
-    line = step("z", words, "geometry", "z_base − z_ground", height, "m", remark="geometry")
+    line = step("z", words, "geometry", "z_base − z_ground", height, "m")
     remark = message("ground-motion", severity=Severity.WARNING)
     return replace(check, remarks=(*check.remarks, remark), steps=(line, *check.steps))

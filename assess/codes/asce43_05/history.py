@@ -17,6 +17,7 @@ from assess.codes.asce43_05.clauses import EDITION, HALF, Options
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
 from assess.codes.context import Context, Suite
 from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
+from assess.codes.table_steps import instability_step
 from assess.codes.worst_branch import branch_of
 from assess.messages.message import Message, whole_number
 from assess.oscillator import Branch, Oscillator
@@ -128,13 +129,12 @@ def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
 
 def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, branch: Branch) -> tuple[Step, ...]:
     n = len(found)
-    at_least = f"records run, both polarities; at least {LEAST_RECORDS}"
+    at_least = "records run, both polarities; at least 5"
     overturns = {"φ_u": (branch.unstable, "rad")}
     lines = [
         step("n", at_least, CLAUSE, "count", float(n)),
         step("n_ov", "records that overturn the body; none is allowed", CLAUSE, "count", float(suite.overturned)),
-        step("φ_u", f"rotation that overturns it, {suite.branch} branch", CLAUSE, "restoring moment = 0",
-             branch.unstable, "rad", remark="curve, joints included"),
+        instability_step("φ_u", "rotation that overturns it, joints included", CLAUSE, branch),
         _largest_step(found),
         _mean_step(found, share),
         step("φ_all", "allowable: a factor of 2 on instability", CLAUSE, "φ_u / 2", HALF * branch.unstable, "rad",
@@ -153,7 +153,7 @@ def _standing(found: tuple[float | None, ...]) -> dict[str, float]:
 def _largest_step(found: tuple[float | None, ...]) -> Step:
     symbol, words, each = "max φ/φ_u", "largest without overturning, each by its branch", _standing(found)
     if not each:
-        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="all overturn")
+        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="every record overturns")
     return step(symbol, words, CLAUSE, f"max({', '.join(each)})", max(each.values()), given=each)
 
 

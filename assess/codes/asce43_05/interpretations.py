@@ -20,6 +20,7 @@ from assess.codes.check import InputAt, Step, step
 from assess.codes.check import Reading as Kind
 from assess.codes.context import Context
 from assess.codes.pga_rotation import PgaRotation, pga_capacity
+from assess.codes.table_steps import instability_step
 from assess.oscillator import Branch, equivalent_block, threshold
 from spectra.spectrum import Spectrum
 
@@ -106,7 +107,7 @@ def thesis_interpretation(branch: Branch, context: Context, *, f_v: float, mass:
         procedure="asce43-05-spectrum-thesis",
         kind="thesis",
         damping=THESIS_DAMPING,
-        damping_steps=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING, remark="given"),),
+        damping_steps=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING),),
         spectrum=context.spectrum,
         pga=context.spectrum.pga,
         input_at="ground",
@@ -122,7 +123,7 @@ def thesis_interpretation(branch: Branch, context: Context, *, f_v: float, mass:
 
 def _effective(restitution: float, damping: float) -> tuple[Step, ...]:
     if restitution == 0.0:
-        return (step("β_e", "effective damping: no rebound", A2, "1", damping, remark="C_R = 0"),)
+        return (step("β_e", "effective damping", A2, "1", damping, remark="no rebound", at={"C_R": restitution}),)
     gamma = -2.0 * float(np.log(min(restitution, 1.0)))
     return (
         step("γ", "of two impacts in a cycle", A2, "−2 ln(min(C_R, 1))", gamma, given={"C_R": restitution}),
@@ -137,8 +138,10 @@ def _third(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
     beside = "one half, the limit of response histories, for comparison"
     at_half = pga_capacity(curve, half)
     return (
+        instability_step("φ_ov", "rotation that overturns the body, joints included", A2, branch),
         step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
         step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),
         step("PGA(θ_1/2)", "PGA at capacity if one half were allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
-             None if at_half is None else at_half / g, "g", remark="curve"),
+             None if at_half is None else at_half / g, "g", at={"θ_1/2": (half, "rad")},
+             remark="on the curve of PGA over rotation of this method"),
     )  # fmt: skip

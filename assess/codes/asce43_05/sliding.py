@@ -22,6 +22,7 @@ from assess.codes.asce43_05.sliding_clauses import (
     pga_at,
     sliding_coefficient,
 )
+from assess.codes.calculation_step import UNANSWERED
 from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
 from assess.codes.sliding import sliding_pga
@@ -65,7 +66,7 @@ def _check(level: float, context: Context, mass: float, allowable: float | None)
     silent = reason_unanswerable(context)
     if silent is not None:
         verdict, reason = silent
-        steps = (step("δ_s", "best estimate of sliding", CLAUSE, "-", None, "m", remark=reason.text),)
+        steps = (step("δ_s", "best estimate of sliding", CLAUSE, "-", None, "m", remark=UNANSWERED),)
         return _answer(level, context, verdict=verdict, reason=reason, steps=steps)
     first = context.hinges[0]
     mu = friction_of_all(first.friction or 0.0, normal=first.resting.normal, mass=mass)
@@ -149,9 +150,8 @@ def _steps(level: float, context: Context, mu: float, found: float | None, allow
     c_s = sliding_coefficient(mu_e)
     period = longest_period(context, level, c_s) if c_s > 0.0 else None
     f_es = 1.0 / period if period else None
-    said = (
-        "the spectrum does not reach c_s" if period == 0.0 else "no such frequency" if f_es is None else "S_A(f) = c_s"
-    )
+    none = "the spectrum does not reach c_s" if period == 0.0 else "no such frequency"
+    said = none if f_es is None else ""
     shaken = {"S_aV/S_aH": (context.vertical_ratio, "-"), "PGA": (level, "m/s2")}
     slid = {"c_s": (c_s, "m/s2"), "f_es": (f_es or 0.0, "Hz")}
     at_f = "lowest frequency at which the spectrum of 10 % damping reaches c_s"
@@ -161,7 +161,8 @@ def _steps(level: float, context: Context, mu: float, found: float | None, allow
         step("μ_e", "effective coefficient of friction (A-1)", CLAUSE, "max(0, μ_M (1 − 0.4 A_v / g))", mu_e,
              given={"μ_M": (mu, "-"), "A_v": (vertical, "m/s2")}),
         step("c_s", "sliding coefficient (A-2)", CLAUSE, "2 μ_e g", c_s, "m/s2", given={"μ_e": mu_e}),
-        step("f_es", at_f, CLAUSE, "S_A(f_es, 10 %) = c_s", f_es, "Hz", remark=said),
+        step("f_es", at_f, CLAUSE, "S_A(f_es, 10 %) = c_s", f_es, "Hz", remark=said,
+             at={"c_s": (c_s, "m/s2"), "ξ": (DAMPING, "-"), "PGA": (level, "m/s2")}),
         step("δ_s", estimate, CLAUSE, formula, found, "m", remark=said)
         if f_es is None
         else step("δ_s", estimate, CLAUSE, formula, found, "m", given=slid),

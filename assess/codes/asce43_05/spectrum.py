@@ -5,7 +5,8 @@ Above the ground the clause's reading uses the floor's own spectrum where there 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Literal
 
 import numpy as np
 from scipy.constants import g
@@ -22,16 +23,28 @@ from assess.codes.asce43_05.clauses import (
     vertical_factor,
 )
 from assess.codes.asce43_05.interpretations import A2, Reading, clause_interpretation, thesis_interpretation
+from assess.codes.calculation_step import Given
 from assess.codes.check import BranchName, Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
 from assess.codes.equivalent_blocks import to_equivalent_blocks
 from assess.codes.multiplier_step import multiplier_step
 from assess.codes.pga_rotation import PgaRotation, rotation_demand, to_pga_curve
 from assess.codes.rotation_verdict import Answer, rotation_verdict
+from assess.codes.table_steps import integral_step, moment_column
 from assess.codes.worst_branch import branch_of, check_worst_branch
 from assess.oscillator import Branch, Oscillator, energy, linear_multiplier, multiplier, threshold
 
-DEMANDED = "at the demand"
+Where = Literal["demand", "limit", "end"]
+ROTATION: Mapping[Where, str] = {
+    "demand": "rotation at the demand",
+    "limit": "the allowable rotation",
+    "end": "rotation where the curve ends, as the spectrum does",
+}
+PGA_THERE: Mapping[Where, str] = {
+    "demand": "PGA that takes the body to θ, at the demand",
+    "limit": "PGA that takes the body to θ, at the allowable rotation",
+    "end": "PGA that takes the body to θ, where the curve ends",
+}
 ReadingOf = Callable[[Branch, float], Reading]
 
 
@@ -128,7 +141,7 @@ def _steps(
     if not curve.rotation.size:
         return block
     at = rotation if rotation else min(reading.limit, float(curve.rotation[-1]))
-    where = DEMANDED if rotation else "at the allowable rotation" if at == reading.limit else "where the curve ends"
+    where: Where = "demand" if rotation else "limit" if at == reading.limit else "end"
     worked = _rotation_steps(oscillator, branch, reading, at=at, where=where, level=level, f_v=f_v)
     return (*block, *(_resting_steps(curve, level) if rotation == 0.0 else ()), *worked)
 
@@ -153,12 +166,12 @@ def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v
 def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
     """Write why the demand is no rotation: the PGA is less than takes the body to any."""
     words = "no rotation: the PGA does not exceed the least that gives a lasting θ"
-    remark = f"{level / g:.4g} g ≤ {float(curve.least[0]) / g:.4g} g"
-    return (step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", 0.0, "rad", remark=remark),)
+    at = {"PGA": (level / g, "g"), "least PGA(θ)": (float(curve.least[0]) / g, "g")}
+    return (step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", 0.0, "rad", at=at),)
 
 
 def _rotation_steps(
-    oscillator: Oscillator, branch: Branch, reading: Reading, *, at: float, where: str, level: float, f_v: float
+    oscillator: Oscillator, branch: Branch, reading: Reading, *, at: float, where: Where, level: float, f_v: float
 ) -> tuple[Step, ...]:
     """Write the way from a rotation to the PGA that takes the body there."""
     theta, B0 = np.array([at]), float(branch.excitation[0])
@@ -168,24 +181,25 @@ def _rotation_steps(
     ordinate = float(reading.spectrum.acceleration(1 / f_e, damping=reading.damping)) / reading.pga
     h = B0 / oscillator.mass
     turned, C1 = {"θ": (at, "rad"), "h": (h, "m")}, float(branch.inertia[0]) / (oscillator.mass * h**2)
-    solved = ("SA_H,DEM(θ) = SA_H,CAP(θ)", f"PGA = {level / g:.4g} g")
-    formula, remark = solved if where == DEMANDED else ("θ_lim, or where the curve ends", "")
-    period = f"T = {1 / f_e:.5g} s, β_e = {reading.damping:.4g}"
+    solved: Given = {"PGA": (level / g, "g")}
+    formula, given = (
+        ("SA_H,DEM(θ) = SA_H,CAP(θ)", solved) if where == "demand" else ("θ_lim, or where the curve ends", {})
+    )
+    ordinate_at: Given = {"f_e": (f_e, "Hz"), "T": (1 / f_e, "s"), "β_e": reading.damping}
     work = {"E": (stored, "J"), "B0": (B0, "kg m")}
     capable = {"f1": (f1, "-"), "F_V": (f_v, "-"), "F_H": (1.0, "-"), "θ": (at, "rad")}
     demanded = {"SA_H,CAP": (cap, "m/s2"), "S_a/PGA": (ordinate, "-")}
-    rocking, words = (
-        "work stored over M g h; rigid block: cos θ + a sin θ − 1",
-        f"PGA that takes the body to θ, {where}",
-    )
+    rocking = "work stored over M g h; rigid block: cos θ + a sin θ − 1"
+    words = "work stored up to θ: the restoring moment over rotation"
     return (
-        step("θ", where, A2, formula, at, "rad", remark=remark),
+        step("θ", ROTATION[where], A2, formula, at, "rad", at=given),
+        integral_step("E", words, A2, moment_column(branch), at, "J", upper="θ"),
         step("f1", rocking, "Eq. A-5(a)", "E / (g B0)", f1, given=work),
         step("SA_H,CAP", "spectral acceleration capacity", "Eq. A-5", "2 g f1 / (F_V F_H θ)", cap, "m/s2",
              given=capable),
         step("f_e", "effective frequency", A2, "√(2 f1 g / (C1 h θ²)) / 2π", f_e, "Hz",
              given={"f1": (f1, "-"), "C1": (C1, "-"), **turned}),
         step("S_a/PGA", "spectrum at f_e, β_e over PGA", reading.spectrum.clause, "S_a(1/f_e, β_e) / PGA", ordinate,
-             remark=period),
-        step("PGA(θ)", words, A2, "SA_H,CAP / (S_a/PGA)", cap / ordinate, "m/s2", given=demanded),
+             at=ordinate_at),
+        step("PGA(θ)", PGA_THERE[where], A2, "SA_H,CAP / (S_a/PGA)", cap / ordinate, "m/s2", given=demanded),
     )  # fmt: skip

@@ -20,7 +20,7 @@ from assess.codes.italian.displacement import Answer, displacement_check, ground
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
-from assess.codes.italian.sheet import activation_steps, curve_step
+from assess.codes.italian.sheet import activation_steps, curve_steps
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.oscillator import Oscillator
 
@@ -87,9 +87,10 @@ def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     return (
         *threshold_steps(case.curves, cap.threshold, RULE, "d_u*", "ultimate displacement"),
         step("d_s*", "secant displacement, k = 0.4", CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
-        curve_step(case, CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended", moved=cap.ds),
+        *curve_steps(case, CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended", moved=cap.ds,
+                     argument="d_s*"),
         step("T_s", "secant period", CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
-    )
+    )  # fmt: skip
 
 
 def _demand_steps(case: Case, cap: Capacity, answer: Answer) -> tuple[Step, ...]:
@@ -98,9 +99,10 @@ def _demand_steps(case: Case, cap: Capacity, answer: Answer) -> tuple[Step, ...]
         return ()
     scale = case.pga / spectrum.pga
     spectral = float(spectrum.acceleration(cap.Ts, damping=DAMPING)) * scale
-    at, words = f"T = {cap.Ts:.5g} s, PGA = {case.pga:.5g} m/s2", "elastic spectrum, 5 %"
+    at: Given = {"T_s": (cap.Ts, "s"), "ξ": DAMPING, "PGA": (case.pga, "m/s2")}
+    words = "elastic spectrum, 5 %"
     steps = [
-        step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", remark=at),
+        step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", at=at),
         ground_step(case, CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=wanted.ground * case.pga),
     ]
     floor = floor_of(case.context)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.constants import g
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import BranchName, Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, ULTIMATE
@@ -15,6 +16,7 @@ from assess.codes.equivalent_blocks import to_equivalent_blocks
 from assess.codes.italian.edition import Options
 from assess.codes.pga_rotation import PgaRotation, pga_rotation, rotation_demand, to_pga_curve
 from assess.codes.rotation_verdict import rotation_verdict
+from assess.codes.table_steps import excitation_column, instability_step, integral_step
 from assess.codes.worst_branch import branch_of, check_worst_branch
 from assess.oscillator import Branch, Oscillator, displacement, threshold
 from spectra.arrays import FloatArray
@@ -115,24 +117,28 @@ def _steps(
         "M": (linear.moment, "N m"),
         "B": (linear.excitation, "kg m"),
     }
-    at_end, secant = f"φ_ov = {branch.unstable:.5g} rad", {"d0": (d0, "m"), "a_s": (a_s, "m/s2")}
+    secant, moved = {"d0": (d0, "m"), "a_s": (a_s, "m/s2")}, d0 * oscillator.mass
+    whole: Given = {"∫ B dφ": (moved, "kg m"), "M": (oscillator.mass, "kg")}
+    falls, along = "rotation where the restoring moment falls to zero", "excitation over rotation"
     steps = (
         step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
-        step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", remark=at_end),
+        instability_step("φ_ov", falls, source, branch),
+        integral_step("∫ B dφ", along, source, excitation_column(branch), branch.unstable, "kg m", upper="φ_ov"),
+        step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", given=whole),
         step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2",
              given={"λ": linear.multiplier}),
         step("T", "period, with d_u (the clause: d_s)", source, "2π √(0.4 d0 / a_s)", period, "s", given=secant),
-        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, remark=f"level {level / g:.4g} g"),
+        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, at={"level": (level / g, "g")}),
     )  # fmt: skip
     return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
 
 
 def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
     ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
-    clause, at = context.spectrum.clause, f"T = {period:.5g} s"
+    clause, at = context.spectrum.clause, {"T": (period, "s"), "ξ": (DAMPING, "-")}
     given = {"a_s": (a_s, "m/s2"), "S_a/PGA": (ordinate, "-")}
     words = "largest PGA with φ ≤ 0.4 φ_ov"
     return (
-        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, remark=at),
+        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, at=at),
         step("PGA_c", words, "thesis 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
     )

@@ -117,13 +117,12 @@ def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
     shaken = {"α S": found.alpha_s, "z/H": raised, "T_a/T_1": found.ratio}
     forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}
     held = {"F_a/W_a": found.force, "λ": resistance}
-    kind = f"behaviour factor; {ELEMENTS[context.support]}"
     return (
         _period_step(branch, context, found.ratio),
         _height_step(context),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
              given=shaken),
-        step("q_a", kind, TABLE, "given", found.q_a),
+        step("q_a", "behaviour factor", TABLE, "given", found.q_a, remark=ELEMENTS[context.support]),
         step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", found.gamma_a),
         step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", found.force, given=forced),
         multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),
@@ -147,6 +146,6 @@ def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
 def _height_step(context: Context) -> Step:
     words, z = "height of the supports", context.support_height
     if context.building is None:
-        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, remark=f"z = {z:.4g} m")
+        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, at={"z": (z, "m")})
     given = {"z": (z, "m"), "H": (context.building.height, "m")}
     return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)

@@ -15,6 +15,7 @@ from assess.messages.message import Quantity, message
 
 LEVELS: Mapping[str, float] = {"LC1": 1.35, "LC2": 1.20, "LC3": 1.00}  # C8.5.4 (617/2009: C8A.1.1)
 LEAST_KNOWN = LEVELS["LC1"]
+OF_LEVEL: Mapping[str, str] = {"LC1": "LC1's, as given", "LC2": "LC2's, as given", "LC3": "LC3's, as given"}
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def _by_code(crushing: bool, level: str | None) -> Confidence:
         return Confidence(LEAST_KNOWN, "LC1's, as crushing of the masonry is not modelled")
     if level is None:
         return Confidence(LEAST_KNOWN, "LC1's, as no level of knowledge is given")
-    return Confidence(LEVELS[level], f"{level}'s")
+    return Confidence(LEVELS[level], OF_LEVEL[level])
 
 
 def confidence_step(confidence: Confidence, edition: Edition) -> Step:

@@ -97,16 +97,16 @@ def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate
     if isclose(moved, ordinate * (period / (2 * pi)) ** 2, rel_tol=1e-9):
         given = {spectral: (ordinate, "m/s2"), symbol: (period, "s")}
         return step(name, words, clause, f"{spectral} · ({symbol} / (2 · π))²", moved, "m", given=given)
-    at = f"{symbol} = {period:.5g} s"
-    return step(name, words, case.context.spectrum.clause, "displacement spectrum, T > T_E", moved, "m", remark=at)
+    at = {symbol: (period, "s"), "PGA": (case.pga, "m/s2")}
+    return step(name, words, case.context.spectrum.clause, "displacement spectrum, T > T_E", moved, "m", at=at)
 
 
 def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
     """Write the last line of the sheet."""
-    held = ", no less than as it begins to rock" if demanded == answer.before else ""
-    note = f"ratio{held}" if demanded else "ratio; no motion below uplift"
+    held = "no less than as it begins to rock" if demanded == answer.before else ""
+    remark = held if demanded else "no motion below uplift"
     symbol, given = f"demand / {answer.symbol}", {"demand": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
-    return step(symbol, note, clause, symbol, demanded / answer.ultimate, given=given)
+    return step(symbol, "ratio", clause, symbol, demanded / answer.ultimate, given=given, remark=remark)
 
 
 def _curve(case: Case, answer: Answer) -> PgaCurve:

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.calculation_step import Given
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
+from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, Step, reason_message, step
 from assess.codes.context import Context, Hazard, Suite
 from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.italian.confidence import Confidence, confidence_factors, confidence_step, mark_informative
@@ -34,6 +34,10 @@ from spectra.spectrum import Spectrum
 
 LEAST_RECORDS, FOR_THE_MEAN = 3, 7  # NTC 7.3.5
 NUMBER_CLAUSE = "NTC 7.3.5"
+DEMAND_AT: Mapping[BranchName, str] = {
+    "positive": "demand, at the limit of the positive branch",
+    "negative": "demand, at the limit of the negative branch",
+}
 
 
 @dataclass(frozen=True)
@@ -263,27 +267,42 @@ def _beyond_collapse(found: Found) -> int:
 def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
     n, fallen, run = float(len(found.displacements)), float(found.suite.overturned), found.suite.pga
     words = "PGA at which the records are run, scaled to the site's spectrum; FC multiplies the motion"
-    counted = f"records, both polarities; at least {LEAST_RECORDS}, {FOR_THE_MEAN} for the mean"
-    collapse, over = "largest without overturning; at most 1", "records that overturn; none is allowed"
+    counted = "records, both polarities; at least 3, and 7 for the mean"
+    over = "records that overturn; none is allowed"
     given: Given = {"PGA": (found.pga, "m/s2"), "FC": FC}
-    stand = f"{len(found.limit_ratios)} records"
     return (
         step("FC · PGA", words, rule.clause, "FC · PGA", run, "m/s2", given=given),
         step("n", counted, NUMBER_CLAUSE, "count", n),
         step("n_ov", over, rule.clause, "count", fallen),
-        step("d_max / d0*", collapse, rule.clause, "largest d* / d0*", found.largest_collapse_ratio, remark=stand),
+        _farthest_step(found, rule),
     )
+
+
+def _farthest_step(found: Found, rule: Rule) -> Step:
+    """Write the largest d*/d0* of the records that leave the body standing."""
+    symbol, words = "d_max / d0*", "largest without overturning, each by its branch; at most 1"
+    far = {f"c_{n}": each.of_collapse for n, each in enumerate(found.displacements, 1) if each.of_collapse is not None}
+    if not far:
+        return step(symbol, words, rule.clause, "largest d* / d0*", None, remark="every record overturns")
+    return step(symbol, words, rule.clause, f"max({', '.join(far)})", found.largest_collapse_ratio, given=far)
 
 
 def _ratio_steps(found: Found, rule: Rule, curves: Curves, threshold: Threshold, *, state: str) -> tuple[Step, ...]:
     """Write the governing ratio: each record by the d_LS of its branch."""
-    every = ", ".join("overturned" if each.of_limit is None else f"{each.of_limit:.4g}" for each in found.displacements)
-    mean = f"mean of d* / d_{state} of the records"
-    words = f"largest of d* / d_{state} of the records" if found.uses_largest else mean
-    ratio = step(f"d / d_{state}", words, rule.clause, words.split(" of ")[0], found.governing_ratio, remark=every)
+    ratio = _governing_step(found, rule, f"d / d_{state}")
     if found.governing_ratio is None:
         return (ratio,)
     given: Given = {f"d / d_{state}": found.governing_ratio, f"d_{state}": (threshold.moved, "m")}
-    said = f"demand, at d_{state} of the {curves.name} branch"
-    value = found.governing_ratio * threshold.moved
+    said, value = DEMAND_AT[curves.name], found.governing_ratio * threshold.moved
     return ratio, step("d", said, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)
+
+
+def _governing_step(found: Found, rule: Rule, symbol: str) -> Step:
+    """Write the mean, or the largest, of the records' shares of the limit."""
+    largest, mean = "largest of the records, each by its branch", "mean of the records, each by its branch"
+    words, n = largest if found.uses_largest else mean, len(found.displacements)
+    near = {f"r_{i}": each.of_limit for i, each in enumerate(found.displacements, 1) if each.of_limit is not None}
+    if found.governing_ratio is None:
+        return step(symbol, words, rule.clause, "d* / d_LS", None, remark="a record overturned")
+    formula = f"max({', '.join(near)})" if found.uses_largest else f"({' + '.join(near)}) / {n}"
+    return step(symbol, words, rule.clause, formula, found.governing_ratio, given=near)

@@ -99,10 +99,10 @@ def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
     """Write the PGA of a limit state at a level."""
     own, symbol = own_spectrum(context.hazard, state), f"PGA_{state}"
     if own is None:
-        said = "no hazard of this limit state: the level's" if context.hazard is not None else "the level's"
-        given = {"level": (level, "m/s2")}
-        return step(symbol, f"peak ground acceleration, {said}", HAZARD_CLAUSE, "level", pga, "m/s2", given=given)
-    said = f"peak ground acceleration of {state}: the level multiplies every limit state"
+        remark = "" if context.hazard is None else "no hazard of this limit state"
+        said, given = "peak ground acceleration, that of the level", {"level": (level, "m/s2")}
+        return step(symbol, said, HAZARD_CLAUSE, "level", pga, "m/s2", given=given, remark=remark)
+    said = "peak ground acceleration of the limit state: the level multiplies every limit state"
     given = {"level": (level, "m/s2"), f"S a_g,{state}": (own.pga, "m/s2"), "PGA": (context.spectrum.pga, "m/s2")}
     return step(symbol, said, HAZARD_CLAUSE, f"level · S a_g,{state} / PGA", pga, "m/s2", given=given)
 
@@ -114,7 +114,7 @@ def add_safety_index(check: Check, context: Context) -> Check:
         return check
     demanded = check.level_pga_g * pga_ratio(context.hazard, context.spectrum, check.limit_state)
     index, given = capacity / demanded, {"PGA_C": (capacity, "g"), "PGA": (demanded, "g")}
-    words = f"safety index at {check.limit_state}: PGA at capacity over PGA demanded"
+    words = "safety index of the limit state: PGA at capacity over PGA demanded"
     line = step("ζ_E", words, INDEX_CLAUSE, "PGA_C / PGA", index, given=given)
     indexed = replace(check, safety_index=index, steps=(*check.steps, line))
     return indexed if context.hazard is None else _with_years(indexed, context.hazard, capacity)
@@ -122,14 +122,39 @@ def add_safety_index(check: Check, context: Context) -> Check:
 
 def _with_years(check: Check, hazard: Hazard, capacity_g: float) -> Check:
     years, bound = return_period(hazard, capacity_g * g)
-    ends = {
-        "<=": f", or less: the hazard begins at {years:.4g} years",
-        ">=": f", or more: the hazard ends at {years:.4g} years",
-    }
-    words = f"return period of the capacity{ends.get(bound, '')}"
-    formula, at = "log T_R linear in log PGA between rows of the hazard, S a_g", f"PGA_C = {capacity_g:.5g} g"
-    line = step("T_R,C", words, HAZARD_CLAUSE, formula, years, "years", remark=at, bound=bound)
+    line = _years_step(hazard, capacity_g * g, years, bound)
     return replace(check, return_period_years=years, return_period_bound=bound, steps=(*check.steps, line))
+
+
+def _years_step(hazard: Hazard, pga: float, years: float, bound: Bound) -> Step:
+    """Write the return period of a capacity [m/s2]: between two rows of the hazard, or at its first or last one."""
+    symbol, words = "T_R,C", "return period of the capacity"
+    rows = rows_around(hazard, pga)
+    if rows is None:
+        ends = {"<=": "or less: the hazard begins there", ">=": "or more: the hazard ends there"}
+        at = {"PGA_C": (pga, "m/s2"), "T_R": (years, "years")}
+        formula = "first or last row of the hazard"
+        return step(
+            symbol, words, HAZARD_CLAUSE, formula, years, "years", remark=ends.get(bound, ""), bound=bound, at=at
+        )
+    low, high = rows
+    given = {
+        "T_1": (hazard.return_period[low], "years"),
+        "T_2": (hazard.return_period[high], "years"),
+        "PGA_C": (pga, "m/s2"),
+        "PGA_1": (float(np.maximum.accumulate(hazard.pga)[low]), "m/s2"),
+        "PGA_2": (float(np.maximum.accumulate(hazard.pga)[high]), "m/s2"),
+    }
+    formula = "exp(ln(T_1) + ln(PGA_C / PGA_1) / ln(PGA_2 / PGA_1) ln(T_2 / T_1))"
+    remark = "linear in logarithms between the neighbouring rows of the hazard"
+    return step(symbol, words, HAZARD_CLAUSE, formula, years, "years", given=given, remark=remark)
+
+
+def rows_around(hazard: Hazard, pga: float) -> tuple[int, int] | None:
+    """Return the rows between which the site first reaches a PGA [m/s2]; None before the first and after the last."""
+    reached = np.maximum.accumulate(hazard.pga)
+    above = int(np.searchsorted(reached, pga))
+    return None if above in (0, reached.size) else (above - 1, above)
 
 
 def return_period(hazard: Hazard, pga: float) -> tuple[float, Bound]:

@@ -14,7 +14,7 @@ from assess.codes.check import Step, step
 from assess.codes.context import Context, LocalLimit
 from assess.codes.italian.curves import Curves
 from assess.codes.italian.kinematic import BEFORE, displacement_at, displacement_at_collapse, multiplier_at
-from assess.codes.italian.sheet import collapse_step
+from assess.codes.italian.sheet import collapse_steps, displacement_steps
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import Branch, multiplier
 
@@ -87,28 +87,28 @@ def _around(branch: Branch, rotation: float) -> tuple[float, float]:
 
 def threshold_steps(curves: Curves, threshold: Threshold, rule: Rule, symbol: str, words: str) -> tuple[Step, ...]:
     """Write d0*, the local limits that count, and d_LS named `symbol`."""
-    steps = [collapse_step(curves.lasting, rule.clause, mass=curves.mass)]
+    steps = [*collapse_steps(curves.lasting, rule.clause, mass=curves.mass)]
     terms, given = [f"{rule.share:g} · d0*"], {"d0*": (threshold.collapse, "m")}
     for number, each in enumerate(threshold.locals, 1):
         name = f"d_{each.limit.kind}{number}"
-        steps += _local_steps(each, name, rule.clause)
+        steps += _local_steps(curves, each, name, rule.clause)
         terms.append(name)
         given[name] = (each.moved, "m")
     formula = terms[0] if len(terms) == 1 else f"min({', '.join(terms)})"
     return *steps, step(symbol, words, rule.clause, formula, threshold.moved, "m", given=given)
 
 
-def _local_steps(each: Local, name: str, clause: str) -> Iterator[Step]:
-    where = f"φ = {each.limit.rotation:.5g} rad, B integrated to there"
-    if each.limit.kind == "seat":
-        yield step(
-            name, f"{each.limit.what} loses its seat", clause, "∫ B dφ / (M · e*)", each.moved, "m", remark=where
-        )
+def _local_steps(curves: Curves, each: Local, name: str, clause: str) -> Iterator[Step]:
+    seat, what, upper = each.limit.kind == "seat", each.limit.what, f"φ_{name[2:]}"
+    words = "displacement at which the seat is lost" if seat else "displacement at which the action ends"
+    yield from displacement_steps(
+        name, words, clause, curves.lasting, mass=curves.mass, rotation=each.limit.rotation, upper=upper, subject=what
+    )
+    if seat:
         return
-    yield step(name, f"{each.limit.what} ends", clause, "∫ B dφ / (M · e*)", each.moved, "m", remark=where)
-    words = f"acceleration just after {each.limit.what} ends over the largest; it limits below {LOSS:g}"
+    words = "acceleration just after the action ends over the largest; it limits below one half"
     given = {"λ": each.after, "λ_max": each.largest}
-    yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given)
+    yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given, subject=what)
 
 
 def break_conditions(curves: Curves) -> tuple[Message, ...]:

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from assess.codes.calculation_step import Given
 from assess.codes.context import Context, FreePeriod
 from assess.codes.italian.curves import Curves
 from assess.codes.italian.edition import Edition
@@ -150,9 +151,15 @@ def free_period(
     FreePeriod
     """
     kappa = SUPPORTS[support]
-    numbers = f"{kappa:g} · {length:.5g}² / {thickness:.5g} · √({density:.5g} / {young_modulus:.5g})"
     value = float(kappa * length**2 / thickness * np.sqrt(density / young_modulus))
-    return FreePeriod(value, f"κ (L/t) L √(W / (E g)), {support}", numbers)
+    inputs: Given = {
+        "κ": kappa,
+        "L": (length, "m"),
+        "t": (thickness, "m"),
+        "ρ": (density, "kg/m3"),
+        "E": (young_modulus, "Pa"),
+    }
+    return FreePeriod(value, "κ L² / t √(ρ / E)", inputs, "ρ = W / g")
 
 
 def period_of(branch: Branch, context: Context) -> float:

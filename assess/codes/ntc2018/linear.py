@@ -77,9 +77,9 @@ def demand_steps(
     given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
     steps: list[Step] = []
     if free:
-        at, value = f"T0 = {T0:.5g} s, 5 %", over_pga.ground * case.pga
-        words = "elastic spectrum of the ground"
-        steps.append(step(ground, words, spectrum.clause, "S_e(T, ξ)", value, "m/s2", remark=at))
+        at: Given = {"T0": (T0, "s"), "ξ": ELASTIC_DAMPING, "PGA": (case.pga, "m/s2")}
+        words, value = "elastic spectrum of the ground", over_pga.ground * case.pga
+        steps.append(step(ground, words, spectrum.clause, "S_e(T, ξ)", value, "m/s2", at=at))
     most = ground
     if modes is not None:
         steps += floor_steps(case, modes, T0=T0, symbol=symbol)
@@ -92,7 +92,7 @@ def demand_steps(
 def floor_steps(case: Case, modes: FirstModes, *, T0: float, symbol: str) -> tuple[Step, ...]:
     """Write the floor's acceleration under the most demanding first mode."""
     first, _ = floor_acceleration(case.context, modes, T0)
-    why = "that of the largest acceleration"
+    why = "first mode, softened by 1.5 to 2.0: that of the largest acceleration"
     at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=ELASTIC_DAMPING) if T0 > 0.0 else ()
     return (
         *first_mode_steps(modes, first, symbol, ("T0", T0), why),

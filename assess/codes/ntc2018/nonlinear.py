@@ -13,7 +13,7 @@ from assess.codes.italian.displacement import Answer, displacement_check, ground
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
-from assess.codes.italian.sheet import activation_steps, curve_step
+from assess.codes.italian.sheet import activation_steps, curve_steps
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.codes.ntc2018.building import (
     SHOWN_DAMPING,
@@ -44,6 +44,7 @@ from spectra.circolare2019 import PLATEAU
 PROCEDURE = "ntc2018-nonlinear"
 CLAUSE = "C8.7.1.2.1.8"
 STATES = tuple(ULTIMATE)
+SOFTENED_WORST = "first mode, softened by 1.5 to 2.0: that of the largest displacement"
 FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
 
 
@@ -116,16 +117,15 @@ def _answer(case: Case, worked: Worked) -> Answer:
 def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     state, ultimate = case.state, ULTIMATE[case.state]
     d, a = f"d_{state}", f"a(d_{state})"
-    curve = curve_step(case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d)
-    if cap.T0 > 0.0 and cap.a < curve.value:  # type: ignore[operator]
+    curve = curve_steps(case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d, argument=d)
+    if cap.T0 > 0.0 and cap.a < curve[-1].value:  # type: ignore[operator]
         given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
-        curve = step(
-            a, "acceleration on the elastic branch", "C8.7.1.6", f"{d} · (2 · π / T0)²", cap.a, "m/s2", given=given
-        )
+        words, formula = "acceleration on the elastic branch", f"{d} · (2 · π / T0)²"
+        curve = (step(a, words, "C8.7.1.6", formula, cap.a, "m/s2", given=given),)
     formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
         *threshold_steps(case.curves, cap.threshold, ultimate.rule, d, "displacement capacity"),
-        curve,
+        *curve,
         step(f"T_{state}", "secant period", ultimate.clause, formula, cap.T, "s", given=given),
     )
 
@@ -137,11 +137,13 @@ def _displacement_steps(case: Case, worked: Worked, answer: Answer) -> tuple[Ste
     cap, damping, symbol = worked.capacity, ULTIMATE[case.state].damping, f"T_{case.state}"
     T = ground_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
     spectral = float(spectrum.acceleration(T, damping=damping)) * case.pga / spectrum.pga
-    said, at = f"elastic spectrum, {100 * damping:.3g} %", f"T = {T:.5g} s, PGA = {case.pga:.5g} m/s2"
-    asked, between = f"period from T0 to {symbol} of the largest S_De", f"{cap.T0:.5g} to {cap.T:.5g} s"
+    said = "elastic spectrum, damped as the mechanism"
+    at: Given = {"T": (T, "s"), "ξ": damping, "PGA": (case.pga, "m/s2")}
+    asked = "period from T0 to the secant one of the largest S_De"
+    between: Given = {"T0": (cap.T0, "s"), symbol: (cap.T, "s")}
     steps = [
-        step("T", asked, CLAUSE, f"T0 ≤ T ≤ {symbol}", T, "s", remark=between),
-        step("S_e(T)", said, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", remark=at),
+        step("T", asked, CLAUSE, "T0 ≤ T ≤ T_LS", T, "s", at=between),
+        step("S_e(T)", said, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", at=at),
         ground_step(case, CLAUSE, "T", T, ordinate=spectral, moved=wanted.ground * case.pga),
         *_floor_steps(case, worked, symbol, damping=damping),
     ]
@@ -157,7 +159,7 @@ def _floor_steps(case: Case, worked: Worked, symbol: str, *, damping: float) -> 
     T = (symbol, asked.period) if asked.period == cap.T else ("T_d", asked.period)
     first = (FIRST, asked.first)
     return (
-        *first_mode_steps(modes, asked.first, FIRST, T, "that of the largest displacement"),
+        *first_mode_steps(modes, asked.first, FIRST, T, SOFTENED_WORST),
         *peak_steps(case, modes, asked.first, FIRST),
         *ordinate_steps(case, modes, first, T, damping=damping),
         *_demand_steps(case, modes, asked, T, damping=damping),
@@ -177,7 +179,7 @@ def _demand_steps(
         return (line,)
     resonant, b = ordinate(case.context, modes, asked.first, asked.first, damping=damping) * scale, PLATEAU[1]
     beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (asked.first, "s")}
-    words, formula = f"no less than this, as {symbol} > b {FIRST}", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
+    words, formula = "no less than this, as the period exceeds b T1'", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
     return line, step(f"d(b {FIRST}, Z)", words, clause, formula, asked.least * scale, "m", given=beside)
 
 
@@ -187,6 +189,7 @@ def _shown_steps(case: Case, worked: Worked, *, damping: float) -> tuple[Step, .
     if modes is None or modes.reason:
         return ()
     asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
-    moved, at = asked.largest * case.pga / case.context.spectrum.pga, f"{FIRST} = {asked.first:.5g} s"
+    moved = asked.largest * case.pga / case.context.spectrum.pga
+    at: Given = {FIRST: (asked.first, "s"), "ξ1": SHOWN_DAMPING, "PGA": (case.pga, "m/s2")}
     words = "demand of the floor with ξ1 = 20 %, for comparison"
-    return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", remark=at),)
+    return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", at=at),)

@@ -18,7 +18,7 @@ def period_steps(case: Case, *, T0: float) -> tuple[Step, ...]:
         return ()
     given, words = case.context.free_period, "period before uplift"
     if given is not None:
-        return (step("T0", words, "C8.7.1.7", given.formula, T0, "s", remark=given.substituted),)
+        return (step("T0", words, "C8.7.1.7", given.formula, T0, "s", given=given.inputs, remark=given.remark),)
     return (step("T0", words, "C8.7.1.6", "1 / f", T0, "s", given={"f": (1.0 / T0, "Hz")}),)
 
 
@@ -41,16 +41,16 @@ def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str,
     """Write the most demanding T_1' [s], named `symbol`, for a mechanism of period T, (symbol, value) [s]."""
     if modes.reason:
         stated = "first mode at this limit state"
-        return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", remark=modes.reason),)
+        return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", subject=modes.reason),)
     if modes.shortest == modes.longest:
         return ()
-    words, (name, value) = f"first mode, softened by 1.5 to 2.0: {why}", T
+    name, value = T
     for letter, factor in zip("ab", PLATEAU, strict=True):
         if np.isclose(first, value / factor, rtol=1e-12, atol=0.0):
             peak: Given = {name: (value, "s"), letter: factor}
-            return (step(symbol, words, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
+            return (step(symbol, why, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
     k: Given = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
-    return (step(symbol, words, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
+    return (step(symbol, why, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
 
 
 def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
@@ -59,11 +59,11 @@ def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tupl
     scale, xi = case.pga / spectrum.pga, modes.damping
     spectral = float(spectrum.acceleration(first, damping=xi)) * scale
     peak, name = peak_acceleration(case.context, modes, first) * scale, f"S_e({symbol})"
-    at = f"{symbol} = {first:.5g} s, ξ1 = {100 * xi:.4g} %, PGA = {case.pga:.5g} m/s2"
+    at: Given = {symbol: (first, "s"), "ξ1": xi, "PGA": (case.pga, "m/s2")}
     given: Given = {name: (spectral, "m/s2"), "γψ": modes.share, "ξ1": xi}
     words = "peak acceleration of the floor, first mode; ξ1 as ratio"
     return (
-        step(name, "elastic spectrum at the first mode", spectrum.clause, "S_e(T, ξ1)", spectral, "m/s2", remark=at),
+        step(name, "elastic spectrum at the first mode", spectrum.clause, "S_e(T, ξ1)", spectral, "m/s2", at=at),
         step(
             peak_symbol(symbol), words, "C7.2.7, C7.2.8", f"{name} · γψ · √(1 + (2 · ξ1)²)", peak, "m/s2", given=given
         ),
@@ -89,7 +89,7 @@ def ordinate_steps(
     if period > building:
         ground = float(spectrum.acceleration(period, damping=damping)) * scale
         formula, given = f"max({formula}, S_e({symbol}))", {**given, f"S_e({symbol})": (ground, "m/s2")}
-    words, of_A = f"floor spectrum at {100 * damping:.3g} %", {"η": eta, "ξ1": modes.damping}
+    words, of_A = "floor spectrum, damped as the mechanism", {"η": eta, "ξ1": modes.damping}
     return (
         step("A", "resonance; ξ1 as ratio", "C7.2.6", "max(1.1 · η / √(ξ1), 1)", float(A), given=of_A),
         step(f"S_eZ({symbol})", words, "C7.2.5, C7.2.6", formula, value, "m/s2", given=given),

@@ -8,10 +8,12 @@ from assess.codes.check import Step, step
 from assess.codes.context import Context
 from assess.codes.nzsee2017.clauses import part_coefficient, period_factor
 from assess.codes.nzsee2017.response import Response
+from assess.codes.table_steps import instability_step, integral_step, moment_column
 from assess.oscillator import Branch
 from spectra.floor import NZS_LOW, NZS_SHARE
 
 CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
+AT_REST = "table of the mechanism, at rest"
 
 
 def sheet(branch: Branch, context: Context, found: Response, *, level: float) -> tuple[Step, ...]:
@@ -29,17 +31,27 @@ def sheet(branch: Branch, context: Context, found: Response, *, level: float) ->
 def _wall_steps(branch: Branch, found: Response) -> tuple[Step, ...]:
     """Write the wall with its own thickness."""
     line, at_rest = found.whole.line, branch.overturning_flexible is None
-    b_formula = "restoring moment at rest" if at_rest else "2 E(φ_i) / φ_i: the line with the work of the curve"
     phi_i, mark = line.instability, "" if found.gravity is None else "0"
     slope = {f"b{mark}": (line.b, "N m"), f"φ_i{mark}": (phi_i, "rad")}
     return (
-        step(f"φ_i{mark}", "rotation at instability", CLAUSE, "restoring moment = 0", phi_i, "rad", remark="curve"),
-        step(f"b{mark}", "resisting moment", CLAUSE, b_formula, line.b, "N m", remark="curve"),
+        instability_step(f"φ_i{mark}", "rotation at instability", CLAUSE, branch),
+        *_moment_steps(branch, f"b{mark}", f"φ_i{mark}", line.b, at_rest=at_rest),
         step(f"a{mark}", "slope of the straight line", CLAUSE, f"b{mark} / φ_i{mark}", line.a, "N m/rad", given=slope),
         step(f"J{mark}", "inertia at rest, about the hinges", CLAUSE, "Σ m (x'² + z'²) + J_G θ'²", found.whole.J,
-             "kg m2", remark="curve"),
-        step(f"B{mark}", "excitation at rest", CLAUSE, "Σ m x'", found.whole.B, "kg m", remark="curve"),
+             "kg m2", remark=AT_REST),
+        step(f"B{mark}", "excitation at rest", CLAUSE, "Σ m x'", found.whole.B, "kg m", remark=AT_REST),
     )  # fmt: skip
+
+
+def _moment_steps(branch: Branch, symbol: str, end: str, moment: float, *, at_rest: bool) -> tuple[Step, ...]:
+    """Write b: at rest, or of the straight line that stores the work of the curve up to instability."""
+    if at_rest:
+        return (step(symbol, "resisting moment", CLAUSE, "V'(0) − M", moment, "N m", remark=AT_REST),)
+    stored = "work stored up to instability"
+    work = integral_step("E", stored, CLAUSE, moment_column(branch), branch.unstable, "J", upper=end)
+    given = {"E": (work.value or 0.0, "J"), end: (branch.unstable, "rad")}
+    words = "resisting moment of the straight line that stores the work of the curve"
+    return work, step(symbol, words, CLAUSE, f"2 E / {end}", moment, "N m", given=given)
 
 
 def _thickness_steps(found: Response) -> tuple[Step, ...]:
@@ -74,7 +86,7 @@ def _capacity_steps(context: Context, found: Response) -> tuple[Step, ...]:
     return (
         step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", found.usable_rotation, "rad",
              given=usable),
-        step("T_p", f"period of the part, c = {factor:.3g}", CLAUSE, "c √(J / a)", found.Tp, "s", given=turned),
+        step("T_p", "period of the part, c by its support", CLAUSE, "c √(J / a)", found.Tp, "s", given=turned),
     )  # fmt: skip
 
 
@@ -101,17 +113,17 @@ def _part_steps(context: Context, found: Response, level: float) -> tuple[Step, 
 
 def _floor_step(context: Context, floor: float) -> Step:
     """Write C_Hi: the least of the rules that apply at the height of the supports."""
-    symbol, words = "C_Hi", "floor height coefficient, mean of the supports"
+    symbol, words = "C_Hi", "floor height coefficient: h_i the mean height of the supports, h_n of the building"
     h_n = None if context.building is None else context.building.height
     h = context.support_height if h_n is None else min(context.support_height, h_n)
     low = h < NZS_LOW
     if h <= 0.0 or (h_n is None and not low):
-        return step(symbol, words, PARTS, "1 at the ground, 3 at most", floor, remark=f"h_i = {h:.4g} m")
+        return step(symbol, words, PARTS, "1 at the ground, 3 at most", floor, at={"h_i": (h, "m")})
     rules, given = (["1 + h_i / 6"] if low else []), {"h_i": (h, "m")}
     if h_n is not None and h < NZS_SHARE * h_n:
         rules.append("1 + 10 h_i / h_n")
         given["h_n"] = (h_n, "m")
-    return step(symbol, f"{words}, h_n of the building", PARTS, f"min({', '.join([*rules, '3'])})", floor, given=given)
+    return step(symbol, words, PARTS, f"min({', '.join([*rules, '3'])})", floor, given=given)
 
 
 def _displacement_steps(context: Context, found: Response, phi_d: float) -> tuple[Step, ...]:
@@ -119,11 +131,11 @@ def _displacement_steps(context: Context, found: Response, phi_d: float) -> tupl
     if context.wall is None:
         return ()
     h, spanning = context.wall.height, context.support == "spanning"
-    arm, place, over = (h / 2.0, "mid-height", " / 2") if spanning else (h, "top", "")
+    arm, over, place = (h / 2.0, " / 2", "at mid-height") if spanning else (h, "", "at the top")
 
     def line(name: str, angle: str, words: str, rotation: float) -> Step:
         given = {angle: (rotation, "rad"), "h": (h, "m")}
-        return step(name, f"{words}, {place}", CLAUSE, f"{angle} h{over}", rotation * arm, "m", given=given)
+        return step(name, words, CLAUSE, f"{angle} h{over}", rotation * arm, "m", given=given, remark=place)
 
     return (
         line("Δ_i", "φ_i", "displacement at instability", found.instability),
@@ -148,7 +160,7 @@ def _end_steps(found: Response, level: float) -> tuple[Step, ...]:
         step("PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", found.capacity / g, "g", given=capable),
         step("D/C", "ratio", CLAUSE, "φ_D / φ_m", ratio, given=held)
         if rocks
-        else step("D/C", "ratio; no motion below uplift", CLAUSE, "0", 0.0),
+        else step("D/C", "ratio", CLAUSE, "0", 0.0, remark="no motion below uplift"),
     )
 
 

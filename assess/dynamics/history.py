@@ -1,7 +1,8 @@
 """Rocking time histories: oscillators under ground motions.
 
 A job is one oscillator under one motion times one signed scale, whose sign is the polarity. `peaks` runs many jobs on
-all cores, `trace` returns one history sample by sample, `free_rocking` releases a body from rest. The equation is
+all cores, `trace` returns one history sample by sample, `trace_with_events` also what happens between samples, and
+`free_rocking` releases a body from rest. The equation is
 "exact" (the branch tables) or "linearised" (thesis 3.9). The ground acceleration is linear between samples; after the
 record the free motion is followed until no later peak can be larger, and that peak counts.
 """
@@ -88,6 +89,21 @@ class Trace(ShortRepr):
     time: FloatArray
     rotation: FloatArray
     velocity: FloatArray
+
+
+@dataclass(frozen=True, repr=False)
+class Events(ShortRepr):
+    """The uplifts and impacts of a history, in their order [n].
+
+    time [s]; impact : whether it is an impact, else an uplift
+    velocity : before an impact, signed [rad/s], 0 at an uplift
+    side : of the branch that ends at an impact or begins at an uplift: 0 positive, 1 negative
+    """
+
+    time: FloatArray
+    impact: BoolArray
+    velocity: FloatArray
+    side: IntArray
 
 
 @dataclass(frozen=True, repr=False)
@@ -198,12 +214,41 @@ def trace(
     release : rotation of the positive branch from which it is released without velocity [rad]; 0: from rest
     tolerance : error allowed in a step of the exact equation [-]
     """
+    return _trace(oscillator, motion, scale, equation, tolerance, release=release, capacity=0)[0]
+
+
+def trace_with_events(
+    oscillator: Oscillator, motion: Record, *, scale: float, equation: Equation, tolerance: float = TOLERANCE
+) -> tuple[Trace, Events]:
+    """Return the history of one oscillator from rest at its samples, with the uplifts and impacts between them.
+
+    Parameters
+    ----------
+    oscillator, motion : the mechanism and the ground motion
+    scale : factor on the motion, negative for the reversed polarity [-]
+    equation : "exact" or "linearised"
+    tolerance : error allowed in a step of the exact equation [-]
+    """
+    return _trace(oscillator, motion, scale, equation, tolerance, release=0.0, capacity=MOST_EVENTS)
+
+
+def _trace(
+    oscillator: Oscillator,
+    motion: Record,
+    scale: float,
+    equation: Equation,
+    tolerance: float,
+    *,
+    release: float,
+    capacity: int,
+) -> tuple[Trace, Events]:
+    """Run one job and return its samples, and as many of its events as there is room for."""
     one = pack(oscillator, equation)
     run = _RUNS[equation]([one], [motion], tolerance)
-    path = np.zeros((motion.npts, 3))
+    path, events = np.zeros((motion.npts, 3)), np.zeros((capacity + 1, 4))
     first = np.zeros(1, dtype=np.int64)
     start = _released(one, release) if release else 0.0
-    samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, np.zeros((1, 4)))
+    samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, events)
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
     for side, coordinate in enumerate(one.sides):
@@ -212,7 +257,20 @@ def trace(
             sign * coordinate.rotation(y[here]),
             sign * coordinate.velocity(y[here], v[here]),
         )
-    return Trace(_frozen(motion.time[:samples]), _frozen(rotation), _frozen(velocity))
+    traced = Trace(_frozen(motion.time[:samples]), _frozen(rotation), _frozen(velocity))
+    return traced, _events(events[1 : 1 + int(events[0, 0])], one)
+
+
+def _events(happened: FloatArray, one: Packed) -> Events:
+    """Return the uplifts and impacts among the events of the kernel [n, 4]."""
+    time, kind, value, on = happened[happened[:, columns.KIND] != columns.PEAK].T
+    velocity = np.zeros(time.size)
+    for side, coordinate in enumerate(one.sides):
+        here = (on == side) & (kind == columns.IMPACT)
+        velocity[here] = (1.0 - 2.0 * side) * coordinate.turn * value[here]
+    return Events(
+        _frozen(time.copy()), _frozen(kind == columns.IMPACT), _frozen(velocity), _frozen(on.astype(np.int64))
+    )
 
 
 def free_rocking(

@@ -91,6 +91,33 @@ TEXTS: Mapping[str, str] = {
     "there now: those were kept, and the unfinished output is in {place}",
     "results-changed": "these results have been changed since the program wrote them, so their numbers cannot be "
     "trusted; run the project again",
+    # automatic controls
+    "control-reactions": "sums over the whole mechanism as rocking about {hinge} starts, at {multiplier}",
+    "control-without-hinges": "not made: the mechanism is given by its rocking parameters, without faces at its hinges",
+    "control-energy-of-masses": "record {record} at {level}: energies from masses, heights and speeds, with the loss "
+    "at {impacts} impacts",
+    "control-energy-of-table": "record {record} at {level}: energies from the capacity curve, as joints deform, "
+    "forces end or the equation is linearised, with the loss at {impacts} impacts",
+    "control-free-rocking": "no history at the site's level rocks: free rocking from half the overturning rotation "
+    "to the first impact",
+    "control-no-impact": "not made: released at half its overturning rotation, the mechanism does not come back",
+    "control-moments": "by moments about the hinges, from masses and lever arms, as rocking about {hinge} starts",
+    "control-rigid-moments": "the largest multiplier on joints that deform or crush is {lower} below that of rigid "
+    "hinges, by moments: the resultant lies inside the edge; the two need not agree",
+    "control-coarser": "record {record} at {level}, again with half the rotations in the table and {factor} times "
+    "the error allowed in a step",
+    "control-coarser-table": "no history at the site's level rocks: from half the rotations in the table",
+    "control-without-table": "not made: the linearised equation has no table, and its steps have no error",
+    "control-not-in-equilibrium": "automatic control failed: the reactions differ from weights, loads and inertia by "
+    "{difference} of the weight ({tolerance} allowed); do not use the results of this mechanism until the cause is "
+    "found",
+    "control-energy-lost": "automatic control failed: the energy balance is off by {difference} of the largest "
+    "energy ({tolerance} allowed); do not use the histories of this mechanism until the cause is found",
+    "control-other-multiplier": "automatic control failed: the uplift multiplier differs by {difference} from that "
+    "by moments about the hinges ({tolerance} allowed); do not use the results of this mechanism until the cause is "
+    "found",
+    "control-not-converged": "automatic control failed: the response changes by {difference} with a coarser table "
+    "and coarser steps ({tolerance} allowed): it is sensitive to small differences; judge by the whole suite",
     # directions
     "direction-weaker": "the mechanism is clearly weaker towards {direction} than in the direction given: "
     "multiplier {weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",

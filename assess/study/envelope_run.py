@@ -8,7 +8,8 @@ from functools import partial
 
 from assess.amplification.floor_motion import pulse_factor
 from assess.results import SCHEMA_VERSION, Results
-from assess.results.stamp import stamp, this_program
+from assess.results.program import describe_program
+from assess.results.stamp import stamp
 from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes
 from assess.study.motions import motions_of
 from assess.study.parameters import parameters
@@ -45,7 +46,7 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Res
     progress("primary pulses", 0, 1)
     motions = () if study.spectrum is None else motions_of(replace(study, artificial=None), study.spectrum)
     records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
-    program = this_program()
+    program = describe_program()
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,

@@ -8,9 +8,12 @@ from dataclasses import replace
 from assess.codes.verdict import Question, Verdict
 from assess.errors import ProjectError
 from assess.results import SCHEMA_VERSION, MechanismResult, Results
-from assess.results.stamp import stamp, this_program
+from assess.results.program import describe_program
+from assess.results.stamp import stamp
 from assess.study.case_severity import controlling_cases
 from assess.study.coarse_records import coarse_record_messages
+from assess.study.controls.all_controls import controls_of
+from assess.study.controls.outcome import warnings_of
 from assess.study.envelope_run import envelope_cases
 from assess.study.envelopes import critical_result, map_envelopes
 from assess.study.ground_motion import ground_motion
@@ -74,7 +77,8 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     envelopes = map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
     records = tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
-    program = this_program()
+    controls = controls_of(study, controlling, motions, mechanisms, jobs=jobs)
+    program = describe_program()
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,
@@ -83,6 +87,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
             *study_messages(study, controlling),
             *suite_messages(study, motions),
             *coarse_record_messages(cases, motions),
+            *warnings_of(controls),
         ),
         project=study.resolved,
         spectrum=spectrum_result(spectrum),
@@ -95,6 +100,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),
+        controls=controls,
         report=study.report,
     )
 

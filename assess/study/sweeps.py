@@ -38,12 +38,22 @@ def assess_case(case: Case, study: Study, motions: tuple[ScaledRecord, ...], *, 
     """Assess the mechanisms of one case, under the motions of the study unless the case changes them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
-    same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
-    shared = same and spectrum is study.spectrum and case.study.records is study.records
-    moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
-    faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
+    moving = motions_of_case(case, study, motions, jobs=jobs)
+    faults = study.suite_faults if moving is motions else suite_faults(case.study, spectrum, moving)
     judged = replace(case.study, suite_faults=faults)
     done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=silent)
     found = decide(judged, done)
     each = zip(done, found.mechanisms, strict=True)
     return tuple(CaseResult(mark_result(found, judged.question, result), one) for result, one in each)
+
+
+def motions_of_case(
+    case: Case, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
+) -> tuple[ScaledRecord, ...]:
+    """Return the motions of the study itself, or those of a case that changes them or the site."""
+    of = case.study
+    assert of.spectrum is not None  # no number takes the site away
+    same = all(getattr(of, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
+    if same and of.spectrum is study.spectrum and of.records is study.records:
+        return motions
+    return motions_of(of, of.spectrum, jobs=jobs)

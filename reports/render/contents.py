@@ -11,9 +11,8 @@ from reportlab.platypus import Flowable
 from reportlab.platypus import Table as Grid
 
 from reports.figures.style import INK
-from reports.language.lettering import truncate
 from reports.render.page import DeferredCanvas, Heading
-from reports.render.typeset import STYLES, width_of
+from reports.render.typeset import STYLES, fitted, width_of
 
 COLUMN = 10  # lines up to which they stand in one column
 _STYLE, _INDENT = "contents", 9.0
@@ -37,7 +36,7 @@ class Entry(Flowable):
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
         _set(canvas)
         indent = _INDENT if self.heading.level else 0.0
-        text = _fitted(self.heading.short, self.width - indent - 3 * _INDENT)
+        text = fitted(self.heading.short, self.width - indent - 3 * _INDENT, _STYLE)
         canvas.drawString(indent, self.height - STYLES[_STYLE].fontSize, text)
         canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.height), relative=1)
         self.free = self.width - indent - width_of(text, _STYLE)
@@ -66,15 +65,6 @@ def contents(headings: Sequence[Heading], numbers: Mapping[str, int], width: flo
 def _set(canvas: Canvas) -> None:
     canvas.setFont(STYLES[_STYLE].fontName, STYLES[_STYLE].fontSize)
     canvas.setFillColor(HexColor(INK))
-
-
-def _fitted(text: str, width: float) -> str:
-    """Return a text shortened to a width [pt]."""
-    while width_of(text, _STYLE) > width:
-        text = truncate(text, max(1, int(len(text) * min(0.97, width / width_of(text, _STYLE)))))
-        if len(text) == 1:
-            break
-    return text
 
 
 _TIGHT = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]

@@ -19,12 +19,13 @@ from reports.language.lettering import truncate
 from reports.language.locale import Locale
 from reports.language.texts import count, say
 from reports.render.frame_words import origin
-from reports.render.typeset import REGULAR, STYLES, markup
+from reports.render.typeset import REGULAR, STYLES, fitted, markup, width_of
 
 PAPER = {"A4": A4, "letter": LETTER}
 _SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
 _HEAD, _FOOT = 5 * mm, 10 * mm  # of the running head above the text, of the foot above the edge
-_TITLE_HEAD, _RUNNING_HEAD, _LONGEST = 60, 70, 90  # letters
+_LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each part of the running head
+_RUNNING_SHARE, _GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
 
 
 class DeferredCanvas(Canvas):
@@ -109,9 +110,11 @@ class Pages(BaseDocTemplate):
         canvas.saveState()
         _small(canvas)
         canvas.setStrokeColor(HexColor(GRID))
-        canvas.drawString(left, head, truncate(printable(text(document.title)), _TITLE_HEAD))
-        running = " · ".join(truncate(each, _RUNNING_HEAD // 2) for each in map(text, document.running) if each)
-        canvas.drawRightString(right, head, truncate(printable(running), _RUNNING_HEAD))
+        said = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
+        running = fitted(" · ".join(said), _RUNNING_SHARE * self.width, "running")
+        room = self.width - width_of(running, "running") - _GAP
+        canvas.drawString(left, head, fitted(printable(text(document.title)), room, "running"))
+        canvas.drawRightString(right, head, running)
         canvas.line(left, head - 3.5, right, head - 3.5)
         canvas.drawString(left, _FOOT, truncate(printable(text(origin(document))), _LONGEST))
         canvas.later(f"number-{page}", lambda canvas: self._number(canvas, page))
@@ -125,5 +128,5 @@ class Pages(BaseDocTemplate):
 
 
 def _small(canvas: Canvas) -> None:
-    canvas.setFont(REGULAR, 7)
+    canvas.setFont(STYLES["running"].fontName, STYLES["running"].fontSize)
     canvas.setFillColor(HexColor(MUTED))

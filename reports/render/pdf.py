@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from pathlib import Path
 
 from reportlab import rl_config
-from reportlab.lib.colors import HexColor
 from reportlab.lib.units import mm
-from reportlab.platypus import CondPageBreak, Flowable, KeepTogether, Spacer
+from reportlab.platypus import Flowable, Spacer
 from reportlab.platypus import Table as Grid
 
 from reports.document import (
@@ -19,16 +19,16 @@ from reports.document import (
     Figure,
     Photograph,
     Row,
-    Section,
     Sheet,
     Signatures,
     Table,
     Writing,
 )
-from reports.figures.style import GRID
 from reports.language.lettering import truncate
 from reports.language.locale import Locale
+from reports.language.texts import Verbatim
 from reports.render.contents import contents
+from reports.render.flow import PageStart, Part
 from reports.render.frame_words import CONTENTS
 from reports.render.page import DeferredCanvas, Heading, Pages
 from reports.render.pdf_blocks import Blocks, photograph
@@ -39,8 +39,7 @@ rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the siz
 
 _LONGEST_TITLE, _LONGEST_FACT = 120, 160
 _LOGO = (42 * mm, 18 * mm)
-_ROOM = 32 * mm  # that a heading, a table or a sheet begins in, or the page breaks
-_USED = 0.75  # share of a page that must be left for a section not to begin a new one
+_OPENING = 2  # chapters before the contents
 _SHORT = 8  # rows of a table that stays on one page
 _WHOLE = (Figure, Row, Photograph, Facts, Writing, Signatures, Banner)
 
@@ -51,44 +50,42 @@ class Story:
     def __init__(self, document: Document, locale: Locale, drawings: Mapping[str, FigureMarks], pages: Pages) -> None:
         self.document, self.locale, self.pages = document, locale, pages
         self.blocks = Blocks(locale, drawings, pages.width, pages.height)
+        chapters = [place for place, section in enumerate(document.sections) if section.level == 0]
+        self.opening = chapters[_OPENING] if len(chapters) > _OPENING else 0  # sections before the contents
         self.headings = [Heading(each, locale, f"section-{n}") for n, each in enumerate(document.sections)]
 
     def flowables(self) -> Iterator[Flowable]:
         """Yield the title block, two sections, the contents and the other sections."""
         yield from self._title()
-        held: list[Flowable] = []  # headings without blocks, which stay with the next one
-        for place, (section, heading) in enumerate(zip(self.document.sections, self.headings, strict=True)):
-            if place == 2:
-                yield from self._contents()
-            if section.starts_page and place > 0:
-                yield CondPageBreak(_USED * self.pages.height)
-            held.append(heading)
-            if section.blocks:
-                yield from self._section(section, held)
+        sections = self.document.sections
+        starts = [place for place, section in enumerate(sections) if place > 0 and section.starts_page]
+        for first, end in pairwise([0, *starts, len(sections)]):
+            before = len(self.blocks.placed)
+            parts = list(self._parts(first, end))
+            if first:
+                yield PageStart(self.pages.height, parts, self.blocks.placed[before:])
+            for part in parts:
+                yield from part.placed()
+
+    def _parts(self, first: int, end: int) -> Iterator[Part]:
+        """Yield the parts of sections; headings without blocks stay with the next one."""
+        held: list[Flowable] = []
+        for place in range(first, end):
+            section = self.document.sections[place]
+            held.append(self.headings[place])
+            for block in section.blocks:
+                yield Part(
+                    [*held, *self.blocks.of(block)], _is_whole(block), bool(held) or isinstance(block, Table | Sheet)
+                )
                 held = []
-        yield from held
+            if place + 1 == self.opening:
+                yield self._contents()
+        if held:
+            yield Part(held)
 
-    def _section(self, section: Section, headings: list[Flowable]) -> Iterator[Flowable]:
-        """Yield headings and blocks; what is whole, such as a figure, stays on one page with the headings above it."""
-        first, *others = section.blocks
-        made = self.blocks.of(first)
-        if _is_whole(first):
-            yield KeepTogether([*headings, *made])
-        else:
-            yield CondPageBreak(_ROOM)
-            yield from (*headings, *made)
-        for block in others:
-            made = self.blocks.of(block)
-            if _is_whole(block):
-                yield KeepTogether(made)
-            else:
-                if isinstance(block, Table | Sheet):
-                    yield CondPageBreak(_ROOM)
-                yield from made
-
-    def _contents(self) -> Iterator[Flowable]:
+    def _contents(self) -> Part:
         listed = contents(self.headings, self.pages.numbers, self.pages.width)
-        yield KeepTogether([paragraph(self.locale.text(CONTENTS), "heading-1"), listed, Spacer(1, 6)])
+        return Part([paragraph(self.locale.text(CONTENTS), "heading-1"), listed, Spacer(1, 6)], is_whole=True)
 
     def _title(self) -> Iterator[Flowable]:
         text, logo = self.locale.text, self.document.logo
@@ -104,12 +101,8 @@ class Story:
             yield head
         else:
             yield from titles
-        pairs = [(text(label), truncate(text(said), _LONGEST_FACT)) for label, said in self.document.facts]
-        if pairs:
-            facts = [[paragraph(label, "muted"), paragraph(said, "cell")] for label, said in pairs]
-            grid = Grid(facts, colWidths=[0.17 * width, 0.83 * width], hAlign="LEFT", spaceAfter=5)
-            grid.setStyle([("LINEABOVE", (0, 0), (-1, 0), 0.6, HexColor(GRID)), *_TIGHT])
-            yield grid
+        facts = [(label, Verbatim(truncate(text(said), _LONGEST_FACT))) for label, said in self.document.facts]
+        yield from self.blocks.of(Facts(tuple(facts)))
 
 
 def _is_whole(block: Block) -> bool:

@@ -45,7 +45,7 @@ _PHOTOGRAPH = 95 * mm  # height of a photograph at most
 _PIXEL = 72 / 150  # of a photograph [pt]
 _GAP = 8.0  # between figures side by side [pt]
 _LONGEST_CAPTION, _LONGEST_NAME = 500, 60
-_FACT_LABEL = 0.19  # share of the width
+_LONG = 120  # letters: a longer text is not measured
 _VERDICT_MARGINS = 18.0  # of the left cell of the banner [pt]
 
 
@@ -55,6 +55,7 @@ class Drawing(Flowable):
     def __init__(self, drawings: Mapping[str, FigureMarks], name: str, room: tuple[float, float]) -> None:
         super().__init__()
         self.drawings, self.name, self.room = drawings, name, room
+        self.reduction = 1.0  # besides, for a page to have room for all that belongs on it
         self.hAlign = "CENTER"
 
     @property
@@ -65,7 +66,7 @@ class Drawing(Flowable):
     @property
     def factor(self) -> float:
         """The factor by which it is reduced to fit."""
-        return min(1.0, self.room[0] / self.figure.width, self.room[1] / self.figure.height)
+        return self.reduction * min(1.0, self.room[0] / self.figure.width, self.room[1] / self.figure.height)
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
         return self.figure.width * self.factor, self.figure.height * self.factor
@@ -76,11 +77,16 @@ class Drawing(Flowable):
 
 
 class Blocks:
-    """Makes flowables of blocks. width, height: of the text on a page [pt]."""
+    """Makes flowables of blocks.
+
+    width, height : of the text on a page [pt]
+    placed : the figures made so far
+    """
 
     def __init__(self, locale: Locale, drawings: Mapping[str, FigureMarks], width: float, height: float) -> None:
         self.locale, self.drawings, self.width, self.height = locale, drawings, width, height
         self.text = locale.text
+        self.placed: list[Drawing] = []
 
     @singledispatchmethod
     def of(self, block: Block) -> list[Flowable]:
@@ -168,21 +174,21 @@ class Blocks:
         return captioned(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
 
     def _figure(self, block: Figure, room: tuple[float, float]) -> list[Flowable]:
-        return [Drawing(self.drawings, block.name, room), self._caption("Figure", block.name, block.caption)]
+        drawing = Drawing(self.drawings, block.name, room)
+        self.placed.append(drawing)
+        return [drawing, self._caption("Figure", block.name, block.caption)]
 
     def _facts(self, pairs: Sequence[tuple[Text, Text]]) -> Flowable:
         """Return the facts in two columns, or in twice two where all are short."""
         written = [(self.text(label), self.text(said)) for label, said in pairs]
-        half, label = self.width / 2, _FACT_LABEL * self.width
-        widest = max(
-            max(2 * width_of(name[:60], "cell") - half, width_of(said[:120], "cell")) for name, said in written
-        )
-        twice = len(written) > 3 and widest < half - label - 12
+        label = min(0.3 * self.width, 8 + max(width_of(name[:_LONG], "muted") for name, _ in written))
+        widest = 8 + max(width_of(said[:_LONG], "cell") for _, said in written)
+        twice = len(written) > 3 and label + widest < self.width / 2
         high = ceil(len(written) / 2) if twice else len(written)
         cells = [[paragraph(name, "muted"), paragraph(said, "cell")] for name, said in written]
         blank: list[Paragraph] = [paragraph("", "cell")] * 2
         rows = [[*cells[k], *([*cells, blank][k + high] if twice else [])] for k in range(high)]
-        widths = [label, half - label] * 2 if twice else [label, self.width - label]
+        widths = [label, self.width / 2 - label] * 2 if twice else [label, self.width - label]
         grid = Grid(rows, colWidths=widths, hAlign="LEFT", spaceAfter=6, splitInRow=1)
         grid.setStyle([*_BARE, ("BOTTOMPADDING", (0, 0), (-1, -1), 2), ("VALIGN", (0, 0), (-1, -1), "TOP")])
         grid.setStyle([("RIGHTPADDING", (0, 0), (-1, -1), 6)])

@@ -41,7 +41,7 @@ def table_grid(table: Table, locale: Locale, width: float) -> LongTable:
     rows = [_letters(table, row, locale) for row in table.rows]
     right = [is_numeric(tuple(row[place] for row in table.rows)) for place in range(len(table.columns))]
     heads = [printable(locale.heading(column.label, column.dimension)) for column in table.columns]
-    widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}cell")
+    widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}head")
     styles = [f"{prefix}{'number' if each else 'cell'}" for each in right]
     made: list[list[Any]] = [
         [paragraph(head, f"{prefix}head{'-number' if each else ''}") for head, each in zip(heads, right, strict=True)]
@@ -65,7 +65,7 @@ def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width:
 
     Parameters
     ----------
-    rows : texts, the heads first
+    rows : texts, the heads first, which may be folded
     shares : of the width, 0 for a column that shares what is left
     width : of the table at most [pt]
     style : of the letters
@@ -73,12 +73,10 @@ def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width:
     free = [place for place, share in enumerate(shares) if not share]
     given = [share * width / max(1.0, sum(shares)) for share in shares]
     left = width - sum(given)
-    texts = [[row[place] for row in rows] for place in free]
-    wanted = [min(_WIDEST * width, max(map(_line_width(style), column))) + 2 * _PADDING + 1 for column in texts]
-    least = [
-        min(want, max(map(_word_width(style), column)) + 2 * _PADDING + 1)
-        for want, column in zip(wanted, texts, strict=True)
-    ]
+    words = [max(map(_word_width(style), (row[place] for row in rows))) for place in free]
+    lines = [max(map(_line_width(style), (row[place] for row in rows[1:])), default=0.0) for place in free]
+    least = [word + 2 * _PADDING + 1 for word in words]
+    wanted = [max(low, min(_WIDEST * width, line + 2 * _PADDING + 1)) for low, line in zip(least, lines, strict=True)]
     for place, found in zip(free, _shared(wanted, least, left, fills=len(free) < len(shares)), strict=True):
         given[place] = found
     return given
@@ -86,13 +84,22 @@ def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width:
 
 def _shared(wanted: Sequence[float], least: Sequence[float], left: float, *, fills: bool) -> list[float]:
     """Return what each column gets of the width that is `left`: what it wants, or at least its longest word."""
-    total, bottom = sum(wanted), sum(least)
-    if total <= left:
-        return [want * min(left / total, left if fills else _LOOSEST) for want in wanted]
-    if bottom >= left:
-        return [left * each / bottom for each in least]
-    factor = (left - bottom) / (total - bottom)
-    return [low + factor * (want - low) for want, low in zip(wanted, least, strict=True)]
+    if sum(wanted) <= left:
+        return [want * min(left / sum(wanted), left if fills else _LOOSEST) for want in wanted]
+    if sum(least) <= left:
+        return _filled(least, wanted, left)
+    return _filled([0.0] * len(least), least, left)
+
+
+def _filled(floor: Sequence[float], wanted: Sequence[float], left: float) -> list[float]:
+    """Return widths from `floor` up to what is `wanted`, the same more for each until nothing is left."""
+    widths, open_ = list(floor), set(range(len(floor)))
+    while open_ and left - sum(widths) > 1e-6:
+        share = (left - sum(widths)) / len(open_)
+        for place in tuple(open_):
+            widths[place] = min(wanted[place], widths[place] + share)
+        open_ = {place for place in open_ if widths[place] < wanted[place]}
+    return widths
 
 
 def _line_width(style: str) -> Any:
@@ -101,7 +108,7 @@ def _line_width(style: str) -> Any:
 
 
 def _word_width(style: str) -> Any:
-    return lambda text: min(_LEAST, max((width_of(word, style) for word in text[:_LONG].split()), default=0.0))
+    return lambda text: min(_LEAST, max((width_of(word, style) for word in text[:_LONG].split(" ")), default=0.0))
 
 
 def _letters(table: Table, row: tuple[Cell, ...], locale: Locale) -> list[str]:
@@ -123,7 +130,7 @@ def _coloured(style: str, colour: str) -> Any:
 
 
 def _step(row: SheetRow) -> list[Any]:
-    style = STYLES["cell"]
+    style = STYLES["formula"]
     clause = f'<br/><font color="{MUTED}">{markup(row.clause)}</font>' if row.clause else ""
     numbers = f"<br/>= {formula(row.numbers)}" if row.numbers else ""
     beside = f"<br/>({markup(row.beside)})" if row.beside else ""

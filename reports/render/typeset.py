@@ -15,6 +15,7 @@ from reportlab.platypus import Paragraph
 
 from reports.figures.font import font_file, printable
 from reports.figures.style import INK, MUTED, PAPER
+from reports.language.lettering import truncate
 from reports.render.sheet_rows import marked_formula
 
 REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
@@ -45,6 +46,7 @@ STYLES: Mapping[str, ParagraphStyle] = {
     "contents": ParagraphStyle("contents", _ROOT, fontSize=8, leading=10.4),
     "caption": ParagraphStyle("caption", _CELL, spaceBefore=2, spaceAfter=3),
     "cell": _CELL,
+    "formula": ParagraphStyle("formula", _CELL, leading=10.6),
     "head": ParagraphStyle("head", _CELL, fontName=BOLD),
     "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
     "head-number": ParagraphStyle("head-number", _CELL, fontName=BOLD, alignment=TA_RIGHT),
@@ -52,6 +54,7 @@ STYLES: Mapping[str, ParagraphStyle] = {
     "small-head": ParagraphStyle("small-head", _SMALL, fontName=BOLD),
     "small-number": ParagraphStyle("small-number", _SMALL, alignment=TA_RIGHT),
     "small-head-number": ParagraphStyle("small-head-number", _SMALL, fontName=BOLD, alignment=TA_RIGHT),
+    "running": ParagraphStyle("running", _ROOT, fontSize=7, leading=9),
     "muted": ParagraphStyle("muted", _CELL, textColor=HexColor(MUTED)),
 }
 
@@ -85,6 +88,16 @@ def captioned(title: str, caption: str, style: str = "caption") -> Paragraph:
 def formula(text: str) -> str:
     """Return a formula as reportlab markup, with its indices and powers."""
     return marked_formula(markup(text), power="super")
+
+
+def fitted(text: str, width: float, style: str) -> str:
+    """Return a text cut to a width [pt], with an ellipsis at its end."""
+    if width_of(text, style) <= width:
+        return text
+    short = truncate(text, int(width / STYLES[style].fontSize * 4))  # no letter is narrower than a quarter of its size
+    while len(short) > 1 and width_of(short, style) > width:
+        short = truncate(short, len(short) - 1)
+    return short
 
 
 @lru_cache(maxsize=8192)

@@ -1,0 +1,80 @@
+"""How the parts of a document share out the pages: what stays together, where a page begins, what is made to fit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+from reportlab.lib.units import mm
+from reportlab.platypus import CondPageBreak, Flowable, KeepTogether
+
+from reports.render.pdf_blocks import Drawing
+
+ROOM = 32 * mm
+"""What a heading, a table or a sheet begins in, or else on the next page."""
+_LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
+_SMALLEST = 0.75  # reduction of figures
+
+
+@dataclass(frozen=True)
+class Part:
+    """Flowables that follow each other.
+
+    is_whole : on one page
+    needs_room : begins where there is `ROOM`
+    """
+
+    flowables: list[Flowable]
+    is_whole: bool = False
+    needs_room: bool = False
+
+    def placed(self) -> Iterator[Flowable]:
+        """Yield what the part puts into the story."""
+        if self.is_whole:
+            yield KeepTogether(self.flowables)
+            return
+        if self.needs_room:
+            yield CondPageBreak(ROOM)
+        yield from self.flowables
+
+
+class PageStart(CondPageBreak):
+    """Begins a page, unless this one is nearly empty.
+
+    Where the parts after it need a little more than the page, their figures are reduced until it has room for all.
+    """
+
+    def __init__(self, page: float, parts: Sequence[Part], drawings: Sequence[Drawing]) -> None:
+        super().__init__(_LEFT * page)
+        self.page, self.drawings = page, drawings
+        self.flowables = list(chain.from_iterable(part.flowables for part in parts))
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        if self.drawings:
+            self._reduce(aW, self.page if aH < self.height else aH)
+        width, height = super().wrap(aW, aH)
+        return float(width), float(height)
+
+    def _reduce(self, width: float, room: float) -> None:
+        whole = self._height(width, 1.0, 1.5 * room)
+        if whole <= room or whole > 1.5 * room:
+            return
+        least = self._height(width, _SMALLEST, 1.5 * room)
+        share = (room - least) / (whole - least) if least <= room and least < whole else 1.0
+        self._set(_SMALLEST + (1 - _SMALLEST) * share)
+
+    def _height(self, width: float, reduction: float, limit: float) -> float:
+        """Return the height of all parts [pt] with figures so reduced; some value beyond `limit` where it is higher."""
+        self._set(reduction)
+        height = space = 0.0
+        for flowable in self.flowables:
+            height += flowable.wrap(width, limit)[1] + max(space, flowable.getSpaceBefore())
+            space = flowable.getSpaceAfter()
+            if height > limit:
+                break
+        return height
+
+    def _set(self, reduction: float) -> None:
+        for drawing in self.drawings:
+            drawing.reduction = reduction

@@ -18,6 +18,7 @@ SIZE = 6.5  # of the letters [pt]
 MARK = 4.0  # half the width of what is drawn at a point [pt]
 DISTANCES = (7.0, 13.0, 22.0, 34.0, 48.0)  # from a point to its name [pt]
 WAYS = ((1, 1), (-1, 1), (1, -1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
+PAD = 2.0  # between the letters of a name and its box [pt]
 LED = 20.0  # a name farther off than this has a line to its point [pt]
 
 
@@ -49,6 +50,27 @@ def write(
             fontsize=SIZE,
             annotation_clip=False,
             arrowprops=leader if max(abs(x), abs(y)) > LED else None,
+        )
+
+
+def write_tags(axes: Axes, labels: Sequence[Label], *, window: tuple[float, float]) -> None:
+    """Write each label in a white box over its point, or beside it with a line where another box is there already."""
+    taken: list[Box] = []
+    for label in labels:
+        (x, y), (wide, high) = label.at, extent(label.text)
+        wide, high = wide + 2 * PAD, high + 2 * PAD
+        over = ((-0.5 * wide, -0.5 * high), (x - 0.5 * wide, y - 0.5 * high, x + 0.5 * wide, y + 0.5 * high))
+        choices = [over, *candidates(label, (wide, high))]
+        costs = [cost(box, taken, window) + 0.1 * place for place, (_, box) in enumerate(choices)]
+        (left, low), box = choices[costs.index(min(costs))]
+        taken.append(box)
+        middle = (x + left + 0.5 * wide, y + low + 0.5 * high)
+        if box is not over[1]:
+            axes.plot([x, middle[0]], [y, middle[1]], color=INK, linewidth=0.5, zorder=6)
+            axes.plot([x], [y], "o", color=INK, markersize=1.8, zorder=6)
+        frame = {"boxstyle": "round,pad=0.18", "facecolor": "white", "edgecolor": label.colour, "linewidth": 0.5}
+        axes.text(
+            *middle, label.text, ha="center", va="center", fontsize=SIZE, color=label.colour, bbox=frame, zorder=7
         )
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, sin
+from math import atan2
 
 import numpy as np
 
 from assess.results import View
 from reports.document import Model, Part, Place, Wire
+from reports.figures.projection import RAISED, eye_of
 from reports.figures.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, label
-from reports.figures.view import BEYOND, RAISED, SHARP, SHARP_IN_SCANS, TURNED, direction_arrow, extend_line
+from reports.figures.view import BEYOND, SHARP, SHARP_IN_SCANS, direction_arrow, extend_line
 
 
 def model_of_view(view: View, *, positive: int) -> Model:
@@ -23,8 +24,8 @@ def model_of_view(view: View, *, positive: int) -> Model:
         wires.append(Wire(ends, colour, label(axis.name, 14), dashed=place >= positive))
     wires.append(Wire(_places(arrow), INK, arrow=True))
     sharp = SHARP if len(view.triangles) == view.given else SHARP_IN_SCANS
-    level = sin(TURNED) * along - cos(TURNED) * np.array([-along[1], along[0], 0.0])
-    eye = (atan2(float(level[1]), float(level[0])), RAISED)
+    towards = eye_of(along)[2]
+    eye = (atan2(float(towards[1]), float(towards[0])), RAISED)
     return Model(view.vertices, _parts(view), tuple(wires), STONE_EDGE, sharp, eye)
 
 

@@ -136,7 +136,7 @@ def add_panel(figure: Figure, column: int, layout: Layout, window: Window, metre
     axes.set(xlim=(middle - across, middle + across), ylim=(level - up, level + up))
     axes.grid(visible=False)
     for axis, steps in ((axes.xaxis, 3), (axes.yaxis, 6)):
-        low, top = axis.get_view_interval() / metres.unit.size
+        low, top = (float(end) / metres.unit.size for end in axis.get_view_interval())
         ticks = [each for each in MaxNLocator(steps, steps=[1, 2, 5, 10]).tick_values(low, top) if low <= each <= top]
         names = [metres.locale.number(each, figures=3) for each in ticks]
         axis.set_ticks([each * metres.unit.size for each in ticks], labels=names)

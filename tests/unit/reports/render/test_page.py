@@ -6,8 +6,9 @@ import json
 import os
 import shutil
 from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -23,12 +24,10 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
 
-from reports.document import Column, Document, Figure, Model, Part, Section, Table, Text, Wire
-from reports.figures.style import bare_sheet, report_style
-from reports.render.html import write_html
-from reports.render.processes import processes
-from reports.render.svg import picture
-from reports.render.vector import trace_figures
+from reports.document import NOTHING, Document, Figure, Model, Part, Section, Wire
+from reports.language.texts import Verbatim
+from tests.support.sample_document import HOSTILE, box, draw_sample, sample_document
+from tests.support.sample_page import write_page
 
 DRIVER = shutil.which("chromedriver")
 pytestmark = pytest.mark.skipif(DRIVER is None, reason="needs chromium and chromedriver: .venv/browser of the Makefile")
@@ -43,17 +42,9 @@ ALONE = (
     "disable-sync",
     "window-size=1280,900",
 )
-HOSTILE = (
-    "<script>document.title = 'run'</script>",
-    "</script><img src=x onerror=alert(1)>",
-    '"><b>bold</b> &amp; $title',
-    "=cmd|'/c calc'!A0",
-    "../../etc/passwd",
-    "right \u202e to left",
-    "x" * 10_000,
-)
 SCRIPT = "const s = document.createElement('script'); s.text = 'window.ran = 1'; document.body.append(s)"
 RED, BLUE = (255, 0, 0), (0, 0, 255)
+PHONE, DESK = 390, 1400  # width of the window [px]
 
 
 @pytest.fixture(scope="module")
@@ -68,6 +59,34 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
     driver.quit()
 
 
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_page(sample_document(), tmp_path_factory.mktemp("html") / "report.html")
+
+
+@contextmanager
+def resized(driver: webdriver.Chrome, width: int) -> Iterator[None]:
+    """The window at this width, that of a phone as one that is touched."""
+    size = {"width": width, "height": 844, "deviceScaleFactor": 1, "mobile": width == PHONE}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        yield
+    finally:
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def laid_out(driver: webdriver.Chrome) -> None:
+    """Have every section laid out, also those out of sight."""
+    driver.execute_script(
+        "document.querySelectorAll('main section').forEach((each) => (each.style.contentVisibility = 'visible'))"
+    )
+    two_frames(driver)
+
+
+def two_frames(driver: webdriver.Chrome) -> None:
+    driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+
+
 @pytest.fixture
 def opened(browser: webdriver.Chrome, page: Path) -> webdriver.Chrome:
     browser.get(page.as_uri())
@@ -80,7 +99,7 @@ def first(driver: webdriver.Chrome, selector: str) -> WebElement:
 
 def painted(driver: webdriver.Chrome) -> str:
     """The pixels of the canvas, once the browser has drawn what it was asked to."""
-    driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+    two_frames(driver)
     return str(driver.execute_script("return document.querySelector('canvas').toDataURL()"))
 
 
@@ -179,23 +198,11 @@ def pinch(driver: webdriver.Chrome, element: WebElement) -> None:
     actions.perform()
 
 
-def box(low: tuple[float, float, float], high: tuple[float, float, float]) -> tuple[Any, ...]:
-    """Corners and faces of a box."""
-    corners = tuple((x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2]))
-    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    return corners, tuple(face for a, b, c, d in quads for face in ((a, b, c), (a, c, d)))
-
-
-def shown(model: Model, folder: Path, *, title: str = "t", texts: tuple[str, ...] = ()) -> Path:
-    """A page of one figure with this model, and a table of the texts."""
-    with report_style():
-        drawn = bare_sheet(1.0)
-    table = Table("t", title, (Column(title),), tuple((text,) for text in texts))
-    blocks = (Figure("f", title, lambda: drawn, model), Text(texts), table)
-    document = Document(title, title, "", title, "A4", ((title, title),), (Section(title, 0, blocks),), ())
-    with processes(1, document) as pool:
-        pictures = {name: picture(drawing) for name, drawing in trace_figures(document, pool=pool).items()}
-    return write_html(document, folder / "page.html", pictures=pictures)
+def shown(model: Model, folder: Path) -> Path:
+    """A page of one figure with this model."""
+    figure = Figure("f", NOTHING, partial(draw_sample, "f"), model)
+    document = Document(NOTHING, NOTHING, "", "p", "A4", (), (Section(Verbatim("s"), 0, (figure,)),))
+    return write_page(document, folder / "page.html")
 
 
 def test_what_is_nearer_hides_what_is_behind_and_is_lit_as_it_faces(browser: webdriver.Chrome, tmp_path: Path) -> None:
@@ -232,24 +239,53 @@ def pixel(driver: webdriver.Chrome, right: float, up: float) -> list[int]:
     )
 
 
-def test_hostile_text_is_text(browser: webdriver.Chrome, tmp_path: Path) -> None:
-    corners, faces = box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
-    for place, text in enumerate(HOSTILE):
-        wire = Wire(((0, 0, 0), (1, 0, 0)), "#000000", text)
-        model = Model(corners, (Part("#ff0000", faces),), (wire,), "#000000", 0.6, (0.4, 0.4))
-        folder = tmp_path / str(place)
-        folder.mkdir()
-        browser.get_log("browser")
-        browser.get(shown(model, folder, title=text, texts=HOSTILE).as_uri())
+def test_names_of_wires_are_drawn_apart_at_their_ends(browser: webdriver.Chrome, tmp_path: Path) -> None:
+    """Two red names at one place make about twice the red of one: the second is lowered, not drawn over the first."""
+    corners, faces = box((0.0, -1.0, 0.0), (1.0, 1.0, 1.0))
+    counts = []
+    for number, names in enumerate((("M1",), ("M1", "M8"))):
+        wires = tuple(Wire(((2.0, 0.0, 1.0), (2.0, 0.0, 1.01)), "#ff0000", name) for name in names)
+        model = Model(corners, (Part("#dddddd", faces),), wires, "#6f6350", 0.6, (0.0, 0.0))
+        (tmp_path / str(number)).mkdir()
+        browser.get(shown(model, tmp_path / str(number)).as_uri())
         turning(browser)
         painted(browser)
-        expected = [text.replace("\u202e", "⟨U+202E⟩") for text in HOSTILE]
-        cells = browser.execute_script("return [...document.querySelectorAll('td')].map((cell) => cell.textContent)")
-        assert cells == expected
-        assert browser.title != "run"
-        assert browser.find_elements(By.CSS_SELECTOR, "main img, td b, main p b") == []
+        counts.append(reds(browser))
+    assert counts[0] > 30
+    assert counts[1] > 1.5 * counts[0]
+
+
+def reds(driver: webdriver.Chrome) -> int:
+    """How many pixels of the canvas are red."""
+    return int(
+        driver.execute_script(
+            "const c = document.querySelector('canvas'); let found = 0;"
+            "const all = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+            "for (let k = 0; k < all.length; k += 4) if (all[k] > 200 && all[k + 1] < 60) found++;"
+            "return found"
+        )
+    )
+
+
+@pytest.mark.parametrize("width", [PHONE, DESK])
+def test_hostile_text_is_text(browser: webdriver.Chrome, page: Path, width: int) -> None:
+    with resized(browser, width):
+        browser.get_log("browser")
+        browser.get(page.as_uri())
+        turning(browser)
+        painted(browser)
+        text = str(browser.execute_script("return document.body.textContent"))
+        written = HOSTILE.replace("\u202e", "⟨U+202E⟩").replace("\x07", "⟨U+0007⟩")
+        for tag in ("title", "client", "reference", "headline", "basis", "point", "mechanism", "listed", "name"):
+            assert f"{written} {tag}#" in text
+        for tag in ("caption-row-1", "photograph", "table", "head", "cell", "graded", "engineer", "sheet", "running"):
+            assert f"{written} {tag}#" in text
+        assert (
+            browser.find_elements(By.CSS_SELECTOR, "main td b, main p b, main dd b, main li b, main :not(b) > i") == []
+        )
+        scripts = browser.execute_script("return [...document.scripts].map((each) => each.type)")
+        assert set(scripts) == {"application/json", "module"}
         assert browser.get_log("browser") == []
-        assert wide(browser) <= 0
 
 
 def wide(driver: webdriver.Chrome) -> int:
@@ -257,20 +293,84 @@ def wide(driver: webdriver.Chrome) -> int:
     return int(driver.execute_script("const e = document.documentElement; return e.scrollWidth - e.clientWidth"))
 
 
-@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("width", [PHONE, DESK])
 def test_the_page_is_no_wider_than_the_window(browser: webdriver.Chrome, page: Path, width: int) -> None:
-    size = {"width": width, "height": 844, "deviceScaleFactor": 1, "mobile": width < 500}
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
-    try:
+    with resized(browser, width):
         browser.get(page.as_uri())
         assert browser.execute_script("return innerWidth") == width
+        laid_out(browser)
         assert wide(browser) <= 0
         turning(browser)
         assert wide(browser) <= 0
         buttons = browser.find_elements(By.CSS_SELECTOR, "dialog button")
         assert all(button.rect["x"] + button.rect["width"] <= width for button in buttons)
-    finally:
-        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+@pytest.mark.parametrize("width", [PHONE, DESK])
+def test_the_verdict_comes_before_the_contents(browser: webdriver.Chrome, page: Path, width: int) -> None:
+    """In the order of reading at any width; folded below it on a phone, open beside it where there is room."""
+    with resized(browser, width):
+        browser.get(page.as_uri())
+        follows = "return document.querySelector('.banner').compareDocumentPosition(document.querySelector('nav'))"
+        assert browser.execute_script(follows) == 4  # Node.DOCUMENT_POSITION_FOLLOWING
+        banner, contents = first(browser, ".banner").rect, first(browser, "nav").rect
+        link = first(browser, "nav a")
+        assert link.is_displayed() is (width == DESK)
+        if width == PHONE:
+            assert contents["y"] > banner["y"] + banner["height"]
+            first(browser, "summary").click()
+            assert link.is_displayed()
+            link.click()
+            assert not link.is_displayed()
+        else:
+            assert contents["x"] + contents["width"] < banner["x"]
+
+
+@pytest.mark.parametrize("width", [PHONE, DESK])
+def test_a_table_says_that_it_scrolls_exactly_while_there_is_more_to_see(
+    browser: webdriver.Chrome, page: Path, width: int
+) -> None:
+    with resized(browser, width):
+        browser.get(page.as_uri())
+        laid_out(browser)
+        said = []
+        for region in browser.find_elements(By.CSS_SELECTOR, ".wide"):
+            hint = browser.execute_script("return arguments[0].previousElementSibling", region)
+            wider = browser.execute_script("return arguments[0].scrollWidth > arguments[0].clientWidth", region)
+            assert hint.is_displayed() is wider
+            assert ("Scroll sideways" in (region.get_attribute("aria-label") or "")) is wider
+            assert (region.get_attribute("tabindex") == "0") is wider
+            said.append(wider)
+            if wider:
+                browser.execute_script("arguments[0].scrollLeft = 1e6", region)
+                two_frames(browser)
+                assert not hint.is_displayed()
+        assert True in said
+        assert False in said
+
+
+def test_on_a_phone_nothing_to_read_is_smaller_than_15_px(browser: webdriver.Chrome, page: Path) -> None:
+    script = (
+        "const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT), small = [];"
+        "while (walker.nextNode()) { const e = walker.currentNode.parentElement;"
+        "if (walker.currentNode.data.trim() && !e.closest('sub, sup, script')"
+        " && parseFloat(getComputedStyle(e).fontSize) < 15) small.push(walker.currentNode.data); } return small"
+    )
+    with resized(browser, PHONE):
+        browser.get(page.as_uri())
+        assert browser.execute_script(script) == []
+
+
+@pytest.mark.parametrize(("width", "columns"), [(PHONE, 1), (DESK, 2)])
+def test_figures_of_a_row_stand_side_by_side_where_there_is_room(
+    browser: webdriver.Chrome, page: Path, width: int, columns: int
+) -> None:
+    with resized(browser, width):
+        browser.get(page.as_uri())
+        laid_out(browser)
+        figures = [figure.rect for figure in browser.find_elements(By.CSS_SELECTOR, ".row figure")]
+        assert len({figure["x"] for figure in figures}) == columns
+        assert all(figure["x"] + figure["width"] <= width for figure in figures)
 
 
 def test_tables_are_sorted_by_their_numbers(opened: webdriver.Chrome) -> None:
@@ -305,3 +405,11 @@ def test_printed_it_has_no_tools(opened: webdriver.Chrome) -> None:
     assert not first(opened, ".tools").is_displayed()
     opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert len(opened.print_page(PrintOptions())) > 10_000
+
+
+def test_a_model_is_printed_as_its_drawing(opened: webdriver.Chrome) -> None:
+    opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    opened.execute_script("document.getElementById('viewer').showModal()")
+    assert not first(opened, "dialog").is_displayed()
+    assert first(opened, "figure:has(script) .picture svg").is_displayed()
+    opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})

@@ -1,0 +1,91 @@
+"""Surfaces of triangles: cut by planes, made coarser, and divided into connected bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from spectra.arrays import BoolArray, FloatArray, IntArray
+
+WELD = 6  # decimals [m] to which vertices are one
+FLAT = 1e-9  # of its plane: a vertex nearer is on it [m]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Vertices [n, 3] [m] and triangles [m, 3], anticlockwise seen from outside."""
+
+    vertices: FloatArray
+    triangles: IntArray
+
+    @property
+    def corners(self) -> FloatArray:
+        """The corners of each triangle [m, 3, 3]."""
+        return self.vertices[self.triangles]
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A plane through a point [3] with a unit normal [3]."""
+
+    point: FloatArray
+    normal: FloatArray
+
+    def heights(self, points: FloatArray) -> FloatArray:
+        """Return the distance of points [..., 3] on the side of the normal [m]."""
+        return np.asarray((points - self.point) @ self.normal)
+
+
+def plane_of(ring: FloatArray) -> Plane:
+    """Return the plane of a ring of points [k, 3], its normal upwards where it is not upright."""
+    middle = ring.mean(axis=0)
+    normal = np.linalg.svd(ring - middle)[2][2]
+    return Plane(middle, normal if normal[2] >= 0.0 else -normal)
+
+
+def weld(corners: FloatArray) -> Surface:
+    """Return the surface of loose triangles [m, 3, 3]: vertices in one place are one, triangles without area go."""
+    vertices, index = np.unique(np.round(corners.reshape(-1, 3), WELD), axis=0, return_inverse=True)
+    triangles = index.reshape(-1, 3)
+    return Surface(vertices, triangles[_has_area(triangles)])
+
+
+def coarsen(surface: Surface, cell: float) -> Surface:
+    """Return the surface with all vertices of one cell of a grid [m] moved to their mean."""
+    _, index = np.unique(np.floor(surface.vertices / cell), axis=0, return_inverse=True)
+    index = index.ravel()
+    sums = np.column_stack([np.bincount(index, weights=along) for along in surface.vertices.T])
+    triangles = index[surface.triangles]
+    return Surface(sums / np.bincount(index)[:, None], triangles[_has_area(triangles)])
+
+
+def cut(corners: FloatArray, plane: Plane) -> FloatArray:
+    """Cut triangles [m, 3, 3] by a plane: those that cross it become three each."""
+    heights = plane.heights(corners)
+    heights[np.abs(heights) < FLAT] = 0.0
+    crossed = (heights.min(axis=1) < 0.0) & (heights.max(axis=1) > 0.0)
+    whole, parts, heights = corners[~crossed], corners[crossed], heights[crossed]
+    upper = (heights > 0.0).sum(axis=1) == 1
+    alone = np.where(upper, heights.argmax(axis=1), heights.argmin(axis=1))
+    turned = (alone[:, None] + np.arange(3)) % 3
+    a, b, c = np.take_along_axis(parts, turned[..., None], axis=1).swapaxes(0, 1)
+    h, i, j = np.take_along_axis(heights, turned, axis=1).T[..., None]
+    p, q = a + (b - a) * h / (h - i), a + (c - a) * h / (h - j)
+    return np.concatenate([whole, *(np.stack(three, axis=1) for three in ((a, p, q), (p, b, c), (p, c, q)))])
+
+
+def connected(surface: Surface) -> IntArray:
+    """Return the number of the connected body that each triangle [m] belongs to."""
+    a, b, c = surface.triangles.T
+    start, end = np.concatenate([a, b]), np.concatenate([b, c])
+    size = len(surface.vertices)
+    _, body = connected_components(coo_array((np.ones(len(start)), (start, end)), shape=(size, size)), directed=False)
+    return np.asarray(body[a])
+
+
+def _has_area(triangles: IntArray) -> BoolArray:
+    a, b, c = triangles.T
+    return np.asarray((a != b) & (b != c) & (c != a))

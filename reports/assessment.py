@@ -79,6 +79,7 @@ def _main(results: Results) -> Iterator[Section]:
 def _annexes(results: Results) -> Iterator[Section]:
     """Yield what a reviewer needs to redo the calculation."""
     yield from annex_sheets.sections(results)
+    yield from sensitivity.others(results)
     yield from annex_histories.sections(results)
     yield from annex_envelopes.sections(results)
     yield from annex_suite.sections(results)

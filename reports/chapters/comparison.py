@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from math import ceil
 
 from assess.codes.check import Check
 from assess.codes.verdict import MechanismVerdict
@@ -16,6 +17,9 @@ from reports.document import Block, Cell, Column, Figure, Graded, Prose, Section
 from reports.figures import comparison as figure
 from reports.language.texts import Text, quantity, say
 from reports.titles import numbered_title, procedure_title
+
+MOST = 5
+"""Levels besides the site's own in the table; the tables of the spreadsheet have all."""
 
 
 def sections(results: Results) -> list[Section]:
@@ -57,12 +61,17 @@ def _figures(results: Results) -> Iterator[Figure]:
 
 def table(results: Results) -> Table:
     """Tabulate demand over capacity of the methods that may decide: at the site's own action and at other levels."""
-    own, others = governing.site_pga(results), governing.other_levels(results)
+    own, others = governing.site_pga(results), _some(governing.other_levels(results))
     levels = others if own is None else (own, *others)
     ratios = (Column(say("D/C at {pga}", pga=quantity(level, "ground acceleration", FIGURES))) for level in levels)
     columns = (MECHANISM, METHOD, *ratios, CAPACITY_PGA, Column(say("Over the site’s own")))
     rows = tuple(_row(results, mechanism, levels) for mechanism in results.mechanisms)
     return Table("levels", _caption(own, others), columns, rows, small=True)
+
+
+def _some(levels: tuple[float, ...]) -> tuple[float, ...]:
+    """Return as many levels as the page has room for, evenly out of all."""
+    return levels[:: ceil(len(levels) / MOST)] if levels else ()
 
 
 def _caption(own: float | None, others: tuple[float, ...]) -> Text:
@@ -86,7 +95,8 @@ def _row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]
     )
     margin = None if found is None or found.margin is None else quantity(found.margin, "ratio", FIGURES)
     title = None if known is None else procedure_title(known.procedure)
-    return (numbered_title(results, mechanism.name), title, *cells, known and known.capacity_pga_g, margin)
+    capacity = None if known is None else known.capacity_pga_g
+    return (numbered_title(results, mechanism.name), title, *cells, capacity, margin)
 
 
 def _accepted(results: Results, mechanism: MechanismResult, level: float) -> tuple[Check, ...]:

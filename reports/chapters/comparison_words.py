@@ -10,7 +10,7 @@ from assess.codes.families import FAMILIES, uses_histories
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters.check_cells import FIGURES
-from reports.language.texts import Listing, Paragraph, Phrase, Text, count, listing, names, quantity, say, say_count
+from reports.language.texts import Listing, Paragraph, Phrase, Text, count, listing, names, quantity, say
 from reports.titles import mechanism_number, numbered_title, procedure_title
 
 ABOVE = 1.000001  # times the PGA at capacity: a level that lies beyond it
@@ -18,7 +18,7 @@ MEASURES: Mapping[Family, Phrase] = {
     Family.DISPLACEMENT: say(
         "It compares the displacement capacity with the spectral displacement at a secant period."
     ),
-    Family.LINEAR: say("It compares the acceleration that starts the motion, raised by q, with the demand."),
+    Family.LINEAR: say("It compares the acceleration that starts the motion with the demand reduced by q."),
     Family.ENERGY: say("It replaces the rocking body by an oscillator of equal work with the damping of its impacts."),
     Family.PART: say(
         "It compares the rotation capacity of the wall with the spectral rotation of a part at its floor."
@@ -99,12 +99,7 @@ def _disagreements(results: Results) -> Iterator[Text]:
             yield _failing(results, procedure, mechanisms)
     passing = [procedure for procedure, mechanisms in failed.items() if not mechanisms]
     if passing:
-        yield say_count(
-            "Passed by {methods}: all of these.",
-            "Passed by {methods}: all of these.",
-            len(passing),
-            methods=listing(map(procedure_title, passing)),
-        )
+        yield say("All of these are passed by {methods}.", methods=listing(map(procedure_title, passing)))
 
 
 def _own(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:

@@ -45,7 +45,7 @@ def _shape(results: Results, mechanism: MechanismResult, stem: str) -> Iterator[
     yield Figure(f"{stem}-sketch", sketch_caption(mechanism), partial(sketch.draw, mechanism))
     if mechanism.view is not None:
         caption = say("Its place in the building; the arrow is the direction of motion.")
-        yield Figure(f"{stem}-place", caption, partial(place.draw, results, mechanism))
+        yield Figure(f"{stem}-place", caption, partial(place.draw, results, mechanism.name))
 
 
 def sketch_caption(mechanism: MechanismResult) -> Text:

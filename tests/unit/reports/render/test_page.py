@@ -25,7 +25,6 @@ from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
 
 from reports.document import NOTHING, Document, Figure, Model, Part, Section, Wire
-from reports.language.locale import Locale
 from reports.language.texts import Verbatim
 from tests.support.sample_document import HOSTILE, box, draw_sample, sample_document
 from tests.support.sample_page import write_page
@@ -372,12 +371,6 @@ def test_figures_of_a_row_stand_side_by_side_where_there_is_room(
         figures = [figure.rect for figure in browser.find_elements(By.CSS_SELECTOR, ".row figure")]
         assert len({figure["x"] for figure in figures}) == columns
         assert all(figure["x"] + figure["width"] <= width for figure in figures)
-
-
-def test_words_of_the_page_are_in_the_language_of_the_document(browser: webdriver.Chrome, tmp_path: Path) -> None:
-    browser.get(write_page(sample_document(Locale("it")), tmp_path / "it.html").as_uri())
-    assert browser.execute_script("return document.documentElement.lang") == "it"
-    assert first(browser, "summary").text == "Indice"
 
 
 def test_tables_are_sorted_by_their_numbers(opened: webdriver.Chrome) -> None:

@@ -7,24 +7,52 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from assess.results import Results
-from reports.assessment import assessment
-from reports.document import Column, Document, Section, Table
+from reports.document import NOTHING, Cell, Column, Document, Graded, Section, Table
+from reports.language.locale import Locale
+from reports.language.texts import Verbatim, quantity, say
+from reports.render.plain_cell import plain_cell
 from reports.render.spreadsheet import unique, write_xlsx
+from tests.support.sample_document import HOSTILE, sample_document
 
 
-def test_a_sheet_for_each_table_with_its_numbers(results: Results, tmp_path: Path) -> None:
-    document = assessment(results)
+def with_table(table: Table, *more: Table, title: str = "t") -> Document:
+    section = Section(Verbatim("s"), 0, (table, *more))
+    return Document(Verbatim(title), NOTHING, "", "p", "A4", (), (section,))
+
+
+def one_column(name: str, *cells: Cell, label: str = "h", dimension: str = "") -> Table:
+    return Table(name, NOTHING, (Column(Verbatim(label), dimension),), tuple((cell,) for cell in cells))
+
+
+@pytest.mark.parametrize("locale", [Locale(), Locale("it", "US")])
+def test_a_sheet_for_each_table_with_its_numbers(tmp_path: Path, locale: Locale) -> None:
+    document = sample_document(locale)
     book = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))
     assert len(book.sheetnames) == len(document.tables) + 2
-    rows = list(book["verdicts"].values)
-    table = next(table for table in document.tables if table.name == "verdicts")
-    assert rows[1] == tuple(column.heading for column in table.columns)
-    assert len(rows) == len(table.rows) + 2
-    for read, row in zip(rows[2:], table.rows, strict=True):  # the file holds 16 digits
-        assert read == tuple(
-            pytest.approx(cell, rel=1e-15) if isinstance(cell, float) else cell if cell != "" else None for cell in row
-        )
+    for table in document.tables:
+        rows = list(book[table.name].values)
+        assert len(rows) == len(table.rows) + 2
+        for read, row in zip(rows[2:], table.rows, strict=True):  # the file holds 16 digits
+            plain = [plain_cell(*each, document.writer) for each in zip(row, table.columns, strict=True)]
+            numbers = [(a, b) for a, b in zip(read, plain, strict=True) if isinstance(b, float)]
+            assert all(a == pytest.approx(b, rel=1e-15) for a, b in numbers)
+            assert len(numbers) == sum(column.dimension != "" for column in table.columns)
+
+
+def test_outcomes_are_text_in_their_colours_and_numbers_have_the_figures_of_their_column(tmp_path: Path) -> None:
+    cells: tuple[Cell, ...] = (Graded("pass", say("holds")), Graded("fail", quantity(1.31)), 12.3456)
+    book = load_workbook(write_xlsx(with_table(one_column("t", *cells)), tmp_path / "t.xlsx"))
+    holds, fails, number = (book["t"][f"A{row}"] for row in (3, 4, 5))
+    assert [cell.value for cell in (holds, fails, number)] == ["holds", 1.31, 12.3456]
+    assert holds.fill.fgColor.rgb != fails.fill.fgColor.rgb
+    assert number.number_format == "0.00"
+
+
+def test_the_sample_is_inert(tmp_path: Path) -> None:
+    book = load_workbook(write_xlsx(sample_document(), tmp_path / "t.xlsx"))
+    cells = [cell for sheet in book for row in sheet.iter_rows() for cell in row if cell.value is not None]
+    assert {cell.data_type for cell in cells} == {"s", "n", "b"}  # "f" would be a formula
+    assert any(str(cell.value).startswith(HOSTILE[:20]) and cell.quotePrefix for cell in cells)
 
 
 def test_hostile_text_is_text(tmp_path: Path) -> None:
@@ -41,8 +69,7 @@ def test_hostile_text_is_text(tmp_path: Path) -> None:
         "_x0041_",
         "http://x.y",
     )
-    table = Table("=t", "=c", (Column("=h"),), tuple((text,) for text in texts))
-    document = Document("=title", "", "", "", "A4", (), (Section("s", 0, (table,)),), ())
+    document = with_table(one_column("=t", *map(Verbatim, texts), label="=h"), title="=title")
     book = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))
     cells = [cell for sheet in book for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert {cell.data_type for cell in cells} == {"s"}
@@ -72,8 +99,7 @@ def test_sheet_names_are_valid_and_unique() -> None:
 
 @pytest.mark.parametrize("name", ["\U0001f3db" * 40, "x" + "\U0001f3db" * 40, "History"])
 def test_names_of_sheets_are_those_that_excel_takes(tmp_path: Path, name: str) -> None:
-    table = Table(name, "c", (Column("h"),), (("a",),))
-    document = Document("t", "", "", "", "A4", (), (Section("s", 0, (table, table)),), ())
+    document = with_table(one_column(name, Verbatim("a")), one_column(name, Verbatim("b")))
     names = load_workbook(write_xlsx(document, tmp_path / "t.xlsx")).sheetnames
     assert all(len(each.encode("utf-16-le")) <= 2 * 31 and each.lower() != "history" for each in names)
     assert len({each.lower() for each in names}) == 4
@@ -81,7 +107,6 @@ def test_names_of_sheets_are_those_that_excel_takes(tmp_path: Path, name: str) -
 
 @pytest.mark.parametrize("value", [float("inf"), float("-inf"), float("nan")])
 def test_numbers_that_are_not_finite_are_text(tmp_path: Path, value: float) -> None:
-    table = Table("t", "c", (Column("h", "", "number"),), ((value,),))
-    document = Document("t", "", "", "", "A4", (), (Section("s", 0, (table,)),), ())
+    document = with_table(one_column("t", value))
     cell = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))["t"]["A3"]
     assert cell.data_type == "s"

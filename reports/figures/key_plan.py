@@ -118,7 +118,8 @@ def _places(points: FloatArray) -> tuple[Place, ...]:
 def scene_points(building: Building, shown: Sequence[Moving]) -> FloatArray:
     """Return all points [k, 3] [m] of a picture with the axes of rotation of the parts shown."""
     hinges = [line for moving in shown for line in moving.hinges]
-    return np.concatenate([building.surface.vertices, *hinges])
+    used = np.unique(building.surface.triangles)
+    return np.concatenate([building.surface.vertices[used], *hinges])
 
 
 def paint_building(axes: Axes, building: Building, camera: Camera, shown: Mapping[int, Moving]) -> None:

@@ -159,7 +159,7 @@ def _coloured(style: str, colour: str) -> Any:
 def _step(row: SheetRow) -> list[Any]:
     style = STYLES["formula"]
     clause = f'<br/><font color="{MUTED}">{markup(row.clause)}</font>' if row.clause else ""
-    numbers = f"<br/>= {formula(row.numbers)}" if row.numbers else ""
+    numbers = f"<br/>{formula(row.numbers)}" if row.numbers else ""
     beside = f"<br/>({markup(row.beside)})" if row.beside else ""
     texts = (
         formula(row.symbol),

@@ -30,6 +30,7 @@ DATA = {
     "assess.errors",
     "assess.results",
     "assess.codes.check",
+    "assess.codes.checklists",
     "assess.codes.families",
     "assess.codes.verdict",
     "assess.codes.verdict.outcome",

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results
@@ -20,21 +21,24 @@ from reports.figures.style import (
     MECHANISMS,
     WIDTH,
     Pen,
+    fold,
     label,
     legend_below,
     pen,
     report_style,
     sheet,
 )
+from reports.figures.ticks import LogTicks
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say
 from reports.titles import mechanism_number, numbered_title, short_title
 from reports.variants import group_variants
 
 BEYOND = 2.5  # larger ratios are drawn at the edge [-]
-LINE, ROOM, TALLEST = 0.2, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
+LINE, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
+FAR = 30.0  # largest over smallest PGA from which on the axis is logarithmic [-]
 PANELS = 4  # levels side by side
-NAME = 26  # characters beside a row
+NAME, NAMED = 26, 38  # characters of a line beside a row, of a name in the legend
 DASHES = ("-", "--", ":", "-.")
 WIDTHS = (1.2, 2.2, 0.6)  # of lines [pt], of mechanisms that share a colour by chance
 
@@ -67,10 +71,21 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
         own = governing.site_pga(results)
         if own is not None:
             axes.axvline(own, color=FAIL, linewidth=1.0, label=locale.text(say("site’s own action")))
-        axes.set_xlim(0.0, 1.05 * max([dot.at for dot in dots], default=1.0))
+        _span(axes, [dot.at for dot in dots if dot.at > 0.0] or [1.0], locale)
         axes.set_xlabel(locale.heading(say("peak ground acceleration at capacity"), "ground acceleration"))
         _legend(figure, procedures, locale)
         return figure
+
+
+def _span(axes: Axes, values: Sequence[float], locale: Locale) -> None:
+    """Set the axis from zero, or a logarithmic one where the values are too far apart to be told on it."""
+    if max(values) <= FAR * min(values):
+        axes.set_xlim(0.0, 1.05 * max(values))
+        return
+    axes.set(xscale="log", xlim=(0.8 * min(values), 1.25 * max(values)))
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(LogTicks(locale))
 
 
 def draw_demands(results: Results, locale: Locale) -> Figure:
@@ -92,7 +107,8 @@ def draw_demands(results: Results, locale: Locale) -> Figure:
             axes.set_title(locale.text(say("PGA {level}", level=quantity(level, "ground acceleration", 3))), loc="left")
         for axes in list(panels.flat)[len(levels) :]:
             axes.set_visible(False)
-        figure.supxlabel(locale.heading(say("demand / capacity"), "ratio"), fontsize=7)
+        for axes in panels[-1]:
+            axes.set_xlabel(locale.heading(say("demand / capacity"), "ratio"))
         _legend(figure, procedures, locale)
         return figure
 
@@ -101,11 +117,11 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
     """Draw rotation over PGA by one procedure, and moment over rotation, of all mechanisms; variants share a colour."""
     pens = mechanism_pens(results)
     with report_style():
-        figure = sheet(2.35 + 0.14 * -(-len(pens) // 4), locale, width=WIDTH)
+        figure = sheet(2.35 + 0.14 * -(-len(pens) // 3), locale, width=WIDTH)
         left, right = figure.subplots(1, 2)
         procedure = curve_procedure(results)
         for mechanism in results.mechanisms:
-            name = label(locale.text(numbered_title(results, mechanism.name)), NAME)
+            name = label(locale.text(numbered_title(results, mechanism.name)), NAMED)
             _rotation(left, mechanism, procedure, pens[mechanism.name], name)
             _moment(right, results, mechanism, pens[mechanism.name])
         own = governing.site_pga(results)
@@ -119,7 +135,7 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
         right.set(xlim=(0.0, 1.0), ylim=(0.0, 1.05))
         right.set_xlabel(locale.heading(say("rotation φ / φₒᵥ of rigid joints"), "ratio"))
         right.set_ylabel(locale.heading(say("moment / largest of rigid joints"), "ratio"))
-        legend_below(figure, columns=4, axes=left)
+        legend_below(figure, columns=3, axes=left)
         return figure
 
 
@@ -189,7 +205,7 @@ def _rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale
     names = [locale.text(numbered_title(results, each.name)) for each in order]
     if LINE * len(order) > TALLEST - ROOM:
         names = [mechanism_number(results, each.name) for each in order]
-    axes.set_yticks(range(len(order)), [label(name, NAME) for name in names])
+    axes.set_yticks(range(len(order)), [fold(name, width=NAME) for name in names])
     axes.set_ylim(len(order) - 0.5, -0.5)
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")

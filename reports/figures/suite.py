@@ -33,17 +33,27 @@ def draw(results: Results, locale: Locale) -> Figure:
 
     Raises ValueError for results without a suite.
     """
-    motion = results.ground_motion
-    if motion is None:
+    if results.ground_motion is None:
         raise ValueError("these results have no suite of records")
+    return beside_target(results.ground_motion, results.records, limits(results), locale)
+
+
+def beside_target(
+    motion: GroundMotionResult,
+    records: Sequence[RecordResult],
+    rules: Sequence[RequirementResult],
+    locale: Locale,
+    *,
+    width: float = HALF,
+) -> Figure:
+    """Draw the suite; rules: limits of the ratio of its mean to the target, without any the range that was fitted."""
     with report_style():
-        figure = sheet(2.6, locale, width=HALF)
+        figure = sheet(2.6, locale, width=width)
         axes = figure.subplots()
-        rules = limits(results)
         if not rules:
             fitted = locale.text(say("range fitted"))
             axes.axvspan(motion.from_s, motion.to_s, color=GRID, alpha=0.45, linewidth=0, label=fitted)
-        _records(axes, results.records, locale)
+        _records(axes, records, locale)
         for rule in rules:
             _limit(axes, motion, rule, locale)
         _line(axes, motion, motion.target_g, INK, 1.8, locale.text(say("target")))

@@ -53,7 +53,7 @@ def direction(mechanism: MechanismResult) -> Text | None:
     angle = round(degrees(atan2(across, along)), 3)
     if angle in AXES:
         return Verbatim(AXES[int(angle)])
-    return say("{angle} from +x towards +y", angle=quantity(angle, "angle", 3))
+    return say("{angle} from +x towards +y", angle=quantity(atan2(across, along), "angle", 3))
 
 
 def _base(mechanism: MechanismResult) -> Iterator[Text]:

@@ -108,7 +108,8 @@ def representation(results: Results, mechanism: MechanismResult) -> Iterator[Tex
 
 def swept_value(value: float, unit: str) -> Text:
     """Return a value of a study in the unit in which the user wrote it."""
-    return say("{value} {unit}", value=quantity(value), unit=Verbatim("" if unit == "-" else unit))
+    shown = quantity(value)
+    return shown if unit == "-" else say("{value} {unit}", value=shown, unit=Verbatim(unit))
 
 
 def warnings(results: Results, mechanism: MechanismResult) -> tuple[Message, ...]:

@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from assess.errors import ProjectError
-from assess.examples import casa_grande, nepal_monuments, san_leonardo_spire
+from assess.examples import casa_grande, chiesa, nepal_monuments, san_leonardo_spire
 from assess.examples.surface import Surface, ply
 from assess.outputs.stage import MADE, clear, stage
 
@@ -33,6 +33,9 @@ EXAMPLES: dict[str, Example] = {
         "the same eight mechanisms with rigid and with flexible joints, by spectra", casa_grande.meshes
     ),
     "casa_grande_table": Example("the same eight mechanisms by the parameters of a published table"),
+    "chiesa": Example(
+        "a small church of our own making: six mechanisms, and the list of the 28 possible", chiesa.meshes
+    ),
     "lnec_houses": Example("brick and stone house of the LNEC shaking-table tests: six mechanisms by a table"),
     "nepal_monuments": Example(
         "columns, tower and temple in the Gorkha earthquake of 2015, the tower also from meshes",

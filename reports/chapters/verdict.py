@@ -202,7 +202,7 @@ def _owner(results: Results, where: str) -> str:
     """Return the mechanism that a key of the project file belongs to; empty for none."""
     rest = where.removeprefix("mechanisms.")
     known = [one.name for one in results.mechanisms if rest == one.name or rest.startswith(f"{one.name}.")]
-    return max(known, key=len, default="") if where.startswith("mechanisms.") else ""
+    return max(known, key=len, default="") if where.startswith("mechanisms.") or where in known else ""
 
 
 def is_shortened(points: Sequence[Text]) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import binascii
 from collections.abc import Mapping, Sequence
 from functools import singledispatchmethod
 from io import BytesIO
@@ -202,7 +201,7 @@ def photograph(block: Photograph, width: float, height: float) -> Image | None:
         with Pillow.open(BytesIO(data), formats=("PNG", "JPEG")) as picture:
             picture.load()
             across, up = picture.size
-    except (binascii.Error, OSError, SyntaxError, Pillow.DecompressionBombError):
+    except (ValueError, OSError, SyntaxError, Pillow.DecompressionBombError):
         return None
     factor = min(_PIXEL, width / across, height / up)
     return Image(BytesIO(data), width=across * factor, height=up * factor)

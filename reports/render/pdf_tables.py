@@ -22,6 +22,7 @@ INK_OF: Mapping[str, str] = {**BANNER, "comparison": MUTED}
 _PADDING = 3.0  # left and right of a cell [pt]
 _WIDEST, _LEAST = 0.5, 62.0  # share of the table that a text may ask for; width up to which words are not broken [pt]
 _LOOSEST = 1.7  # a table is stretched so many times at most to fill its line
+_DIVIDED = 260.0  # a row that has so much room and needs more is divided [pt]
 _LONG = 120  # letters: a longer text is not measured
 _SHEET_SHARES = (0.11, 0.33, 0.39, 0.17)
 _LOOK: tuple[Any, ...] = (
@@ -35,7 +36,15 @@ _LOOK: tuple[Any, ...] = (
 )
 
 
-def table_grid(table: Table, locale: Locale, width: float) -> LongTable:
+class Rows(LongTable):
+    """A table that goes on over pages; a row is divided only where it is higher than a good part of a page."""
+
+    def split(self, aW: float, aH: float) -> list[Any]:
+        self.splitInRow = int(aH > _DIVIDED)
+        return list(super().split(aW, aH))
+
+
+def table_grid(table: Table, locale: Locale, width: float) -> Rows:
     """Return a table as wide as its cells need, at most `width` [pt]; with the head again on each page."""
     prefix = "small-" if table.small else ""
     rows = [_letters(table, row, locale) for row in table.rows]
@@ -53,7 +62,7 @@ def table_grid(table: Table, locale: Locale, width: float) -> LongTable:
     return _grid(made, widths, [*_letters_look(f"{prefix}cell"), *_alignment(right), *_tints(table)])
 
 
-def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> LongTable:
+def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> Rows:
     """Return a calculation sheet, `width` [pt] wide."""
     heads = [paragraph(locale.text(head), "head") for head in SHEET_HEADS]
     rows = [_step(row) for row in sheet_rows(sheet, locale)]
@@ -160,12 +169,11 @@ def _tints(table: Table) -> Iterator[tuple[Any, ...]]:
                 yield ("BACKGROUND", (column, row), (column, row), HexColor(TINT[cell.outcome]))
 
 
-def _grid(rows: Sequence[list[Any]], widths: Sequence[float], look: Sequence[Any]) -> LongTable:
-    return LongTable(
+def _grid(rows: Sequence[list[Any]], widths: Sequence[float], look: Sequence[Any]) -> Rows:
+    return Rows(
         rows,
         colWidths=widths,
         repeatRows=1,
-        splitInRow=1,
         hAlign="LEFT",
         spaceAfter=8,
         style=[*_LOOK, *look],

@@ -115,6 +115,15 @@ procedures = ["ntc2018-linear", "sliding"]
 units = "US"
 language = "it"
 paper = "A4"
+detail = "full"
+client = "Comune"
+coordinates = [42.35, 13.15]
+date = 2024-06-14
+revisions = [{ number = 0, date = "May", description = "first", author = "A" }]
+seismic_zone = 2
+building_type = "church"
+absent = ["porch", 7]
+not_examined = { bell-cell = "no access" }
 """
 MESH = """
 [materials.stone]

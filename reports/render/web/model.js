@@ -6,7 +6,7 @@ const DARKEST = 0.62; // of its colour: a face turned away from the light
 const TURN = 0.008; // rad for a CSS pixel
 const FINER = 2; // pixels of the drawing for one of CSS, at least
 const NUDGE = 0.004; // of the bodies' size: how much nearer an edge is taken than the face it belongs to
-const BEHIND = 0.35; // opacity of a wire that begins behind a body
+const BEHIND = 0.5; // opacity of a wire that begins behind a body
 const LETTERS = 14; // height of names [CSS px]
 const FILLED = 0.86; // of the window, by the diagonal of the bodies' box
 

@@ -1,0 +1,133 @@
+"""What NTC 2018 10.2 asks of a calculation by computer: analysis, program, controls, and the engineer's judgement."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from hashlib import sha256
+
+from assess.codes.check import Check, Family
+from assess.codes.families import FAMILIES
+from assess.results import Results
+from reports.chapters import controls
+from reports.document import Block, Facts, Prose, Section, Writing
+from reports.language.texts import Paragraph, Phrase, Text, Verbatim, listing, say, say_count
+from reports.titles import procedure_title
+
+ITALIAN_BASES = ("ntc2018", "dmi2008")
+KINDS: Mapping[Family, Phrase] = {
+    Family.LINEAR: say(
+        "{methods}: static and linear. The multiplier that starts the motion is compared with the spectrum reduced by "
+        "q."
+    ),
+    Family.DISPLACEMENT: say(
+        "{methods}: static and non-linear. The capacity curve, followed up to collapse, is compared with the "
+        "displacement spectrum."
+    ),
+    Family.ENERGY: say(
+        "{methods}: static and non-linear, by an equivalent oscillator that takes the same work up to the allowable "
+        "rotation."
+    ),
+    Family.HISTORY: say(
+        "{methods}: dynamic and non-linear. The equation of motion of the rocking mechanism is integrated under each "
+        "record, with the loss of energy at each impact."
+    ),
+    Family.PART: say("{methods}: static and non-linear, as for a part of a building at its floor."),
+    Family.TABLE: say("{methods}: a tabled limit of slenderness, without analysis."),
+    Family.ELEMENT: say("{methods}: static and linear, as for a non-structural element at its floor."),
+    Family.SLIDING: say("{methods}: static, by the energy that sliding takes up."),
+    Family.FRICTION: say("{methods}: static, by equilibrium."),
+}
+"""The kind of analysis of each family of methods."""
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the chapter: analysis, program and controls, each with its own heading, and the box for the judgement."""
+    return [
+        Section(title(results), 0, (Prose(tuple(analysis(results))),)),
+        Section(say("Program"), 1, (Facts(tuple(program(results))), Prose((documents(),)))),
+        Section(say("Automatic controls"), 1, tuple(controls.blocks(results))),
+        Section(say("Judgement"), 1, tuple(_judgement())),
+    ]
+
+
+def title(results: Results) -> Text:
+    """Return the title of the chapter, with the clause that asks for it where an Italian code decides."""
+    if results.verdict is not None and results.verdict.basis in ITALIAN_BASES:
+        return say("Calculation by computer (NTC 2018, 10.2)")
+    return say("Calculation by computer")
+
+
+def analysis(results: Results) -> Iterator[Text]:
+    """Yield the kind of analysis of the methods that decide, and why it was chosen."""
+    deciding = [check for each in results.mechanisms for check in each.checks if check.role == "deciding"]
+    yield from _kinds(deciding)
+    if not deciding:
+        yield say("No method decides; the kinds of analysis for comparison are listed under Codes and methods.")
+    yield Paragraph(
+        (
+            say(
+                "Walls loaded out of their plane lose their equilibrium as nearly rigid bodies before their material "
+                "fails, and hold well beyond the action that starts the motion: this is why the mechanisms are "
+                "analysed as rocking bodies with large rotations."
+            ),
+            say(
+                "The seismic action is combined with the permanent loads of each mechanism; both directions of motion "
+                "are analysed where the mechanism can rock both ways, and the worse one counts."
+            ),
+        )
+    )
+
+
+def _kinds(checks: list[Check]) -> Iterator[Text]:
+    found: dict[Family, list[str]] = {}
+    for check in checks:
+        if check.procedure in FAMILIES:
+            found.setdefault(FAMILIES[check.procedure], []).append(check.procedure)
+    for family, procedures in found.items():
+        methods = listing(map(procedure_title, dict.fromkeys(procedures)))
+        yield Phrase(KINDS[family].english, {"methods": methods})
+
+
+def program(results: Results) -> Iterator[tuple[Text, Text]]:
+    """Yield name, version, licence and origin of the program, and the hashes of program and inputs."""
+    made = results.program
+    said = (
+        (say("Program"), made.name),
+        (say("Version"), made.version),
+        (say("Licence"), made.licence),
+        (say("Origin"), made.origin),
+        (say("SHA-256 of the program"), made.sha256),
+    )
+    yield from ((label, Verbatim(text)) for label, text in said if text)
+    if results.inputs:
+        yield say("SHA-256 of the inputs"), inputs_text(results)
+    if results.stamp:
+        yield say("Stamp of the results"), Verbatim(results.stamp)
+
+
+def inputs_text(results: Results) -> Text:
+    """Return one hash over those of all files read, with their number."""
+    joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
+    return say_count(
+        "{hash} ({number} file)",
+        "{hash} (of the hashes of {number} files)",
+        len(results.inputs),
+        hash=Verbatim(sha256(joined).hexdigest() if len(results.inputs) > 1 else results.inputs[0].sha256),
+    )
+
+
+def documents() -> Text:
+    """Return what comes with the program."""
+    return say(
+        "Theory, field of use and examples that reproduce published cases, with their project files, come with the "
+        "program. The same program and inputs give the same results, to the last digit, on one machine."
+    )
+
+
+def _judgement() -> Iterator[Block]:
+    words = say(
+        "The designer judges whether the results are acceptable, also by comparison with simple calculations of "
+        "their own."
+    )
+    yield Prose((words,))
+    yield Writing(say("Engineer’s judgement of the acceptability of the results"), 45.0)

@@ -1,0 +1,169 @@
+"""What follows from the results: what would make a mechanism pass, what to survey first, what is left to check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from assess.codes.verdict import Decision, MechanismVerdict, Verdict
+from assess.messages.message import DIMENSIONS
+from assess.results import Results, SensitivityResult
+from reports.chapters import checklist, verdict
+from reports.chapters.governing_words import lacking_factor
+from reports.chapters.index_text import SHARE, symbol
+from reports.chapters.mechanism_list import mechanism_list
+from reports.document import Block, Cell, Column, Items, Prose, Section, Table, nonempty
+from reports.language.texts import Phrase, Text, Verbatim, listing, quantity, say
+from reports.titles import numbered_title
+
+PARAMETERS: Mapping[str, Phrase] = {
+    "thickness": say("thickness"),
+    "density": say("density"),
+    "restitution": say("coefficient of restitution"),
+    "stiffness": say("stiffness of the joints"),
+    "strength": say("strength of the joints"),
+    "friction": say("friction"),
+    "compressive_strength": say("compressive strength"),
+    "tie_force": say("force of the tie"),
+    "loads": say("loads"),
+    "uplift": say("multiplier at uplift"),
+    "p": say("frequency parameter p"),
+}
+UNITS: Mapping[str, str] = {"kg/m^3": "density", "Pa/m": "stiffness", "1/s": "angular frequency"}
+NEGLIGIBLE = 0.01  # relative change of an answer that is no reason to survey
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the chapter."""
+    found = results.verdict
+    if found is None:
+        return []
+    blocks: list[Block] = [
+        *_failing(results, found),
+        *_titled(say("To complete the verdict:"), [verdict.missing_text(each) for each in found.missing]),
+        *_titled(say("To be shown, since a pass depends on it:"), list(found.conditions)),
+        *_titled(say("To survey first:"), list(survey(results, found))),
+        *_titled(say("To examine next:"), list(next_checks(results))),
+    ]
+    if found.outcome == Decision.PASS:
+        nothing = say("At the site’s own action no mechanism examined requires strengthening.")
+        blocks.insert(0, Prose((nothing,)))
+    return [Section(say("Recommendations"), 0, tuple(blocks))]
+
+
+def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
+    return [Prose((title,)), Items(tuple(points))] if points else []
+
+
+def _failing(results: Results, found: Verdict) -> list[Block]:
+    """Return by how much the mechanisms that fail must resist more, the worst first."""
+    failing = [one for one in found.mechanisms if one.outcome == Decision.FAIL]
+    if not failing:
+        return []
+    words = say(
+        "The table gives the factor by which the resistance of each failing mechanism has to grow, by the method that "
+        "decides. Works that provide it (ties, anchorage, restraint of thrusts, more thickness) are to be designed and "
+        "assessed again with this program: they change the mechanism, not only its resistance."
+    )
+    ordered = sorted(failing, key=lambda one: -(lacking_factor(one, found) or 0.0))
+    columns = (
+        Column(say("Mechanism")),
+        Column(say("Passes up to PGA"), "ground acceleration", 3),
+        Column(say("PGA to be reached"), "ground acceleration", 3),
+        Column(say("Factor needed"), "ratio", 3),
+    )
+    caption = say("What the failing mechanisms lack.")
+    rows = tuple(_lacking_row(results, one, found) for one in ordered)
+    return [Prose((words,)), *nonempty(Table("lacking", caption, columns, rows, small=True))]
+
+
+def _lacking_row(results: Results, one: MechanismVerdict, found: Verdict) -> tuple[Cell, ...]:
+    held = None if one.margin is None else one.margin * found.action.pga_g
+    factor = lacking_factor(one, found)
+    reached = None if held is None or factor is None else held * factor
+    return (numbered_title(results, one.mechanism), held, reached, factor)
+
+
+def survey(results: Results, found: Verdict) -> Iterator[Text]:
+    """Yield the number that moves the deciding answer of each mechanism most, and what lies at the limit."""
+    near = [one.mechanism for one in found.mechanisms if one.at_the_limit]
+    if near:
+        yield say(
+            "thickness and position of the hinges of {mechanisms}: the answer is at the limit, within 5 % or within "
+            "what the tolerance of the survey changes",
+            mechanisms=mechanism_list(results, near),
+        )
+    yield from _of_sensitivity(results)
+    if not results.sensitivity:
+        yield say(
+            "not known without a study of sensitivity, which the line {line} under [analysis] adds",
+            line=Verbatim("sensitivity = true"),
+        )
+
+
+def _of_sensitivity(results: Results) -> Iterator[Text]:
+    """Yield the values that change a deciding answer; where none does, those that move the answers most."""
+    decisive = [row for row in results.sensitivity if row.quantity == "index" and _moves(row) > NEGLIGIBLE]
+    changing = [row for row in decisive if _changes(row)]
+    yield from (_change(results, row) for row in changing)
+    strongest: dict[str, list[str]] = {}
+    for mechanism in results.mechanisms:
+        rows = [row for row in decisive if row.mechanism == mechanism.name]
+        if rows and not any(map(_changes, rows)):
+            strongest.setdefault(max(rows, key=_moves).parameter, []).append(mechanism.name)
+    for parameter, owners in strongest.items():
+        yield say(
+            "{parameter} of {mechanisms}, which moves the deciding answer most, without changing it within its range",
+            parameter=PARAMETERS.get(parameter, Verbatim(parameter)),
+            mechanisms=mechanism_list(results, owners),
+        )
+
+
+def _changes(row: SensitivityResult) -> bool:
+    known = {end for end in (row.verdict_low, row.verdict_high) if end is not None}
+    return bool(known - {row.verdict_base})
+
+
+def _moves(row: SensitivityResult) -> float:
+    """Return how far the answer moves within the range, relative to its value."""
+    ends = [end for end in (row.at_low, row.at_high) if end is not None]
+    if row.at_base is None or not ends or row.at_base == 0.0:
+        return 0.0
+    return max(abs(end - row.at_base) for end in ends) / abs(row.at_base)
+
+
+def _change(results: Results, row: SensitivityResult) -> Text:
+    return say(
+        "{parameter} of {mechanism}, which changes the answer: {index} is {at_low} at {low} and {at_high} at {high}",
+        parameter=PARAMETERS.get(row.parameter, Verbatim(row.parameter)),
+        mechanism=numbered_title(results, row.mechanism),
+        index=Verbatim(SHARE) if row.index == SHARE else symbol(row.index),
+        low=_value(row, row.low),
+        high=_value(row, row.high),
+        at_low=_answer(row.at_low),
+        at_high=_answer(row.at_high),
+    )
+
+
+def _value(row: SensitivityResult, value: float | None) -> Text:
+    if value is None:
+        return say("the end that was not assessed")
+    return quantity(value, DIMENSIONS.get(row.unit, UNITS.get(row.unit, "ratio")), 3)
+
+
+def _answer(value: float | None) -> Text:
+    return say("not known") if value is None else quantity(value, figures=3)
+
+
+def next_checks(results: Results) -> Iterator[Text]:
+    """Yield the mechanisms that are possible and were not examined: by this program, and by others."""
+    items = results.report.not_examined
+    out_of_plane = [item for item in items if item.key not in checklist.IN_PLANE]
+    in_plane = [item for item in items if item.key in checklist.IN_PLANE]
+    if out_of_plane:
+        named = listing(checklist.name_of(results, item) for item in out_of_plane)
+        yield say("with this program, or to be ruled out with a reason: {items}", items=named)
+    if in_plane:
+        named = listing(checklist.name_of(results, item) for item in in_plane)
+        yield say("by another method, as this program does not assess walls in their plane: {items}", items=named)
+    if not results.report.checklist:
+        yield say("the mechanisms that a building of this type can have besides those of this report")

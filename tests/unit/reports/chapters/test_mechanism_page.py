@@ -119,7 +119,6 @@ def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judg
         "ASCE 43-05, response history governs at DBE: overturns: no rotation balances this demand (ASCE/SEI 43-05"
         in said
     )
-    assert "to pass, this must be" in said
     judged = judged_at(results, 0.2)
     said = told(governing_words.sentences(judged, judged.mechanisms[0]))
     assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said

@@ -49,7 +49,8 @@ def _figures(results: Results) -> Iterator[Figure]:
         yield Figure("capacities", caption, partial(figure.draw_capacities, results))
         caption = say(
             "Largest rotation over peak ground acceleration of all mechanisms by the method that decides; mechanisms "
-            "that differ by their joints alone share a colour (solid: rigid, dashed: flexible)."
+            "that differ by their joints alone share a colour (solid: rigid, dashed: flexible). Beside it "
+            "their moments over rotation, as a part of what rigid joints give."
         )
         yield Figure("curves", caption, partial(figure.draw_curves, results))
     caption = say(

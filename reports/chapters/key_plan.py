@@ -10,7 +10,7 @@ from reports.chapters.front_matter import photograph
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
-from reports.language.texts import Text, Verbatim, say
+from reports.language.texts import Verbatim, say
 
 
 def sections(results: Results) -> list[Section]:
@@ -29,7 +29,9 @@ def plan(results: Results) -> list[Block]:
     undrawn = [each.name for each in results.mechanisms if each.view is None]
     if not drawn:
         return [Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))]
-    figure = Figure("key-plan", _caption(), partial(key_plan.draw, results), key_plan.model_of_key_plan(results))
+    figure = Figure(
+        "key-plan", key_plan.caption(results), partial(key_plan.draw, results), key_plan.model_of_key_plan(results)
+    )
     if not undrawn:
         return [figure]
     words = say(
@@ -37,13 +39,6 @@ def plan(results: Results) -> list[Block]:
         mechanisms=mechanism_list(results, undrawn),
     )
     return [figure, Prose((words,))]
-
-
-def _caption() -> Text:
-    return say(
-        "Key plan: the bodies in one view, the moving part of each mechanism with its number and in the colour of its "
-        "verdict, with its hinge lines and cracks."
-    )
 
 
 def _revisions(results: Results) -> list[Section]:

@@ -68,8 +68,8 @@ def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:
         caption = say("Elastic response spectrum of the site.")
     yield Figure("spectrum", caption, partial(spectrum_figure.draw, target, results.records))
     if results.ground_motion is not None:
-        caption = say("Mean of the suite beside the target, with 90 % and 130 % of the target over the range fitted.")
-        yield Figure("suite", caption, partial(suite_figure.draw, results.ground_motion))
+        caption = say("Records, their mean and the target, with the limits that the deciding code sets to the mean.")
+        yield Figure("suite", caption, partial(suite_figure.draw, results))
 
 
 def parameters(results: Results, spectrum: SpectrumResult) -> Table:

@@ -31,7 +31,7 @@ class Moving:
 
     names : of the mechanisms; title : their numbers, "M1, M2"
     group : of bodies that hang together by shared ones, from 0
-    middle : of the part [3] [m]
+    triangles : of the surface, all that move; middle : of the part that no smaller one has [3] [m]
     hinges : ends of the axes of rotation [2, 3] [m]; cracks : closed rings [k, 3] [m]
     """
 
@@ -39,6 +39,7 @@ class Moving:
     title: str
     group: int
     outcome: Outcome
+    triangles: IntArray
     middle: FloatArray
     hinges: tuple[FloatArray, ...]
     cracks: tuple[FloatArray, ...]
@@ -101,22 +102,29 @@ def building_of(results: Results) -> Building | None:
 
 
 def _joined(groups: Sequence[_Group], *, apart: bool, missing: tuple[str, ...], direction: FloatArray) -> Building:
-    triangles, owners, start, first = [], [], 0, 0
+    triangles, owners, moving, start, first, before = [], [], [], 0, 0, 0
     for group in groups:
+        moving += [replace(each, triangles=each.triangles + before) for each in group.moving]
+        before += len(group.owner)
         triangles.append(group.surface.triangles + start)
         owners.append(np.where(group.owner < 0, -1, group.owner + first))
         start, first = start + len(group.surface.vertices), first + len(group.moving)
     surface = Surface(np.concatenate([group.surface.vertices for group in groups]), np.concatenate(triangles))
-    moving = tuple(each for group in groups for each in group.moving)
     kept = np.repeat(np.arange(len(groups)), [len(group.owner) for group in groups])
-    return Building(surface, np.concatenate(owners), kept, moving, apart, missing, direction)
+    return Building(surface, np.concatenate(owners), kept, tuple(moving), apart, missing, direction)
 
 
-def alone(building: Building, group: int) -> Building:
-    """Return one group of the bodies by itself; its owners stay those of the whole."""
-    kept = building.group == group
-    surface = weld(building.surface.corners[kept])
-    return replace(building, surface=surface, owner=building.owner[kept], group=building.group[kept])
+def moved_by(building: Building, place: int) -> Building:
+    """Return the building with all that one mechanism moves as its own, and nothing as others'.
+
+    Where bodies have no common position, only the group of bodies that it belongs to.
+    """
+    moving = building.moving[place]
+    owner = np.full(len(building.owner), -1)
+    owner[moving.triangles] = place
+    kept = (building.group == moving.group) | (not building.apart)
+    surface = Surface(building.surface.vertices, building.surface.triangles[kept])
+    return replace(building, surface=surface, owner=owner[kept], group=building.group[kept])
 
 
 def _sharing(results: Results, seen: Sequence[MechanismResult]) -> list[list[MechanismResult]]:
@@ -166,7 +174,11 @@ def _group(results: Results, mechanisms: Sequence[MechanismResult], number: int)
     for place, group in enumerate(alike):
         owner[(owner < 0) & group[0].holds(middles)] = place
     moving = tuple(
-        _moving(results, group, number, _middle(surface.corners[owner == place], group[0].box))
+        replace(
+            _moving(results, group, number),
+            middle=_middle(surface.corners[owner == place], group[0].box),
+            triangles=np.flatnonzero(group[0].holds(middles)),
+        )
         for place, group in enumerate(alike)
     )
     return _Group(surface, owner, moving)
@@ -269,7 +281,7 @@ def _sides(points: FloatArray, planes: Iterable[Plane], slack: float) -> Iterato
             yield plane, 1.0 if heights.min() >= -slack else -1.0
 
 
-def _moving(results: Results, alike: Sequence[_Region], group: int, middle: FloatArray) -> Moving:
+def _moving(results: Results, alike: Sequence[_Region], group: int) -> Moving:
     names = tuple(region.mechanism.name for region in alike)
     view = alike[0].view
     return Moving(
@@ -277,7 +289,8 @@ def _moving(results: Results, alike: Sequence[_Region], group: int, middle: Floa
         ", ".join(sorted((mechanism_number(results, name) for name in names), key=lambda number: int(number[1:]))),
         group,
         _outcome(results, names),
-        middle,
+        np.arange(0),
+        alike[0].box.mean(axis=0),
         tuple(np.array(axis.ends) for axis in view.axes),
         tuple(np.array(ring) for ring in view.sections),
     )

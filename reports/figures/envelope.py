@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
-from reports.figures.style import FAIL, GRID, INK, MUTED, label, legend_below, report_style, sheet
+from reports.figures.style import FAIL, GRID, INK, MECHANISMS, MUTED, label, legend_below, report_style, sheet
 from reports.figures.ticks import LogTicks
 from reports.language.locale import Locale
 from reports.language.texts import say
@@ -20,7 +20,6 @@ from spectra.arrays import FloatArray
 
 PULSE = say("frequency of the pulse")
 ROCKS, FALLS = "#e7edf3", "#f2c1ad"
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b4c9a", "#8c6d31", "#000000")
 DASHES = ("-", "--", "-.", ":")
 BEYOND = 1.25  # of the highest frequency with a bound, the end of the axis
 WIDE = 0.12  # of the axis: a band that can hold its name
@@ -98,7 +97,7 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
     mapped : the name of each mechanism and its envelope
     """
     frequency = np.array(critical.frequency_hz)
-    pens = {name: (COLOURS[k % 9], DASHES[k // 9 % 4]) for k, (name, _) in enumerate(mapped[:MOST_NAMES])}
+    pens = {name: (MECHANISMS[k % 9], DASHES[k // 9 % 4]) for k, (name, _) in enumerate(mapped[:MOST_NAMES])}
     with report_style():
         figure = sheet(3.6, locale)
         axes, band = figure.subplots(2, 1, sharex=True, height_ratios=(14, 1))

@@ -28,8 +28,7 @@ from reports.figures.projection import (
 from reports.figures.scale_bar import round_length, write_arm
 from reports.figures.style import FIXED, INK, STONE_EDGE, VERDICT, WIDTH, bare_sheet, report_style
 from reports.language.locale import Locale
-from reports.language.texts import Paragraph, Phrase, Text, names, say
-from reports.titles import mechanism_number
+from reports.language.texts import Paragraph, Phrase, Text, say
 from spectra.arrays import FloatArray
 
 ROOM = Room(wide=WIDTH, tall=3.6, left=0.55, around=0.2)
@@ -73,19 +72,14 @@ def has_place(mechanism: MechanismResult) -> bool:
 
 def caption(results: Results) -> Text:
     """Return what the key plan shows."""
+    shows = say(
+        "Key plan: the bodies in one view, the moving part of each mechanism with its number and in the colour of its "
+        "verdict, with its axes of rotation and cracks."
+    )
     building = building_of(results)
-    sentences: list[Text] = [
-        say(
-            "The bodies of the project, and the part that each mechanism moves, numbered as its page and coloured by "
-            "its verdict."
-        )
-    ]
-    if building is not None and building.apart:
-        sentences.append(say("The bodies are drawn apart: the project gives them no common position."))
-    if building is not None and building.missing:
-        numbers = names(mechanism_number(results, name) for name in building.missing)
-        sentences.append(say("Without geometry, not drawn: {mechanisms}.", mechanisms=numbers))
-    return Paragraph(tuple(sentences))
+    if building is None or not building.apart:
+        return shows
+    return Paragraph((shows, say("The bodies are drawn apart: the project gives them no common position.")))
 
 
 def model_of_key_plan(results: Results) -> Model | None:
@@ -118,7 +112,8 @@ def _places(points: FloatArray) -> tuple[Place, ...]:
 def scene_points(building: Building, shown: Sequence[Moving]) -> FloatArray:
     """Return all points [k, 3] [m] of a picture with the axes of rotation of the parts shown."""
     hinges = [line for moving in shown for line in moving.hinges]
-    return np.concatenate([building.surface.vertices, *hinges])
+    used = np.unique(building.surface.triangles)
+    return np.concatenate([building.surface.vertices[used], *hinges])
 
 
 def paint_building(axes: Axes, building: Building, camera: Camera, shown: Mapping[int, Moving]) -> None:

@@ -2,32 +2,36 @@
 
 from __future__ import annotations
 
+import numpy as np
 from matplotlib.figure import Figure
 
-from assess.results import Results
-from reports.figures.building import alone, building_of
+from assess.results import MechanismResult, Results
+from reports.figures.building import building_of, moved_by
 from reports.figures.key_plan import draw_lines, paint_building, scene_points
-from reports.figures.projection import INCH, Room, draw_triad, fit_camera
+from reports.figures.projection import INCH, Room, draw_arrow, draw_triad, fit_camera
 from reports.figures.scale_bar import round_length, write_arm
 from reports.figures.style import HALF, bare_sheet, report_style
+from reports.figures.view import direction_arrow
 from reports.language.locale import Locale
 
 ROOM = Room(wide=HALF, tall=2.3, left=0.45, around=0.1)
 
 
-def draw(results: Results, mechanism: str, locale: Locale) -> Figure:
-    """Draw all bodies grey, and the part that a mechanism moves in the colour of its verdict.
+def draw(results: Results, mechanism: MechanismResult, locale: Locale) -> Figure:
+    """Draw all bodies grey, the part that a mechanism moves in the colour of its verdict, and its direction.
 
-    mechanism : its name; raises ValueError where it has no geometry. Where bodies have no common position, those of the
-    mechanism alone.
+    Where bodies have no common position, those of the mechanism alone. Raises ValueError for one without geometry.
     """
     building = building_of(results)
-    place = next((k for k, each in enumerate(building.moving) if mechanism in each.names), None) if building else None
-    if building is None or place is None:
-        raise ValueError(f'mechanism "{mechanism}" has no geometry that can be drawn in space')
-    moving = building.moving[place]
-    shown = alone(building, moving.group) if building.apart else building
-    camera, (wide, high) = fit_camera(building.direction, scene_points(shown, [moving]), ROOM)
+    movings = () if building is None else building.moving
+    place = next((k for k, each in enumerate(movings) if mechanism.name in each.names), None)
+    if building is None or place is None or mechanism.view is None:
+        raise ValueError(f'mechanism "{mechanism.name}" has no geometry that can be drawn in space')
+    moving, shown = building.moving[place], moved_by(building, place)
+    corners = building.surface.corners[moving.triangles].reshape(-1, 3)
+    reach = float(np.ptp(scene_points(shown, [moving]), axis=0).max())
+    arrow = direction_arrow(corners, np.array(mechanism.view.direction), 0.6 * reach)
+    camera, (wide, high) = fit_camera(building.direction, np.concatenate([scene_points(shown, [moving]), arrow]), ROOM)
     with report_style():
         figure = bare_sheet(high, locale, width=HALF)
         axes = figure.add_axes((0.5 * (1.0 - wide / HALF), 0.0, wide / HALF, 1.0))
@@ -35,6 +39,7 @@ def draw(results: Results, mechanism: str, locale: Locale) -> Figure:
         axes.set_axis_off()
         paint_building(axes, shown, camera, {place: moving})
         draw_lines(axes, moving, camera)
+        draw_arrow(axes, *camera.project(arrow)[:, :2], width=1.4)
         arm = round_length(0.3 / camera.scale, locale)
         draw_triad(axes, camera, at=(18.0, 20.0), arm=arm)
         write_arm(axes, arm, at=(1.0, 2.0), locale=locale)

@@ -32,6 +32,7 @@ BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
 VERDICT = {"pass": "#9fd3bf", "fail": "#d8694a", "incomplete": "#ecd08a"}  # of masonry, apart in grey too
 STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
 POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
+MECHANISMS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b4c9a", "#8c6d31", "#000000")
 BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, distinct in grey too
 FIXED = "#dfe2e5"  # masonry that does not move
 
@@ -74,11 +75,12 @@ _RC: dict[Any, Any] = {
 
 @dataclass(frozen=True)
 class Pen:
-    """How a procedure is drawn."""
+    """How a procedure or a mechanism is drawn. width: of its line [pt]."""
 
     colour: str
     dash: str
     marker: str
+    width: float = 1.2
 
 
 PROCEDURES: dict[str, Pen] = {

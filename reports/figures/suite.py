@@ -1,42 +1,110 @@
-"""The mean of a suite of records, its target and the limits of codes."""
+"""The suite of records beside its target, with the limits that the deciding code sets to the mean."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from assess.results import GroundMotionResult
-from reports.figures.style import FAIL, GRID, INK, MUTED, legend_above, report_style, sheet
+from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
+from reports.figures.style import FAIL, GRID, HALF, INK, MUTED, legend_below, report_style, sheet
+from reports.language.locale import Locale
+from reports.language.texts import Verbatim, quantity, say
+from spectra.arrays import FloatArray
 
-BELOW, ABOVE = 0.9, 1.3  # of the target
 SHORTEST = 0.02  # s
-MEAN = "#0072b2"
+PERIODS = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+CODES: Mapping[str, str] = {
+    "asce43-05": "ASCE 43-05",
+    "asce41-13": "ASCE 7-16",
+    "ntc2018": "NTC 2018",
+    "dmi2008": "NTC 2018",
+    "ec8": "EN 1998-1:2004",
+    "nzsee2017": "NZS 1170.5:2004",
+}
+"""The code whose rules a suite is held to, by the basis of the verdict."""
+RATIO = "ratio of mean spectrum to target"
 
 
-def draw(motion: GroundMotionResult) -> Figure:
-    """Draw pseudo-acceleration [g] over period [s], logarithmic: target, means, and limits over the range fitted."""
+def draw(results: Results, locale: Locale) -> Figure:
+    """Draw pseudo-acceleration [g] over period [s]: records, their mean, the target and the limits of the code.
+
+    Raises ValueError for results without a suite.
+    """
+    if results.ground_motion is None:
+        raise ValueError("these results have no suite of records")
+    return beside_target(results.ground_motion, results.records, limits(results), locale)
+
+
+def beside_target(
+    motion: GroundMotionResult,
+    records: Sequence[RecordResult],
+    rules: Sequence[RequirementResult],
+    locale: Locale,
+    *,
+    width: float = HALF,
+) -> Figure:
+    """Draw the suite; rules: limits of the ratio of its mean to the target, without any the range that was fitted."""
     with report_style():
-        figure = sheet(3.0)
-        means(figure.subplots(), motion)
+        figure = sheet(2.6, locale, width=width)
+        axes = figure.subplots()
+        if not rules:
+            fitted = locale.text(say("range fitted"))
+            axes.axvspan(motion.from_s, motion.to_s, color=GRID, alpha=0.45, linewidth=0, label=fitted)
+        _records(axes, records, locale)
+        for rule in rules:
+            _limit(axes, motion, rule, locale)
+        _line(axes, motion, motion.target_g, INK, 1.8, locale.text(say("target")))
+        _line(axes, motion, motion.mean_g, FAIL, 1.3, locale.text(say("mean")))
+        dress(axes, max(motion.period_s), locale)
+        legend_below(figure, columns=2)
         return figure
 
 
-def means(axes: Axes, motion: GroundMotionResult) -> None:
-    """Draw target, means and limits into a panel."""
-    period, target = np.array(motion.period_s), np.array(motion.target_g)
-    shown = period >= SHORTEST
-    fitted = (period >= motion.from_s) & (period <= motion.to_s)
-    axes.axvspan(motion.from_s, motion.to_s, color=GRID, alpha=0.45, linewidth=0, label="range fitted")
-    axes.plot(period[shown], target[shown], color=INK, linewidth=2.0, label="target")
-    axes.plot(period[shown], np.array(motion.mean_g)[shown], color=FAIL, linewidth=1.6, label="mean")
-    geometric = np.array(motion.geometric_mean_g)[shown]
-    axes.plot(period[shown], geometric, color=MEAN, linewidth=1.3, linestyle="--", label="geometric mean")
-    for share, dash in ((BELOW, ":"), (ABOVE, "-.")):
-        limit = share * target[fitted]
-        axes.plot(period[fitted], limit, color=MUTED, linewidth=1.0, linestyle=dash, label=f"{share:.0%} of target")
-    axes.set(xscale="log", xlabel="period T [s]", ylabel="pseudo-acceleration Sₐ [g]")
-    axes.set_xlim(SHORTEST, period.max())
+def limits(results: Results) -> tuple[RequirementResult, ...]:
+    """Return the limits to the ratio of the mean to the target, of the code that decides; none without one."""
+    code = None if results.verdict is None else CODES.get(results.verdict.basis)
+    every = () if results.ground_motion is None else results.ground_motion.requirements
+    return tuple(each for each in every if each.code == code and each.what.endswith(RATIO) and each.from_s is not None)
+
+
+def dress(axes: Axes, longest: float, locale: Locale) -> None:
+    """Label the axes of response spectra over a logarithmic axis of periods [s]."""
+    axes.set(xscale="log", xlabel=locale.heading(say("period T"), "time"))
+    axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
+    axes.set_xlim(SHORTEST, longest)
     axes.set_ylim(bottom=0.0)
-    axes.xaxis.set_major_formatter("{x:g}")
-    legend_above(axes, columns=3)
+    shown = [period for period in PERIODS if period <= longest]
+    axes.set_xticks(shown, [locale.number(period) for period in shown])
+    axes.set_xticks((), minor=True)
+
+
+def _records(axes: Axes, records: Sequence[RecordResult], locale: Locale) -> None:
+    for place, record in enumerate(records):
+        name = locale.text(say("records")) if place == 0 else "_"
+        spectrum = record.spectrum
+        axes.plot(spectrum.period_s, spectrum.acceleration_g, color=MUTED, linewidth=0.4, alpha=0.7, label=name)
+
+
+def _limit(axes: Axes, motion: GroundMotionResult, rule: RequirementResult, locale: Locale) -> None:
+    """Draw a limit over the range of periods to which it applies."""
+    period, target = np.array(motion.period_s), np.array(motion.target_g)
+    inside = (period >= (rule.from_s or 0.0)) & (period <= (rule.to_s or np.inf))
+    share, code = quantity(100.0 * rule.limit, "percent", 3), Verbatim(f"{rule.code}, {rule.clause}")
+    words = say("least, {share} ({code})", share=share, code=code)
+    if rule.sense == "<=":
+        words = say("most, {share} ({code})", share=share, code=code)
+    dash = ":" if rule.sense == ">=" else "-."
+    axes.plot(
+        period[inside], rule.limit * target[inside], dash, color="#0072b2", linewidth=1.0, label=locale.text(words)
+    )
+
+
+def _line(
+    axes: Axes, motion: GroundMotionResult, values: Sequence[float] | FloatArray, colour: str, width: float, name: str
+) -> None:
+    period = np.array(motion.period_s)
+    shown = period >= SHORTEST
+    axes.plot(period[shown], np.array(values)[shown], color=colour, linewidth=width, label=name)

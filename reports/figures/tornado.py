@@ -12,11 +12,13 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from reports.figures.style import FAIL, INK, fold, label, report_style, sheet
+from reports.language.locale import Locale
+from reports.language.texts import Text, say
 
 LOW, HIGH = "#56b4e9", "#d55e00"  # the number at its low and at its high value
 MARGIN = 0.12  # of what is shown, beside the ends of the bars
 HALF = 0.34  # height of half a bar, of a row
-LINE = 0.36  # height of a row [in]
+LINE = 0.3  # height of a row [in]
 ROOM = 0.3  # of the width of a panel: a longer bar has room for a word
 LONGEST = 40  # characters of a line beside a bar
 
@@ -26,44 +28,45 @@ class Bar:
     """One number: the two lines of its label, and the answer at its low and its high value.
 
     low, high : infinite where the body overturns, None where not known
-    verdicts : new verdict at the low and at the high value, in a word; empty where it does not change
+    verdicts : new verdict at the low and at the high value, in a word; None where it does not change
     """
 
-    lines: tuple[str, str]
+    lines: tuple[Text, Text]
     low: float | None
     high: float | None
-    verdicts: tuple[str, str] = ("", "")
+    verdicts: tuple[Text | None, Text | None] = (None, None)
 
 
 @dataclass(frozen=True)
 class Panel:
-    """One answer: its name with the unit, and the procedure; its value as assessed; its bars.
+    """One answer: its name and the procedure; its dimension; its value as assessed; its bars.
 
     limit : between pass and fail, and its name; None where there is none
     """
 
-    name: tuple[str, str]
+    name: tuple[Text, Text]
+    dimension: str
     base: float | None
-    limit: tuple[float, str] | None
+    limit: tuple[float, Text] | None
     bars: tuple[Bar, ...]
 
 
-def draw(panels: Sequence[Panel]) -> Figure:
+def draw(panels: Sequence[Panel], locale: Locale) -> Figure:
     """Draw a panel for each answer; all have the rows of the first."""
     rows = panels[0].bars
     with report_style():
-        figure = sheet(1.1 + LINE * len(rows))
+        figure = sheet(0.85 + LINE * len(rows), locale)
         beside = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
         for axes, panel in zip(beside, panels, strict=True):
-            _panel(axes, panel)
-        names = [f"{label(bar.lines[0], LONGEST)}\n{bar.lines[1]}" for bar in rows]
+            _panel(axes, panel, locale)
+        names = ["\n".join(label(locale.text(line), LONGEST) for line in bar.lines) for bar in rows]
         beside[0].set_yticks(range(len(rows)), names)
         beside[0].set_ylim(len(rows) - 0.5, -0.5)
-        _legend(figure, beside[0])
+        _legend(figure, beside[0], locale)
         return figure
 
 
-def _panel(axes: Axes, panel: Panel) -> None:
+def _panel(axes: Axes, panel: Panel, locale: Locale) -> None:
     limit = None if panel.limit is None else panel.limit[0]
     ends = [value for bar in panel.bars for value in (bar.low, bar.high)]
     low, high = span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
@@ -73,14 +76,18 @@ def _panel(axes: Axes, panel: Panel) -> None:
             (bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.verdicts, strict=True
         ):
             if value is not None and panel.base is not None:
-                _half(axes, panel.base, value, height=row + side * HALF, colour=colour, verdict=verdict)
+                word = "" if verdict is None else label(locale.text(verdict), 20)
+                _half(axes, panel.base, value, height=row + side * HALF, colour=colour, verdict=word)
     if _is_drawn(panel.base):
         axes.axvline(panel.base, color=INK, linewidth=0.9)
     if panel.limit is not None:
         at, name = panel.limit
         axes.axvline(at, color=FAIL, linewidth=1.1, linestyle="--")
-        axes.text(at, 1.01, name, transform=axes.get_xaxis_transform(), ha="center", fontsize=6.5, color=FAIL)
-    axes.set_xlabel("\n".join(fold(line, width=26) for line in panel.name))
+        axes.text(
+            at, 1.01, locale.text(name), transform=axes.get_xaxis_transform(), ha="center", fontsize=6.5, color=FAIL
+        )
+    words = (locale.heading(panel.name[0], panel.dimension), locale.text(panel.name[1]))
+    axes.set_xlabel("\n".join(fold(line, width=34) for line in words))
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
     axes.grid(visible=False, axis="y")
     axes.tick_params(axis="y", length=0)
@@ -111,11 +118,11 @@ def span(values: Sequence[float]) -> tuple[float, float]:
     return low - MARGIN * width, high + MARGIN * width
 
 
-def _legend(figure: Figure, axes: Axes) -> None:
+def _legend(figure: Figure, axes: Axes, locale: Locale) -> None:
     handles = [
-        axes.barh([0], [0], color=LOW, label="at the low value"),
-        axes.barh([0], [0], color=HIGH, label="at the high value"),
-        *axes.plot([], [], color=INK, linewidth=0.9, label="as assessed"),
-        *axes.plot([], [], color=FAIL, linewidth=1.1, linestyle="--", label="limit"),
+        axes.barh([0], [0], color=LOW, label=locale.text(say("at the low value"))),
+        axes.barh([0], [0], color=HIGH, label=locale.text(say("at the high value"))),
+        *axes.plot([], [], color=INK, linewidth=0.9, label=locale.text(say("as assessed"))),
+        *axes.plot([], [], color=FAIL, linewidth=1.1, linestyle="--", label=locale.text(say("limit"))),
     ]
-    figure.legend(handles=handles, loc="outside upper center", ncols=4)
+    figure.legend(handles=handles, loc="outside lower center", ncols=4)

@@ -67,10 +67,11 @@ def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...]
 def draw(spectrum: Spectrum, path: Path) -> Path:
     """Draw the figure of the spectrum to `path`."""
     from reports.figures import design_spectrum
+    from reports.language.locale import Locale
     from reports.render.figure_file import write_figure
 
     return write_figure(
-        design_spectrum.draw(spectrum_result(spectrum)), path, creator=origin("spectrum", json_text(spectrum))
+        design_spectrum.draw(spectrum_result(spectrum), Locale()), path, creator=origin("spectrum", json_text(spectrum))
     )
 
 

@@ -20,6 +20,7 @@ from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with
 from records.response import response_spectrum
 from reports.figures import record_spectra
+from reports.language.locale import Locale
 from reports.render.csv import csv_lines
 from reports.render.figure_file import write_figure
 
@@ -77,5 +78,5 @@ def csv_text(spectra: Spectra) -> str:
 
 def draw(spectra: Spectra, path: Path) -> None:
     """Draw the figure to `path`."""
-    figure = record_spectra.draw(spectra.names, PERIODS, spectra.ordinates / g)
+    figure = record_spectra.draw(spectra.names, PERIODS, spectra.ordinates / g, Locale())
     write_figure(figure, path, creator=origin("records spectra", csv_text(spectra)))

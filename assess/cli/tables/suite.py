@@ -13,7 +13,8 @@ from assess.results.stamp import origin
 from reports.chapters.annex_suite import requirements, sentences
 from reports.chapters.suite import event_name
 from reports.document import Cell, Column
-from reports.figures import record_spectra
+from reports.figures.style import WIDTH
+from reports.figures.suite import beside_target
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim
 from reports.render.cell_text import cell_text
@@ -59,9 +60,9 @@ def json_text(suite: Suite) -> str:
 
 
 def draw(suite: Suite, path: Path) -> None:
-    """Draw target, records, means and limits to `path`."""
+    """Draw target, records and their mean to `path`."""
     write_figure(
-        record_spectra.beside_target(suite.motion, suite.records),
+        beside_target(suite.motion, suite.records, (), Locale(), width=WIDTH),
         path,
         creator=origin("records select", json_text(suite)),
     )

@@ -27,6 +27,7 @@ from assess.oscillator import Oscillator
 from records.record import Record, make_record
 from records.synthetic import artificial
 from reports.figures.style import FAIL, INK, MUTED, report_style, sheet
+from reports.language.locale import Locale
 from reports.render.figure_file import write_figure
 from spectra.asce7 import design_spectrum
 
@@ -101,7 +102,7 @@ def ground() -> Record:
 def free_figure(caption: str, cases: list[Case], *, duration: float) -> Figure:
     """Rotation over time of every case, released."""
     with report_style():
-        figure = sheet(0.9 + 1.15 * len(cases))
+        figure = sheet(0.9 + 1.15 * len(cases), Locale())
         rows = figure.subplots(len(cases), 1, sharex=True, squeeze=False)[:, 0]
         finished(figure, rows, cases, partial(released, duration=duration), caption)
         rows[-1].set_xlim(0.0, duration)
@@ -111,7 +112,7 @@ def free_figure(caption: str, cases: list[Case], *, duration: float) -> Figure:
 def history_figure(caption: str, cases: list[Case], *, level: float, until: float = 20.0) -> Figure:
     """The ground's acceleration [g], and below it the rotation of every case under it, for so long [s]."""
     with report_style():
-        figure = sheet(1.7 + 1.25 * len(cases))
+        figure = sheet(1.7 + 1.25 * len(cases), Locale())
         above, *rows = figure.subplots(len(cases) + 1, 1, sharex=True)
         above.plot(ground().time, ground().acceleration * (level / ground().pga / g), color=INK, linewidth=0.6)
         above.set(ylabel="ground [g]", title=f"artificial record, peak {level / g:.3g} g")
@@ -244,7 +245,7 @@ def of_frames() -> Iterator[tuple[str, Figure]]:
 def of_suites() -> Iterator[tuple[str, Figure]]:
     """Largest rotations of frames under many motions, of which one history is an instance."""
     with report_style():
-        figure = sheet(4.1)
+        figure = sheet(4.1, Locale())
         told = []
         for axes, even in zip(figure.subplots(1, 2), (True, False), strict=True):
             told.append(peaks_panel(axes, even=even))

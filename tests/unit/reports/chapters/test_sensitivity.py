@@ -108,15 +108,21 @@ def test_an_input_has_one_row_in_the_mechanism_that_it_moves_most(
 def test_the_most_critical_mechanisms_are_drawn_and_the_others_go_to_the_annex(
     results: Results, found: tuple[SensitivityResult, ...]
 ) -> None:
-    many = [row for place in range(6) for row in rows(f"p{place}", 0.1, 0.2, mechanism="parapet")]
-    asked = replace(results, sensitivity=(*found, *many, *rows("loads", 0.1, 0.2, mechanism="parapet")))
-    (section,) = sensitivity.sections(asked)
-    drawn = [block.name for block in section.blocks if isinstance(block, Figure)]
-    assert len(drawn) == 2
-    (more,) = sensitivity.others(
-        replace(asked, sensitivity=(*asked.sensitivity, *rows("uplift", 0.1, 0.2, mechanism="parapet")))
-    ) or (None,)
-    assert more is None
+    many = [row for place in range(7) for row in rows(f"p{place}", 0.1, 0.2, mechanism="parapet")]
+    asked = replace(results, sensitivity=(*found, *many))
+    assert [len(names) for names in drawn(asked)] == [2, 0]  # of three and of seven bars
+    more = replace(asked, sensitivity=(*asked.sensitivity, *rows("loads", 0.1, 0.2, mechanism="parapet")))
+    first, rest = drawn(more)
+    assert first != rest
+    assert sorted([*first, *rest]) == ["01-wall-6-sensitivity", "02-parapet-sensitivity"]
+
+
+def drawn(results: Results) -> list[list[str]]:
+    """The names of the figures of the chapter, and of those in the annex."""
+    return [
+        [block.name for section in made for block in section.blocks if isinstance(block, Figure)]
+        for made in (sensitivity.sections(results), sensitivity.others(results))
+    ]
 
 
 def test_a_tornado_begins_at_the_answer_as_assessed(found: tuple[SensitivityResult, ...]) -> None:

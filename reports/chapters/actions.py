@@ -62,11 +62,12 @@ def _directions(results: Results) -> Iterator[Text]:
 
 def loads(results: Results) -> Table:
     """Tabulate the loads that act, a row for loads that are alike in several mechanisms."""
-    groups: dict[tuple[Cell, ...], list[str]] = {}
+    groups: dict[tuple[object, ...], tuple[LoadResult, list[str]]] = {}
     for mechanism in results.mechanisms:
         for load in mechanism.loads:
-            groups.setdefault(_cells(load), []).append(mechanism_number(results, mechanism.name))
-    rows = tuple((cells[0], names(of), *cells[1:]) for cells, of in groups.items())
+            alike = (load.name, load.kind, load.bearing, load.mass_kg, load.force_n)
+            groups.setdefault(alike, (load, []))[1].append(mechanism_number(results, mechanism.name))
+    rows = tuple(_row(load, of) for load, of in groups.values())
     columns = (
         Column(say("Load")),
         Column(say("Mechanisms")),
@@ -79,9 +80,9 @@ def loads(results: Results) -> Table:
     return Table("actions", caption, columns, rows, small=True)
 
 
-def _cells(load: LoadResult) -> tuple[Cell, ...]:
+def _row(load: LoadResult, of: list[str]) -> tuple[Cell, ...]:
     along, up = load.force_n or (None, None)
-    return (Verbatim(load.name), acts_as(load), load.mass_kg, along, up)
+    return (Verbatim(load.name), names(of), acts_as(load), load.mass_kg, along, up)
 
 
 def acts_as(load: LoadResult) -> Text:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import radians
 
 from assess.results import Picture, Results
 from reports.document import NOTHING, Photograph
@@ -70,7 +71,7 @@ def _coordinates(results: Results) -> Iterator[tuple[Text, Text | str]]:
     if isinstance(given, str):
         yield say("Coordinates"), given
         return
-    latitude, longitude = (quantity(angle, "angle", 8) for angle in given)
+    latitude, longitude = (quantity(radians(angle), "angle", 8) for angle in given)
     words = say("latitude {latitude}, longitude {longitude}", latitude=latitude, longitude=longitude)
     yield say("Coordinates"), words
 

@@ -42,7 +42,11 @@ def _governing(checks: tuple[Check, ...], answer: Answer) -> Text:
     check = governing_check(checks, answer)
     if check is None or answer.outcome == Decision.INCOMPLETE:
         return _unanswered(answer)
-    method, state, by = procedure_title(check.procedure), Verbatim(answer.limit_state), Term(clause(check))
+    method, state, by = (
+        procedure_title(check.procedure),
+        Verbatim(answer.limit_state),
+        Term(clause(check) or check.edition),
+    )
     if not check.demand or check.capacity is None or check.ratio is None:
         return say(
             "{method} governs at {state}: {reason} ({clause}).",

@@ -7,7 +7,6 @@ from functools import partial
 from assess.results import Results
 from reports.chapters import checklist
 from reports.chapters.front_matter import photograph
-from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
 from reports.language.texts import Verbatim, say
@@ -15,7 +14,7 @@ from reports.language.texts import Verbatim, say
 
 def sections(results: Results) -> list[Section]:
     """Return the page, and after it revisions and photographs where they are given."""
-    blocks = (*plan(results), *checklist.blocks(results))
+    blocks = (plan(results), *checklist.blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -23,22 +22,12 @@ def sections(results: Results) -> list[Section]:
     ]
 
 
-def plan(results: Results) -> list[Block]:
-    """Return the key plan, and the mechanisms that it does not show for want of geometry."""
-    drawn = [each for each in results.mechanisms if each.view is not None]
-    undrawn = [each.name for each in results.mechanisms if each.view is None]
-    if not drawn:
-        return [Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))]
-    figure = Figure(
-        "key-plan", key_plan.caption(results), partial(key_plan.draw, results), key_plan.model_of_key_plan(results)
-    )
-    if not undrawn:
-        return [figure]
-    words = say(
-        "{mechanisms}: given by parameters, without geometry, and not drawn.",
-        mechanisms=mechanism_list(results, undrawn),
-    )
-    return [figure, Prose((words,))]
+def plan(results: Results) -> Block:
+    """Return the key plan, or why there is none."""
+    model = key_plan.model_of_key_plan(results)
+    if model is None:
+        return Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))
+    return Figure("key-plan", key_plan.caption(results), partial(key_plan.draw, results), model)
 
 
 def _revisions(results: Results) -> list[Section]:

@@ -11,6 +11,7 @@ from reports import governing
 from reports.chapters import governing_words, mechanism_tables, mechanism_words
 from reports.document import Block, Figure, Items, Prose, Row, Section, nonempty
 from reports.figures import capacity, pga_rotation, place, sketch
+from reports.figures.key_plan import has_place
 from reports.language.texts import Text, Verbatim, listing, quantity, say
 from reports.titles import mechanism_number, mechanism_title, procedure_title
 
@@ -43,9 +44,9 @@ def _in_pairs(figures: list[Figure]) -> list[Block]:
 
 def _shape(results: Results, mechanism: MechanismResult, stem: str) -> Iterator[Figure]:
     yield Figure(f"{stem}-sketch", sketch_caption(mechanism), partial(sketch.draw, mechanism))
-    if mechanism.view is not None:
+    if has_place(mechanism):
         caption = say("Its place in the building; the arrow is the direction of motion.")
-        yield Figure(f"{stem}-place", caption, partial(place.draw, results, mechanism.name))
+        yield Figure(f"{stem}-place", caption, partial(place.draw, results, mechanism))
 
 
 def sketch_caption(mechanism: MechanismResult) -> Text:

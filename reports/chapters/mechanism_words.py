@@ -53,7 +53,7 @@ def direction(mechanism: MechanismResult) -> Text | None:
     angle = round(degrees(atan2(across, along)), 3)
     if angle in AXES:
         return Verbatim(AXES[int(angle)])
-    return say("{angle} from +x towards +y", angle=quantity(angle, "angle", 3))
+    return say("{angle} from +x towards +y", angle=quantity(atan2(across, along), "angle", 3))
 
 
 def _base(mechanism: MechanismResult) -> Iterator[Text]:
@@ -108,7 +108,8 @@ def representation(results: Results, mechanism: MechanismResult) -> Iterator[Tex
 
 def swept_value(value: float, unit: str) -> Text:
     """Return a value of a study in the unit in which the user wrote it."""
-    return say("{value} {unit}", value=quantity(value), unit=Verbatim("" if unit == "-" else unit))
+    shown = quantity(value)
+    return shown if unit == "-" else say("{value} {unit}", value=shown, unit=Verbatim(unit))
 
 
 def warnings(results: Results, mechanism: MechanismResult) -> tuple[Message, ...]:

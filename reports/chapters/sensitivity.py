@@ -65,7 +65,8 @@ def sections(results: Results) -> list[Section]:
     """Return the chapter; none where nothing was varied."""
     found = influences(results)
     if not found:
-        return []
+        notes = tuple(_unvaried(results))
+        return [Section(say("Sensitivity"), 0, notes)] if notes else []
     figures = tuple(_figures(results))
     shown = figures[: 2 if sum(bars for _, bars in figures[:2]) <= MANY_BARS else 1]
     blocks: tuple[Block, ...] = (

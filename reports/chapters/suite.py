@@ -7,17 +7,9 @@ from collections.abc import Iterator, Mapping
 from assess.messages.message import DIMENSIONS
 from assess.results import RecordResult, RequirementResult, Results
 from reports.document import Cell, Column, Graded, Outcome, Table
+from reports.figures.suite import CODES
 from reports.language.texts import Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 
-CODES: Mapping[str, str] = {
-    "asce43-05": "ASCE 43-05",
-    "ntc2018": "NTC 2018",
-    "dmi2008": "NTC 2018",
-    "ec8": "EN 1998-1:2004",
-    "nzsee2017": "NZS 1170.5:2004",
-    "asce41-13": "ASCE 7-16",
-}
-"""The code whose rules on suites belong to a basis."""
 MET: Mapping[str, tuple[Outcome, Phrase]] = {
     "met": ("pass", say("met")),
     "not met": ("fail", say("not met")),

@@ -46,7 +46,7 @@ def input_name(row: SensitivityResult) -> Text:
     own = row.key.removeprefix(f"mechanisms.{row.mechanism}.")
     entry, joint = re.match(r"loads\[(\d+)\]", own), re.match(r"interfaces\.([A-D])\.", own)
     if entry:
-        return say("{parameter} {number}", parameter=word, number=quantity(int(entry[1]) + 1))
+        return say("{parameter} {number}", parameter=word, number=quantity(int(entry[1])))
     return say("{parameter}, joint {joint}", parameter=word, joint=Verbatim(joint[1])) if joint else word
 
 

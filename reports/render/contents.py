@@ -15,8 +15,8 @@ from reports.render.page import DeferredCanvas, Heading
 from reports.render.typeset import STYLES, fitted, width_of
 
 COLUMN = 10  # lines up to which they stand in one column
-_STYLE, _INDENT = "contents", 9.0
-_GAP = 14.0  # between two columns [pt]
+_STYLE = "contents"
+_FOR_NUMBER, _GAP = 27.0, 14.0  # left for dots and number; between two columns [pt]
 _DOT = " ."
 
 
@@ -35,11 +35,10 @@ class Entry(Flowable):
         canvas = self.canv
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
         _set(canvas)
-        indent = _INDENT if self.heading.level else 0.0
-        text = fitted(self.heading.short, self.width - indent - 3 * _INDENT, _STYLE)
-        canvas.drawString(indent, self.height - STYLES[_STYLE].fontSize, text)
+        text = fitted(self.heading.short, self.width - _FOR_NUMBER, _STYLE)
+        canvas.drawString(0, self.height - STYLES[_STYLE].fontSize, text)
         canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.height), relative=1)
-        self.free = self.width - indent - width_of(text, _STYLE)
+        self.free = self.width - width_of(text, _STYLE)
         canvas.later(f"page-of-{self.heading.key}", self._number)
 
     def _number(self, canvas: Canvas) -> None:
@@ -52,7 +51,7 @@ class Entry(Flowable):
 
 def contents(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
     """Return the lines of the chapters and of the mechanisms, in two columns where they are many."""
-    entries = [Entry(each, numbers) for each in headings if each.is_listed]
+    entries = [Entry(each, numbers) for each in headings if each.level == 0]
     high = len(entries) if len(entries) <= COLUMN else ceil(len(entries) / 2)
     rows = [[entries[place], *entries[place + high : place + high + 1]] for place in range(high)]
     wide = (width - _GAP) / 2

@@ -30,11 +30,12 @@ from reports.document import (
     Table,
     Writing,
 )
+from reports.language.formula import mark_up
 from reports.language.lettering import visible
 from reports.language.texts import Kind, Text, say
 from reports.render.cell_text import cell_text, is_number, is_numeric
 from reports.render.frame_words import SHEET_HEADS, SIGNATURE_HEADS, verdict_word
-from reports.render.sheet_rows import SheetRow, marked_formula, sheet_rows
+from reports.render.sheet_rows import SheetRow, sheet_rows
 from reports.render.svg import Picture
 
 SIDEWAYS = say("Scroll sideways to see the whole table →")
@@ -215,7 +216,7 @@ def _whole(text: str) -> str:
 
 def _step(row: SheetRow) -> str:
     clause = f'<span class="clause">{markup(row.clause)}</span>' if row.clause else ""
-    numbers = f'<span class="numbers">= {_formula(row.numbers)}</span>' if row.numbers else ""
+    numbers = f'<span class="numbers">{_formula(row.numbers)}</span>' if row.numbers else ""
     beside = f' <span class="beside">({markup(row.beside)})</span>' if row.beside else ""
     return (
         f'<tr><th scope="row">{_formula(row.symbol)}</th><td>{_formula(row.description)}{clause}</td>'
@@ -224,7 +225,7 @@ def _step(row: SheetRow) -> str:
 
 
 def _formula(text: str) -> str:
-    return marked_formula(markup(text), power="sup")
+    return mark_up(markup(text), index=("<sub>", "</sub>"), power=("<sup>", "</sup>"))
 
 
 def _data(model: Model) -> str:

@@ -60,7 +60,6 @@ class Heading(Paragraph):
         text = " ".join(part for part in (section.mark, locale.text(section.title)) if part)
         super().__init__(markup(truncate(text, 2 * _LONGEST)), STYLES[f"heading-{min(section.level, 1)}"])
         self.short, self.level, self.key = truncate(printable(text), _LONGEST), section.level, key
-        self.is_listed = section.level == 0 or bool(section.mark)
 
     def split(self, aW: float, aH: float) -> list[Flowable]:
         """Return nothing: a heading goes to the next page whole."""

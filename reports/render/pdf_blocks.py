@@ -121,8 +121,9 @@ class Blocks:
         wide = (self.width - _GAP * (len(block.figures) - 1)) / len(block.figures)
         cells = [self._figure(figure, (wide, self.height - _CAPTION)) for figure in block.figures]
         widths = [wide + _GAP] * (len(cells) - 1) + [wide]
-        grid = Grid([cells], colWidths=widths, spaceAfter=5)
-        grid.setStyle([*_BARE, ("RIGHTPADDING", (0, 0), (-2, -1), _GAP), ("VALIGN", (0, 0), (-1, -1), "TOP")])
+        grid = Grid([list(row) for row in zip(*cells, strict=True)], colWidths=widths, spaceAfter=5)
+        grid.setStyle([*_BARE, ("RIGHTPADDING", (0, 0), (-2, -1), _GAP), ("BOTTOMPADDING", (0, 0), (-1, 0), 2)])
+        grid.setStyle([("VALIGN", (0, 0), (-1, 0), "MIDDLE"), ("VALIGN", (0, 1), (-1, 1), "TOP")])
         return [grid]
 
     @of.register

@@ -26,7 +26,8 @@ _DIVIDED = 260.0  # a row that has so much room and needs more is divided [pt]
 _LONG = 120  # letters: a longer text is not measured
 _SHEET_SHARES = (0.11, 0.33, 0.39, 0.17)
 _LOOK: tuple[Any, ...] = (
-    ("VALIGN", (0, 0), (-1, -1), "TOP"),
+    ("VALIGN", (0, 0), (-1, 0), "BOTTOM"),
+    ("VALIGN", (0, 1), (-1, -1), "TOP"),
     ("LINEBELOW", (0, 0), (-1, 0), 0.7, HexColor(MUTED)),
     ("LINEBELOW", (0, 1), (-1, -1), 0.3, HexColor(GRID)),
     ("LEFTPADDING", (0, 0), (-1, -1), _PADDING),
@@ -82,22 +83,39 @@ def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width:
     free = [place for place, share in enumerate(shares) if not share]
     given = [share * width / max(1.0, sum(shares)) for share in shares]
     left = width - sum(given)
-    words = [max(map(_word_width(style), (row[place] for row in rows))) for place in free]
-    lines = [max(map(_line_width(style), (row[place] for row in rows[1:])), default=0.0) for place in free]
-    least = [word + 2 * _PADDING + 1 for word in words]
-    wanted = [max(low, min(_WIDEST * width, line + 2 * _PADDING + 1)) for low, line in zip(least, lines, strict=True)]
-    for place, found in zip(free, _shared(wanted, least, left, fills=len(free) < len(shares)), strict=True):
+    columns = [[row[place] for row in rows] for place in free]
+    least = [_padded(max(map(_word_width(style), column))) for column in columns]
+    lines = [[min(_WIDEST * width, _padded(each)) for each in map(_line_width(style), column)] for column in columns]
+    wanted = [max(low, *each[1:], 0.0) for low, each in zip(least, lines, strict=True)]
+    easy = [max(want, each[0]) for want, each in zip(wanted, lines, strict=True)]
+    for place, found in zip(free, _shared(least, wanted, easy, left, fills=len(free) < len(shares)), strict=True):
         given[place] = found
     return given
 
 
-def _shared(wanted: Sequence[float], least: Sequence[float], left: float, *, fills: bool) -> list[float]:
-    """Return what each column gets of the width that is `left`: what it wants, or at least its longest word."""
-    if sum(wanted) <= left:
-        return [want * min(left / sum(wanted), left if fills else _LOOSEST) for want in wanted]
-    if sum(least) <= left:
-        return _filled(least, wanted, left)
+def _shared(
+    least: Sequence[float], wanted: Sequence[float], easy: Sequence[float], left: float, *, fills: bool
+) -> list[float]:
+    """Return what each column gets of the width that is `left`.
+
+    Parameters
+    ----------
+    least : widths of the longest words [pt]
+    wanted : of the longest lines of the cells
+    easy : of these and the head on one line
+    left : for all
+    fills : all of it is to be used
+    """
+    if sum(easy) <= left:
+        return [each * min(left / sum(easy), left if fills else _LOOSEST) for each in easy]
+    for floor, enough in ((wanted, easy), (least, wanted)):
+        if sum(floor) <= left:
+            return _filled(floor, enough, left)
     return _filled([0.0] * len(least), least, left)
+
+
+def _padded(width: float) -> float:
+    return width + 2 * _PADDING + 1
 
 
 def _filled(floor: Sequence[float], wanted: Sequence[float], left: float) -> list[float]:
@@ -141,7 +159,7 @@ def _coloured(style: str, colour: str) -> Any:
 def _step(row: SheetRow) -> list[Any]:
     style = STYLES["formula"]
     clause = f'<br/><font color="{MUTED}">{markup(row.clause)}</font>' if row.clause else ""
-    numbers = f"<br/>= {formula(row.numbers)}" if row.numbers else ""
+    numbers = f"<br/>{formula(row.numbers)}" if row.numbers else ""
     beside = f"<br/>({markup(row.beside)})" if row.beside else ""
     texts = (
         formula(row.symbol),

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from assess.codes.calculation_step import INPUT_FIGURES, RESULT_FIGURES, Step, substitute, values_text, write_plain
 from assess.messages.message import Quantity
 from reports.document import Sheet
-from reports.language.formula import mark_up
 from reports.language.locale import Locale
 from reports.language.units import UNITS
 from reports.render.cell_text import NOTHING
@@ -21,7 +20,11 @@ _POWERS = str.maketrans("23", "²³")
 
 @dataclass(frozen=True)
 class SheetRow:
-    """One step. numbers: the formula with them, empty where there are none; beside: the result in US units."""
+    """One step.
+
+    numbers : the formula with them after "=", or where the value was read; empty where neither is known
+    beside : the result in US units, empty in SI
+    """
 
     symbol: str
     description: str
@@ -46,11 +49,6 @@ def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
         )
 
 
-def marked_formula(escaped: str, *, power: str) -> str:
-    """Return an escaped formula with tags for its indices and powers. power: the tag of a power, "sup" or "super"."""
-    return mark_up(escaped, index=("<sub>", "</sub>"), power=(f"<{power}>", f"</{power}>"))
-
-
 def _word(english: str, locale: Locale) -> str:
     return locale.word(english) if english else ""
 
@@ -72,6 +70,8 @@ def _numbers(step: Step, locale: Locale) -> str:
         return locale.number(value, figures=INPUT_FIGURES)
 
     said = substitute(_formula(step, locale), step.inputs, write) if step.inputs else ""
+    if said and said != values_text(step.inputs, write):  # its symbols stand in the formula
+        said = f"= {said}"
     return ", ".join(part for part in (said, values_text(step.at, write), _word(step.remark, locale)) if part)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from itertools import chain
+from itertools import chain, groupby
 from pathlib import Path as File
 from xml.sax.saxutils import escape, quoteattr
 
@@ -60,8 +60,8 @@ def picture(traced: FigureMarks) -> Picture:
     windows = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)
     definitions = {_name(*letter): f'<path id="{_name(*letter)}" d="{_glyph(*letter)[0]}"/>' for letter in letters}
     definitions |= {_pane(window): _window(window) for window in windows}
-    marks = [_stroke(mark) if isinstance(mark, Stroke) else _line_of(mark) for mark in traced.marks]
-    return Picture("\n".join(marks), definitions, traced.width, traced.height)
+    marks = "\n".join(_elements(look, list(marks)) for look, marks in groupby(traced.marks, key=_look))
+    return Picture(marks, definitions, traced.width, traced.height)
 
 
 def write_svg(picture: Picture, path: File, *, creator: str) -> File:
@@ -102,10 +102,25 @@ def _pane(clip: Rectangle) -> str:
     return "w" + "_".join(map(_number, clip))
 
 
-def _stroke(mark: Stroke) -> str:
+def _elements(look: str, marks: list[Stroke | Letters]) -> str:
+    """Return neighbours of one look as elements, which share its attributes where there are several."""
+    if len(marks) == 1 and isinstance(marks[0], Stroke):
+        return _stroke(marks[0], look)
+    made = "\n".join(_stroke(mark) if isinstance(mark, Stroke) else _line_of(mark) for mark in marks)
+    return f"<g{look}>\n{made}\n</g>" if look else made
+
+
+def _look(mark: Stroke | Letters) -> str:
+    """Return the attributes of a mark but its colours: of the thousand faces of a body they are all alike."""
+    if isinstance(mark, Letters):
+        return ""
     clip = "" if mark.clip is None else f' clip-path="url(#{_pane(mark.clip)})"'
-    filling = _paint("fill", mark.filling)
-    return f'<path d="{outline(mark.codes, mark.numbers)}"{clip}{filling}{_pen(mark)}/>'
+    return clip + _pen(mark)
+
+
+def _stroke(mark: Stroke, look: str = "") -> str:
+    line = "" if mark.line is None else _paint("stroke", mark.line)
+    return f'<path d="{outline(mark.codes, mark.numbers)}"{_paint("fill", mark.filling)}{line}{look}/>'
 
 
 def _pen(mark: Stroke) -> str:
@@ -115,7 +130,7 @@ def _pen(mark: Stroke) -> str:
     cap = _CAP.get(mark.cap, mark.cap)
     dashed = f' stroke-dasharray="{",".join(map(_number, dashes))}" stroke-dashoffset="{_number(offset)}"'
     return (
-        f'{_paint("stroke", mark.line)} stroke-width="{_number(mark.width)}" stroke-linecap="{cap}"'
+        f' stroke-width="{_number(mark.width)}" stroke-linecap="{cap}"'
         f' stroke-linejoin="{mark.join}"{dashed if dashes else ""}'
     )
 

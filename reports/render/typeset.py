@@ -15,11 +15,12 @@ from reportlab.platypus import Paragraph
 
 from reports.figures.font import font_file, printable
 from reports.figures.style import INK, MUTED, PAPER
+from reports.language.formula import mark_up
 from reports.language.lettering import truncate
-from reports.render.sheet_rows import marked_formula
 
 REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
 _FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}
+_INDEX, _POWER = '<sub rise="1.3" size="5.4">', '<super rise="2.4" size="5.4">'
 _ROOT = ParagraphStyle(
     "root", fontName=REGULAR, fontSize=8.5, leading=11.3, textColor=HexColor(INK), splitLongWords=1, allowWidows=0
 )
@@ -87,7 +88,7 @@ def captioned(title: str, caption: str, style: str = "caption") -> Paragraph:
 
 def formula(text: str) -> str:
     """Return a formula as reportlab markup, with its indices and powers."""
-    return marked_formula(markup(text), power="super")
+    return mark_up(markup(text), index=(_INDEX, "</sub>"), power=(_POWER, "</super>"))
 
 
 def fitted(text: str, width: float, style: str) -> str:

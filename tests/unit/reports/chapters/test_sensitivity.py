@@ -1,22 +1,23 @@
-"""Sensitivities in the report: which numbers stand first, what is said of the verdict, the tornado and its table."""
+"""Sensitivities in the report: which inputs stand first over all mechanisms, what is said, the tornado."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
+from math import inf
 from typing import Any
 
-import numpy as np
 import pytest
-from matplotlib.figure import Figure as Drawn
-from reports.chapters.sensitivity_ranking import rank_inputs
-from reports.language.measures import in_units, render_measures
 
 from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
-from reports.assessment import assessment
-from reports.chapters import sensitivity
-from reports.document import Document, Figure, Table, Text
-from reports.figures import tornado
+from reports.chapters import sensitivity, varied_values
+from reports.chapters.sensitivity_ranking import rank_inputs
+from reports.document import Figure, Prose, Section, Table
+from reports.language.locale import Locale
+from reports.language.texts import Text
+
+EN = Locale()
 
 UNITS = {"density": ("materials.caliche.density", "kg/m^3", 2240.0), "thickness": ("thickness of wall", "m", 0.6)}
 LEVELS = (0.1, 0.2)
@@ -58,10 +59,17 @@ def found() -> tuple[SensitivityResult, ...]:
     return (*still, *loses, *rows("thickness", 0.17, 0.205), history("thickness", 0.45))
 
 
-def chapter(results: Results, found: tuple[SensitivityResult, ...]) -> tuple[Any, ...]:
-    (section,) = sensitivity.chapter(replace(results, sensitivity=found), "wall-6", called="Wall 6", name="n")
-    made = in_units(Document("", "", "", "", "A4", (), (section,), ()), "SI")
-    return made.blocks
+def told(texts: Iterable[Text]) -> str:
+    return "\n".join(map(EN.text, texts)).replace("\u00a0", " ")
+
+
+def chapter(results: Results, found: tuple[SensitivityResult, ...]) -> Section:
+    (section,) = sensitivity.sections(replace(results, sensitivity=found))
+    return section
+
+
+def prose(section: Section) -> str:
+    return "\n".join(told(block.paragraphs) for block in section.blocks if isinstance(block, Prose))
 
 
 def test_what_moves_the_answer_most_stands_first(found: tuple[SensitivityResult, ...]) -> None:
@@ -75,81 +83,82 @@ def test_what_moves_the_answer_most_stands_first(found: tuple[SensitivityResult,
     ]
 
 
-def test_the_sentences_say_what_turns_and_what_does_not(results: Results, found: tuple[SensitivityResult, ...]) -> None:
-    said = "\n".join(chapter(results, found)[0].paragraphs)
-    assert "The verdict of Wall 6 changes with thickness at 0.63 m (pass)." in said
-    assert "dmi2008-linear at 0.200 g with thickness at 0.63 m (FAIL → pass)" in said
-    assert "asce43-05-history at 0.200 g with restitution at 0.945 (pass → FAIL)" in said
-    assert (
-        "The thickness affects the PGA at capacity (dmi2008-linear) most: 0.170 g at 0.57 m and 0.205 g at 0.63 m"
-        in said
-    )
-    assert "it hardly changes with restitution, density of caliche" in said
-    assert "overturned at 0.945, against 0.500 as assessed" in said
+def test_the_chapter_says_what_to_survey_first(results: Results, found: tuple[SensitivityResult, ...]) -> None:
+    said = prose(chapter(results, found))
+    assert "Survey first: thickness" in said
+    assert "The outcome changes within the ranges of thickness (M1) and restitution (M1)." in said
     still = tuple(row for row in found if row.parameter == "density")
-    said = "\n".join(chapter(results, still)[0].paragraphs)
-    assert "The verdict of Wall 6 does not change within these ranges: some check fails throughout." in said
-    assert "None of them affects the PGA at capacity (dmi2008-linear), which is 0.180 g." in said
+    said = prose(chapter(results, still))
+    assert "None of the values moves an answer within its range." in said
 
 
-def test_the_table_holds_the_numbers_as_they_stand(results: Results, found: tuple[SensitivityResult, ...]) -> None:
-    table = next(block for block in chapter(results, found) if isinstance(block, Table))
-    shown = [row for each in rank_inputs(found) for row in each.shown]
-    for row, cells in zip(shown, table.rows, strict=True):
-        assert cells[2:4] == (row.low, row.high)
-        ends = zip(cells[5:8], (row.at_low, row.at_base, row.at_high), strict=True)
-        assert all(cell == value or (cell, value) == ("overturned", None) for cell, value in ends)
-    (whole,) = sensitivity.data(replace(results, sensitivity=found))
-    assert len(whole.rows) == len(found)
-    assert whole.rows[0][:8] == (
-        "wall-6",
-        "density",
-        "materials.caliche.density",
-        "kg/m^3",
-        2240.0,
-        2128.0,
-        2352.0,
-        "dmi2008-linear",
-    )
-    assert {len(row) for row in whole.rows} == {len(whole.columns)}
-
-
-def drawn(results: Results, found: tuple[SensitivityResult, ...]) -> Drawn:
-    return next(block for block in chapter(results, found) if isinstance(block, Figure)).draw()
-
-
-def test_bars_begin_at_the_answer_as_assessed(results: Results, found: tuple[SensitivityResult, ...]) -> None:
-    capacity, ratio, shaken = drawn(results, found).axes
-    bars = [(bar.get_x(), bar.get_x() + bar.get_width()) for bar in capacity.patches][:2]
-    np.testing.assert_allclose(np.sort(bars), [(0.17, 0.18), (0.18, 0.205)], rtol=1e-12)
-    limits = [line.get_xdata()[0] for line in (capacity.lines[1], ratio.lines[1])]  # type: ignore[index]
-    assert limits == [0.2, 1.0]
-    names = [label.get_text() for label in capacity.get_yticklabels()]
-    assert names == [
-        "thickness\n0.57 to 0.63 m",
-        "restitution\n0.855 to 0.945",
-        "density of caliche\n2128 to 2352 kg/m³",
-    ]
-    assert [text.get_text() for text in ratio.texts if text.get_text()] == ["pass", "limit"]
-    assert [text.get_text() for text in shaken.texts if text.get_text()] == ["FAIL", "limit"]
-    (arrow,) = (line for line in shaken.lines if line.get_marker() == ">")
-    assert float(np.asarray(arrow.get_xdata())[0]) == shaken.get_xlim()[1]
-
-
-def test_where_no_capacity_is_known_the_worst_ratio_is_shown(
+def test_an_input_has_one_row_in_the_mechanism_that_it_moves_most(
     results: Results, found: tuple[SensitivityResult, ...]
 ) -> None:
-    only = tuple(row for row in found if row.procedure.endswith("history"))
-    assert [row.procedure for row in rank_inputs(only)[0].shown] == ["asce43-05-history"]
-    assert rank_inputs(only)[0].number.parameter == "restitution"  # it overturns
-    assert len(drawn(results, only).axes) == 1
-    silent: dict[str, Any] = {
-        "verdict_base": Outcome.NOT_ANSWERED,
-        "verdict_low": None,
-        "verdict_high": Outcome.NOT_ANSWERED,
-    }
-    unknown = tuple(replace(row, at_base=None, at_low=None, at_high=None, **silent) for row in only)
-    assert drawn(results, unknown).axes
+    other = tuple(rows("thickness", 0.10, 0.35, mechanism="parapet"))
+    table = next(block for block in chapter(results, (*found, *other)).blocks if isinstance(block, Table))
+    cells = [told(row).split("\n") for row in table.rows]  # type: ignore[arg-type]  all are texts
+    assert [row[0] for row in cells].count("thickness") == 1
+    first = cells[0]
+    assert first[:7] == ["thickness", "0.57 m to 0.63 m", "M2 parapet", "PGA at capacity", "0.1 g", "0.18 g", "0.35 g"]
+    assert first[7] == "passes"
+    assert "unchanged" in cells[-1]
+
+
+def test_the_most_critical_mechanisms_are_drawn_and_the_others_go_to_the_annex(
+    results: Results, found: tuple[SensitivityResult, ...]
+) -> None:
+    many = [row for place in range(7) for row in rows(f"p{place}", 0.1, 0.2, mechanism="parapet")]
+    asked = replace(results, sensitivity=(*found, *many))
+    assert [len(names) for names in drawn(asked)] == [2, 0]  # of three and of seven bars
+    more = replace(asked, sensitivity=(*asked.sensitivity, *rows("loads", 0.1, 0.2, mechanism="parapet")))
+    first, rest = drawn(more)
+    assert first != rest
+    assert sorted([*first, *rest]) == ["01-wall-6-sensitivity", "02-parapet-sensitivity"]
+
+
+def drawn(results: Results) -> list[list[str]]:
+    """The names of the figures of the chapter, and of those in the annex."""
+    return [
+        [block.name for section in made for block in section.blocks if isinstance(block, Figure)]
+        for made in (sensitivity.sections(results), sensitivity.others(results))
+    ]
+
+
+def test_a_tornado_begins_at_the_answer_as_assessed(found: tuple[SensitivityResult, ...]) -> None:
+    capacity, ratio, shaken = sensitivity.panels(rank_inputs(found))
+    assert (capacity.base, capacity.limit and capacity.limit[0]) == (0.18, 0.2)
+    assert [(bar.low, bar.high) for bar in capacity.bars[:2]] == [(0.17, 0.205), (0.18, 0.18)]
+    assert ratio.limit is not None
+    assert ratio.limit[0] == 1.0
+    assert [told(text for text in bar.verdicts if text is not None) for bar in ratio.bars] == ["pass", "", ""]
+    assert shaken.bars[1].high == inf
+    assert told(capacity.bars[2].lines) == "density of caliche\n2128 kg/m³ to 2352 kg/m³"
+
+
+def test_names_tell_entries_and_joints() -> None:
+    row = replace(rows("p", 0.1, 0.2)[0], parameter="loads", key="mechanisms.wall-6.loads[2].force[1]")
+    assert told([varied_values.input_name(row)]) == "load 2"
+    joint = replace(row, parameter="stiffness", key="mechanisms.wall-6.interfaces.B.stiffness")
+    assert told([varied_values.input_name(joint)]) == "stiffness, joint B"
+
+
+def test_what_is_not_varied_is_told_even_where_nothing_is(results: Results) -> None:
+    assert sensitivity.sections(results) == []
+    silent = SensitivityResult("parapet", "thickness", "not varied: its body has no geometry")
+    assert prose(chapter(results, (silent,))) == "M2, thickness: not varied: its body has no geometry."
+
+
+def test_where_no_answer_is_known_the_chapter_is_still_made(
+    results: Results, found: tuple[SensitivityResult, ...]
+) -> None:
+    silent: dict[str, Any] = {"verdict_base": Outcome.NOT_ANSWERED, "verdict_low": None, "verdict_high": None}
+    unknown = tuple(replace(row, at_base=None, at_low=None, at_high=None, **silent) for row in found)
+    assert "not known" in [told([cell]) for cell in table_of(results, unknown).rows[0][4:7]]  # type: ignore[list-item]
+
+
+def table_of(results: Results, found: tuple[SensitivityResult, ...]) -> Table:
+    return next(block for block in chapter(results, found).blocks if isinstance(block, Table))
 
 
 def test_what_decides_stands_before_what_is_for_comparison() -> None:
@@ -162,58 +171,7 @@ def test_what_decides_stands_before_what_is_for_comparison() -> None:
     shown = [(row.quantity, row.procedure) for row in found.shown]
     assert shown == [("index", "asce43-05-spectrum"), ("capacity_pga_g", "asce43-05-spectrum")]
     assert {row.procedure for row in found.decisive} == {"asce43-05-spectrum"}
-    assert sensitivity.answer_name(index) == "index D/C"
-
-
-def ranges(row: SensitivityResult) -> str:
-    return render_measures(sensitivity.range_text(row), units="SI")
-
-
-def test_units_suit_the_number() -> None:
-    row = replace(rows("p", 0.1, 0.2)[0], unit="Pa/m", base=1e10, low=5e9, high=1.5e10)
-    assert ranges(row) == "5 to 15 GPa/m"
-    assert (
-        render_measures(sensitivity.range_text(replace(row, unit="Pa", base=1e6, low=7e5, high=1.3e6)), units="SI")
-        == "0.7 to 1.3 MPa"
-    )
-    assert (
-        render_measures(sensitivity.range_text(replace(row, unit="N", base=20e3, low=16e3, high=24e3)), units="SI")
-        == "16 to 24 kN"
-    )
-    assert ranges(replace(row, unit="-", base=0.5, low=0.4, high=0.6)) == "0.4 to 0.6"
-
-
-def test_names_tell_entries_and_joints() -> None:
-    row = replace(rows("p", 0.1, 0.2)[0], parameter="loads", key="mechanisms.wall-6.loads[2].force[1]")
-    assert sensitivity.quantity_name(row) == "load, entry 2 of loads"
-    joint = replace(row, parameter="stiffness", key="mechanisms.wall-6.interfaces.B.stiffness")
-    assert sensitivity.quantity_name(joint) == "stiffness, joint B"
-
-
-def test_the_report_has_it_where_it_was_asked_for(results: Results, found: tuple[SensitivityResult, ...]) -> None:
-    assert "Sensitivity" not in {section.title for section in assessment(results).sections}
-    document = assessment(replace(results, sensitivity=found))
-    assert [section.title for section in document.sections].count("Sensitivity") == 1
-    assert "01-wall-6-sensitivity" in [figure.name for figure in document.figures]
-    assert "sensitivity" in [table.name for table in document.tables]
-    silent = SensitivityResult("parapet", "thickness", "not varied: its body has no geometry")
-    sections = assessment(replace(results, sensitivity=(silent,))).sections
-    (section,) = (section for section in sections if section.title == "Sensitivity")
-    assert section.blocks == (Text(("thickness: not varied: its body has no geometry.",)),)
-
-
-def test_names_are_only_text(results: Results, found: tuple[SensitivityResult, ...]) -> None:
-    name = "<b>$x$ \\frac{1}{2}\x07‮" + "y" * 10_000
-    hostile = tuple(replace(row, key=f"materials.{name}.density") for row in found if row.parameter == "density")
-    said = chapter(results, hostile)[0].paragraphs
-    assert max(map(len, said)) < 1000
-    assert len(drawn(results, hostile).axes[0].get_yticklabels()[0].get_text()) < 120
-
-
-def test_an_axis_shows_something_where_all_values_are_one() -> None:
-    low, high = tornado.span([0.3, 0.3])
-    assert low < 0.3 < high
-    assert tornado.span([]) == pytest.approx((-0.12, 1.12))
+    assert EN.text(varied_values.answer_name(index)) == "index D/C"
 
 
 def test_damage_does_not_stand_for_collapse() -> None:

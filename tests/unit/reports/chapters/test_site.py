@@ -1,15 +1,113 @@
-"""Accelerations of the site, against numbers by hand."""
+"""The chapter on the site: the action and its parameters, what is combined, the records."""
 
 from __future__ import annotations
 
-import pytest
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Literal
 
-from assess.results import Results
-from reports.chapters import site
+from assess.results import GroundMotionResult, RequirementResult, Resolved, Results
+from reports.chapters import actions, site, suite
+from reports.document import Graded, Prose, Table
+from reports.language.locale import Locale
+from reports.language.texts import Text
+
+EN = Locale()
 
 
-def test_accelerations_of_the_site_are_all_in_g(results: Results) -> None:
-    rows = {row[0]: row[1:] for row in site.site(results).rows}
-    assert rows["S_DS, design, at short periods"] == ("g", pytest.approx(0.167, rel=1e-4))
-    assert rows["T_L, long-period transition"] == ("s", 6.0)
-    assert rows["peak ground acceleration, Sₐ(0)"][0] == "g"
+def told(texts: Iterable[Text]) -> str:
+    return "\n".join(map(EN.text, texts)).replace("\u00a0", " ")
+
+
+def prose(results: Results) -> str:
+    blocks = (block for section in site.sections(results) for block in section.blocks)
+    return "\n".join(told(block.paragraphs) for block in blocks if isinstance(block, Prose))
+
+
+def rule(verdict: Literal["met", "not met", "not answered"], *, code: str = "ASCE 43-05") -> RequirementResult:
+    return RequirementResult(code, "2.4", "largest time step", 0.02, "<=", 0.01, "s", verdict, None, None, "", "")
+
+
+def with_rules(results: Results, *rules: RequirementResult) -> Results:
+    curve = (0.1, 0.2)
+    motion = GroundMotionResult(0.1, 2.0, "given", (), curve, curve, curve, curve, 0.01, None, rules)
+    return replace(results, ground_motion=motion)
+
+
+def test_parameters_have_their_units_and_sources(results: Results) -> None:
+    assert results.spectrum is not None
+    project = {
+        **results.project,
+        "site.spectrum.s_ds": Resolved(1.6377, True),
+        "site.spectrum.s_d1": Resolved(0.51975, True),
+        "site.spectrum.damping": Resolved(0.05, False),
+        "report.sources.site.spectrum": Resolved("literature: <b>a study</b>", True),
+    }
+    table = site.parameters(replace(results, project=project), results.spectrum)
+    rows = {told([row[0]]): told(row[1:]) for row in table.rows}  # type: ignore[list-item, arg-type]  all are texts
+    assert rows["S_DS, design, at short periods"] == "0.167 g\nliterature: <b>a study</b>"
+    assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
+    assert rows["T_L, long-period transition"] == "6 s\ncalculated"
+    assert rows["Damping ratio"] == "0.05\ndefault"
+
+
+def test_no_spectrum_and_no_records_are_told(results: Results) -> None:
+    bare = replace(results, spectrum=None, records=())
+    assert [EN.text(section.title) for section in site.sections(bare)] == ["Site and action", "Combination of actions"]
+    assert "The project gives no spectrum of the site." in prose(bare)
+
+
+def test_the_combination_is_that_of_the_basis(results: Results) -> None:
+    assert results.verdict is not None
+    assert "ψ₂" not in prose(results)
+    italian = replace(results, verdict=replace(results.verdict, basis="ntc2018"))
+    assert "Combination: E + G₁ + G₂ + P + Σ ψ₂ Q" in prose(italian)
+    assert "NTC 2018, eq. 2.5.5" in prose(italian)
+
+
+def test_vertical_motion_is_told_either_way(results: Results) -> None:
+    assert "No vertical ground motion is applied." in prose(results)
+    project = {**results.project, "site.vertical_ratio": Resolved(0.67, True)}
+    assert "vertical ground motion of 0.67 times the horizontal one" in prose(replace(results, project=project))
+
+
+def test_loads_that_are_alike_share_a_row(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    both = replace(results, mechanisms=(replace(wall, loads=parapet.loads[:1]), parapet))
+    rows = actions.loads(both).rows
+    assert [told([row[0], row[1], row[2]]) for row in rows] == [  # type: ignore[list-item]  all are texts
+        "floor <beam>\nM1 and M2\nweight and mass",
+        "=cmd()\nM2\nforce",
+    ]
+    assert rows[1][4:] == (8250.5, -120.0)
+    bare = replace(results, mechanisms=(wall,))
+    assert not actions.loads(bare).rows
+    assert "The project gives no other loads" in prose(bare)
+
+
+def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Results) -> None:
+    recorded = replace(results.records[0], path="a.AT2", event="Friuli", date="1976-05-06", component="NS")
+    rows = suite.records(replace(results, records=(*results.records, recorded))).rows
+    assert len(rows) == 2
+    assert told([rows[0][1]]) == "Friuli 1976"  # type: ignore[list-item]  a text
+    assert told([rows[1][0]]) == "5 artificial records"  # type: ignore[list-item]  a text
+    assert told([rows[1][4]]) == "1.01 to 1.05"  # type: ignore[list-item]  a text
+
+
+def test_the_suite_is_judged_by_the_rules_of_the_basis_alone(results: Results) -> None:
+    met = with_rules(results, rule("met"), rule("not met", code="NTC 2018"))
+    assert told(suite.sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
+    missed = with_rules(results, rule("met"), rule("not met"))
+    assert told(suite.sentences(missed)).endswith(
+        "does not meet every requirement of ASCE 43-05 on suites: largest time step."
+    )
+    table = suite.requirements(missed)
+    assert [row[-1].outcome for row in table.rows if isinstance(row[-1], Graded)] == ["pass", "fail"]
+    assert told([table.rows[0][3]]) == "≤ 0.01 s"  # type: ignore[list-item]  a text
+
+
+def test_tables_have_as_many_cells_as_columns(results: Results) -> None:
+    sections = site.sections(with_rules(results, rule("not answered")))
+    tables = [block for section in sections for block in section.blocks if isinstance(block, Table)]
+    assert {table.name for table in tables} == {"site", "actions", "suite-records", "suite-rules"}
+    assert all(len(row) == len(table.columns) for table in tables for row in table.rows)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 from reports.figures.style import report_style, sheet
+from reports.language.locale import Locale
 from reports.render.png import DPI, write_png
 from reports.render.vector import trace_figure
 
@@ -16,7 +17,7 @@ from reports.render.vector import trace_figure
 def drawn(figure: Figure | None = None) -> Figure:
     """A scene on a figure; on one of the report if none is given."""
     with report_style():
-        figure = figure or sheet(2.0, width=4.0)
+        figure = figure or sheet(2.0, Locale(), width=4.0)
         axes = figure.add_subplot(xlabel="rotation φ [rad]", ylabel="λ")
         axes.plot([0, 1, 2], [0, 2, 1], color="#c1121f", linestyle="--")
         axes.fill_between([0, 1, 2], [0, 1, 0.5], color="#0072b2", alpha=0.4)

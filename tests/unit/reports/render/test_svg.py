@@ -12,6 +12,7 @@ from matplotlib.path import Path
 from matplotlib.textpath import TextPath
 
 from reports.figures.style import report_style, sheet
+from reports.language.locale import Locale
 from reports.render.svg import _glyph, outline, picture, write_svg
 from reports.render.vector import trace_figure
 
@@ -20,7 +21,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def written(folder: File, text: str) -> ElementTree.Element:
     with report_style():
-        figure = sheet(2.0, width=4.0)
+        figure = sheet(2.0, Locale(), width=4.0)
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), xlim=(0, 4), ylim=(0, 2))
         axes.set_axis_off()

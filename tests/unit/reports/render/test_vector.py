@@ -9,12 +9,13 @@ from matplotlib.patches import Circle, PathPatch
 from matplotlib.path import Path
 
 from reports.figures.style import PROCEDURES, pen, report_style, sheet
+from reports.language.locale import Locale
 from reports.render.vector import Letters, Stroke, trace_figure
 
 
 def test_a_line_lands_where_the_axes_put_it() -> None:
     with report_style():
-        figure = sheet(2.0, width=4.0)
+        figure = sheet(2.0, Locale(), width=4.0)
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), xlim=(0, 4), ylim=(0, 2))
         axes.set_axis_off()
@@ -28,7 +29,7 @@ def test_a_line_lands_where_the_axes_put_it() -> None:
 
 def test_a_circle_is_drawn_in_short_lines() -> None:
     with report_style():
-        figure = sheet(2.0, width=4.0)
+        figure = sheet(2.0, Locale(), width=4.0)
         figure.add_artist(Circle((2.0, 1.0), 0.5, transform=figure.dpi_scale_trans, fill=True, facecolor="#ff0000"))
     circle = next(m for m in trace_figure(figure).marks if isinstance(m, Stroke) and m.filling == (1.0, 0.0, 0.0, 1.0))
     assert set(circle.codes) == {Path.MOVETO, Path.LINETO, Path.CLOSEPOLY}
@@ -43,7 +44,7 @@ def test_many_outlines_are_those_of_one_by_one(curved: bool) -> None:
     paths = [Path([(0, 0), (1, 0), (1, 1), (0, 0)], closed=True), Path([(0, 1), (2, 2), (3, 1)])]
     paths += [Path.unit_circle()] if curved else []
     with report_style():
-        together, apart = (sheet(2.0, width=4.0) for _ in range(2))
+        together, apart = (sheet(2.0, Locale(), width=4.0) for _ in range(2))
         together.add_artist(PathCollection(paths, transform=together.dpi_scale_trans, facecolor="#ff0000"))
         for path in paths:
             apart.add_artist(PathPatch(path, transform=apart.dpi_scale_trans, facecolor="#ff0000"))
@@ -57,7 +58,7 @@ def test_many_outlines_are_those_of_one_by_one(curved: bool) -> None:
 
 def test_user_text_is_kept_letter_for_letter() -> None:
     with report_style():
-        figure = sheet(2.0)
+        figure = sheet(2.0, Locale())
         figure.text(0.5, 0.5, "$x_1$ <b>& \\alpha")
         figure.add_artist(Circle((0.5, 0.5), 0.1))
     marks = trace_figure(figure).marks

@@ -1,0 +1,73 @@
+"""The words of a chapter as a reader sees them, for tests of what it says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from reports.document import (
+    Banner,
+    Block,
+    Cell,
+    Code,
+    Facts,
+    Graded,
+    Items,
+    Prose,
+    Section,
+    Signatures,
+    Table,
+    Writing,
+)
+from reports.language.locale import Locale
+from reports.language.texts import Text
+
+ENGLISH = Locale()
+
+
+def letters(text: Text) -> str:
+    """A text in English and SI units, with plain spaces."""
+    return ENGLISH.text(text).replace("\u00a0", " ")
+
+
+def cell_letters(cell: Cell) -> str:
+    """A cell: numbers as they are, a dash for none."""
+    if cell is None:
+        return "–"
+    if isinstance(cell, Graded):
+        return letters(cell.text)
+    return str(cell) if isinstance(cell, bool | int | float) else letters(cell)
+
+
+def rows(table: Table) -> list[list[str]]:
+    """The cells of a table."""
+    return [[cell_letters(cell) for cell in row] for row in table.rows]
+
+
+def lines(sections: Iterable[Section]) -> list[str]:
+    """Every paragraph, point, line of code, pair and row of some sections."""
+    return [line for section in sections for block in section.blocks for line in _lines(block)]
+
+
+def _lines(block: Block) -> list[str]:
+    if isinstance(block, Prose):
+        return [letters(each) for each in block.paragraphs]
+    if isinstance(block, Items):
+        return [letters(each) for each in block.points]
+    if isinstance(block, Code):
+        return list(block.lines)
+    if isinstance(block, Banner):
+        return [letters(block.headline)]
+    if isinstance(block, Facts):
+        return [f"{letters(label)}: {letters(text)}" for label, text in block.pairs]
+    if isinstance(block, Table):
+        return [" | ".join(row) for row in rows(block)]
+    if isinstance(block, Signatures):
+        return [f"{letters(role)}: {letters(name)}" for role, name in block.places]
+    return [letters(block.title)] if isinstance(block, Writing) else []
+
+
+def table_of(sections: Iterable[Section], name: str) -> Table:
+    """The table of this name."""
+    return next(
+        block for section in sections for block in section.blocks if isinstance(block, Table) and block.name == name
+    )

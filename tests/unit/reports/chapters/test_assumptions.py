@@ -1,0 +1,93 @@
+"""Each value has the source that the project states for it, and nothing assumed is hidden."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assess.results import Resolved, Results
+from reports.chapters import assumptions
+from tests.support.letters import letters, lines, rows
+
+
+def with_project(results: Results, **values: Resolved) -> Results:
+    return replace(results, project={key.replace("__", "."): value for key, value in values.items()})
+
+
+def given(value: object, kind: str = "") -> Resolved:
+    return Resolved(value, True, {"": kind} if kind else {})
+
+
+def default(value: object) -> Resolved:
+    return Resolved(value, False)
+
+
+def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
+    made = with_project(
+        results,
+        materials__stone__density=given(2000.0, "density"),
+        materials__stone__friction=given(0.6),
+        report__sources__materials__stone=given("literature: handbook"),
+        report__sources__materials__stone__friction=given("assumed: as usual"),
+    )
+    stated = {
+        key: assumptions.source_of(made, key, made.project[key])
+        for key in ("materials.stone.density", "materials.stone.friction")
+    }
+    assert stated["materials.stone.density"] == assumptions.Source("literature", "handbook")
+    assert stated["materials.stone.friction"] == assumptions.Source("assumed", "as usual")
+    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumed(made))
+    assert ["stone: all properties", "literature", "handbook", "–"] in rows(assumptions.sources(made))
+
+
+def test_a_key_does_not_cover_another_that_begins_alike(results: Results) -> None:
+    made = with_project(
+        results,
+        materials__stone2__friction=given(0.6),
+        report__sources__materials__stone=given("measured: core"),
+    )
+    found = assumptions.source_of(made, "materials.stone2.friction", made.project["materials.stone2.friction"])
+    assert found.kind == assumptions.UNSTATED
+    assert ["stone2: friction", "not stated", "–", "–"] in rows(assumptions.sources(made))
+
+
+def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> None:
+    made = with_project(
+        results,
+        site__vertical_ratio=default(0.0),
+        building__storeys=given(4),
+        report__sources__building__storeys=given("assumed: by its windows"),
+    )
+    table = assumptions.assumed(made)
+    assert [row[0] for row in rows(table)] == ["Number of storeys", "Vertical over horizontal spectrum"]
+    assert table.muted == {1}
+
+
+def test_a_value_of_several_mechanisms_has_one_row(results: Results) -> None:
+    keys = [f"mechanisms.{each.name}.interface.model" for each in results.mechanisms]
+    made = replace(results, project=dict.fromkeys(keys, default("rigid")))
+    assert rows(assumptions.assumed(made)) == [
+        ["Model of the joints", "rigid", "default of the program", "all mechanisms"]
+    ]
+
+
+def test_defaults_of_a_code_that_answered_nothing_do_not_matter(results: Results) -> None:
+    made = with_project(
+        results, procedures__nzsee2017__masonry=default("rubble"), procedures__dmi2008__confidence_factor=default(1.0)
+    )
+    assert [row[0] for row in rows(assumptions.assumed(made))] == ["Confidence factor"]
+
+
+def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
+    made = with_project(
+        results,
+        materials__stone__density=given(2240.0, "density"),
+        materials__stone__young_modulus=given(6.89e9, "stress"),
+        materials__stone__friction=default(None),
+    )
+    table = assumptions.materials(made)
+    assert rows(table) == [["stone", "2240 kg/m³", "6.89 GPa"]]
+    assert [letters(column.label) for column in table.columns] == ["Material", "Density", "Young’s modulus E"]
+
+
+def test_a_project_that_assumes_nothing_says_so(results: Results) -> None:
+    assert any("No value is marked as assumed" in line for line in lines(assumptions.sections(with_project(results))))

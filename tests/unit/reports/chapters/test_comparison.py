@@ -1,0 +1,104 @@
+"""The comparison: the site's own action apart from other levels, and what methods say against each other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from assess.codes.check import Family, Outcome
+from assess.results import Results
+from reports.chapters import comparison, comparison_words
+from reports.document import Cell, Graded
+from reports.language.locale import Locale
+from reports.language.texts import Text
+
+EN = Locale()
+
+
+def told(texts: Iterable[Text]) -> str:
+    return "\n".join(map(EN.text, texts)).replace("\u00a0", " ")
+
+
+def shown(cell: Cell) -> str:
+    if isinstance(cell, Graded):
+        return f"{cell.outcome}: {EN.text(cell.text)}"
+    assert cell is not None
+    assert not isinstance(cell, float | int)
+    return EN.text(cell)
+
+
+def test_only_the_sites_own_action_is_coloured(results: Results) -> None:
+    table = comparison.table(results)
+    assert [EN.text(column.label).replace("\u00a0", " ") for column in table.columns][2:5] == [
+        "D/C at 0.067 g",
+        "D/C at 0.2 g",
+        "D/C at 0.45 g",
+    ]
+    for row in table.rows:
+        assert isinstance(row[2], Graded)
+        assert not any(isinstance(cell, Graded) for cell in row[3:])
+    assert shown(table.rows[1][0]) == "M2 parapet"
+    assert [shown(cell) for cell in table.rows[1][3:5]] == ["0.37", "overturns"]
+
+
+def test_the_methods_that_may_decide_stand_in_the_table(
+    results: Results, judged_at: Callable[[Results, float], Results]
+) -> None:
+    row = comparison.table(judged_at(results, 0.45)).rows[1]
+    assert shown(row[2]) == "fail: overturns"
+    without = comparison.table(replace(results, verdict=None))
+    assert not any(isinstance(cell, Graded) for row in without.rows for cell in row)
+    assert len(without.columns) == len(without.rows[0])
+
+
+def test_many_levels_are_thinned_out(results: Results) -> None:
+    wall = results.mechanisms[0]
+    levels = [0.1 + 0.01 * place for place in range(23)]
+    checks = (*wall.checks, *(replace(wall.checks[0], level_pga_g=level) for level in levels))
+    many = replace(results, mechanisms=(replace(wall, checks=checks),))
+    assert len(comparison.table(many).columns) <= 2 + 1 + comparison.MOST + 2
+
+
+def test_disagreement_names_who_fails_by_which_method(
+    results: Results, judged_at: Callable[[Results, float], Results]
+) -> None:
+    judged = judged_at(results, 0.45)
+    said = told(comparison_words.findings(judged))
+    assert "At the site’s own action the methods disagree on M1" in said
+    assert "DMI 2008, linear fails M1. It compares the acceleration that starts the motion" in said
+    agreed = tuple(
+        replace(m, checks=tuple(replace(c, verdict=Outcome.PASS) for c in m.checks)) for m in judged.mechanisms
+    )
+    assert "disagree" not in told(comparison_words.findings(replace(judged, mechanisms=agreed)))
+
+
+def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None:
+    first = results.mechanisms[0]
+
+    def said(capacity: float) -> str:
+        passing = replace(first.checks[0], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
+        return told(comparison_words.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
+
+    assert "For M1 a record that overturns" in said(0.28)
+    assert "For M1 a record that overturns" not in said(0.31)
+
+
+def test_overturning_records_are_counted(results: Results) -> None:
+    said = told(comparison_words.findings(results))
+    assert "Records overturn M2 parapet at 0.45 g (1 of 5). No other history overturns a mechanism." in said
+    standing = replace(results, mechanisms=results.mechanisms[:1])
+    assert "No record overturns a mechanism at the levels requested." in told(comparison_words.findings(standing))
+
+
+def test_swept_mechanisms_are_represented_by_a_case(results: Results) -> None:
+    assert told(comparison_words.introduction(results)).startswith(
+        "Each swept mechanism is represented by its most critical case: M2."
+    )
+
+
+def test_every_family_of_methods_has_a_sentence_on_what_it_measures() -> None:
+    assert set(comparison_words.MEASURES) == set(Family)
+
+
+def test_there_is_no_chapter_without_answers(results: Results) -> None:
+    assert comparison.sections(replace(results, comparison=())) == []

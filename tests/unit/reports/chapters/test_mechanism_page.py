@@ -1,0 +1,160 @@
+"""The page of a mechanism: what it says of the mechanism, and what governs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import pytest
+
+from assess.codes.check import Outcome
+from assess.codes.verdict import Decision, Index
+from assess.messages.message import Message, Severity
+from assess.results import MechanismResult, Resolved, Results
+from reports.chapters import governing_words, mechanism_page, mechanism_tables, mechanism_words
+from reports.chapters.check_cells import clause
+from reports.document import Figure, Graded, Row
+from reports.language.locale import Locale
+from reports.language.texts import Text
+
+US = Locale(system="US")
+
+
+def told(texts: Iterable[Text], locale: Locale = Locale()) -> str:  # noqa: B008  a frozen value
+    return "\n".join(map(locale.text, texts)).replace("\u00a0", " ")
+
+
+def described(mechanism: MechanismResult) -> str:
+    return told([mechanism_words.description(mechanism)])
+
+
+def test_the_description_names_kind_sides_direction_and_loads(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    assert described(replace(wall, direction=(0.0, -1.0, 0.0))).startswith(
+        "A single block that rocks to both sides, positive towards −y."
+    )
+    assert "30° from +x towards +y" in described(replace(wall, direction=(3**0.5 / 2, 0.5, 0.0)))
+    assert described(parapet).startswith("An equivalent block, given by its rocking parameters instead of a geometry,")
+    assert "rocks to one side only" in described(parapet)
+    assert "Loads: floor <beam> and =cmd()." in described(parapet)
+    assert "It carries 8 loads." in described(replace(parapet, loads=parapet.loads * 4))
+
+
+def test_heights_follow_the_units(results: Results) -> None:
+    above = replace(results.mechanisms[0], base_elevation_m=3.048, above_ground=True)
+    assert "Its base is 10 ft above the ground." in told([mechanism_words.description(above)], US)
+    ground = replace(above, base_elevation_m=0.0, above_ground=False)
+    assert "Its base is on the ground." in described(ground)
+
+
+def test_the_case_that_stands_for_a_sweep_is_named(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    assert told(mechanism_words.representation(results, parapet)) == (
+        "3 values of mechanisms.parapet.uplift were studied; this page shows the most critical one: 0.09."
+    )
+    assert not tuple(mechanism_words.representation(results, wall))
+
+
+def test_warnings_belong_to_the_mechanism_with_the_longest_name(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    longer = replace(parapet, name="wall-6.b")
+    said = (
+        Message("a", Severity.WARNING, "mechanisms.wall-6.b.loads[1]", "of the longer one"),
+        Message("b", Severity.WARNING, "mechanisms.wall-6", "of the wall"),
+        Message("b", Severity.WARNING, "mechanisms.wall-6", "of the wall"),
+        Message("c", Severity.NOTE, "mechanisms.wall-6", "a note"),
+        Message("d", Severity.WARNING, "records", "of the records"),
+    )
+    both = replace(results, mechanisms=(wall, longer), warnings=said)
+    assert [each.text for each in mechanism_words.warnings(both, wall)] == ["of the wall"]
+    assert [each.text for each in mechanism_words.warnings(both, longer)] == ["of the longer one"]
+
+
+def test_branches_that_are_alike_share_a_row(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    assert len(mechanism_tables.parameters(results, wall, name="n").rows) == 1
+    assert wall.oscillator_negative is not None
+    other = replace(wall, oscillator_negative=replace(wall.oscillator_negative, radius_m=2.0))
+    rows = mechanism_tables.parameters(results, other, name="n").rows
+    assert [row[2] for row in rows] == [2.84, 2.0]
+    assert mechanism_tables.parameters(results, parapet, name="n").rows[0][1] is None  # a unit mass stands for none
+    given = {**results.project, "mechanisms.parapet.mass": Resolved(1.0, True)}
+    known = replace(results, project=given)
+    assert mechanism_tables.parameters(known, parapet, name="n").rows[0][1] == 1.0
+
+
+def test_answers_are_those_at_the_sites_own_action_once_each(results: Results) -> None:
+    wall = results.mechanisms[0]
+    checks = mechanism_tables.shown_checks(results, wall)
+    assert {check.level_pga_g for check in checks} == {0.067}
+    keys = [(check.procedure, check.limit_state) for check in checks]
+    assert len(keys) == len(set(keys)) == 5
+    table = mechanism_tables.answers(results, wall, name="n")
+    assert table.muted == {4}  # the reading of the thesis comes last
+    graded = [row[-1] for row in table.rows]
+    assert all(isinstance(each, Graded) for each in graded)
+    roles = [check.role for check in checks]
+    colours = [each.outcome for each in graded if isinstance(each, Graded)]
+    assert [colour == "comparison" for colour in colours] == [role != "deciding" for role in roles]
+
+
+def test_methods_that_do_not_apply_are_named_and_have_no_row(results: Results) -> None:
+    wall = results.mechanisms[0]
+    checks = tuple(
+        replace(check, verdict=Outcome.NOT_APPLICABLE) if check.procedure == "dmi2008-linear" else check
+        for check in wall.checks
+    )
+    changed = replace(wall, checks=checks)
+    assert len(mechanism_tables.shown_checks(results, changed)) == 4
+    (section,) = mechanism_page.sections(results, changed, "01-wall")
+    prose = [told(block.paragraphs) for block in section.blocks if hasattr(block, "paragraphs")]
+    assert any("Methods that do not apply to this mechanism: DMI 2008, linear." in each for each in prose)
+
+
+def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judged_at: object) -> None:
+    assert callable(judged_at)
+    judged = judged_at(results, 0.45)
+    said = told(governing_words.sentences(judged, judged.mechanisms[1]))
+    assert (
+        "ASCE 43-05, response history governs at DBE: overturns: no rotation balances this demand (ASCE/SEI 43-05"
+        in said
+    )
+    judged = judged_at(results, 0.2)
+    said = told(governing_words.sentences(judged, judged.mechanisms[0]))
+    assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said
+
+
+def test_a_failure_says_what_it_lacks(results: Results) -> None:
+    assert results.verdict is not None
+    one = results.verdict.mechanisms[1]
+    answer = replace(one.answers[0], outcome=Decision.FAIL, ratio=3.0, index=Index("zeta_E", 0.4))
+    failing = replace(one, outcome=Decision.FAIL, answers=(answer,), margin=0.5)
+    assert governing_words.lacking_factor(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
+    by_ratio = replace(failing, answers=(replace(answer, index=Index("D/C", 3.0)),))
+    assert governing_words.lacking_factor(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
+    unknown = replace(by_ratio, margin=None)
+    assert governing_words.lacking_factor(unknown, results.verdict) == pytest.approx(3.0)
+
+
+def test_the_clause_is_that_of_the_comparison(results: Results) -> None:
+    check = results.mechanisms[0].checks[0]
+    last, before = check.steps[-1], check.steps[-2]
+    steps = (*check.steps[:-2], replace(before, value=check.ratio, unit="-", clause="A.2"), replace(last, value=7.0))
+    assert clause(replace(check, steps=steps)) == "A.2"
+    assert clause(replace(check, steps=())) == ""
+
+
+def test_figures_stand_in_pairs_and_none_is_lost(results: Results) -> None:
+    for mechanism, names in zip(
+        results.mechanisms,
+        (["sketch", "place", "capacity", "pga-rotation"], ["sketch", "capacity", "pga-rotation"]),
+        strict=True,
+    ):
+        (section,) = mechanism_page.sections(results, mechanism, "s")
+        rows = [block for block in section.blocks if isinstance(block, Row)]
+        alone = [block for block in section.blocks if isinstance(block, Figure)]
+        figures = [figure for row in rows for figure in row.figures] + alone
+        assert [figure.name for figure in figures] == [f"s-{name}" for name in names]
+        assert {len(row.figures) for row in rows} == {2}
+        assert section.starts_page
+        assert section.mark in ("M1", "M2")

@@ -1,0 +1,78 @@
+"""Only the limits that apply to these results are told, and everything that was not compared with a print is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assess.codes.check import Check, Outcome
+from assess.messages.message import note
+from assess.results import MechanismResult, Results
+from reports.chapters import methods, references, scope
+from tests.support.letters import letters, lines, rows
+
+
+def limits(results: Results) -> str:
+    return "\n".join(letters(text) for text in scope.limits_of(results))
+
+
+def with_checks(mechanism: MechanismResult, *more: Check) -> MechanismResult:
+    return replace(mechanism, checks=(*mechanism.checks, *more))
+
+
+def without_histories(results: Results) -> Results:
+    return replace(results, mechanisms=tuple(replace(each, histories=()) for each in results.mechanisms))
+
+
+def test_limits_of_histories_need_histories(results: Results) -> None:
+    assert "One rocking history cannot be predicted" in limits(results)
+    assert "history" not in limits(without_histories(results))
+
+
+def test_the_linearised_equation_is_told_of_those_that_use_it(results: Results) -> None:
+    assert "The histories of M2 solve the linearised equation" in limits(results)
+
+
+def test_sliding_is_assumed_where_it_was_not_checked(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    assert "Friction is assumed to be sufficient for all mechanisms" in letters(scope.sliding(results))
+    slid = replace(wall.checks[0], procedure="sliding", verdict=Outcome.PASS)
+    some = replace(results, mechanisms=(with_checks(wall, slid), parapet))
+    assert "sufficient for M2; it was not checked" in letters(scope.sliding(some))
+    unanswered = replace(slid, verdict=Outcome.NOT_ANSWERED)
+    none = replace(results, mechanisms=(with_checks(wall, unanswered), parapet))
+    assert "sufficient for all mechanisms" in letters(scope.sliding(none))
+
+
+def test_ground_motion_above_the_ground_names_mechanism_and_method(results: Results) -> None:
+    wall, parapet = results.mechanisms
+    remark = note("ground-motion", "")
+    low = replace(wall.checks[0], procedure="dmi2008-linear", remarks=(remark,))
+    said = limits(replace(results, mechanisms=(with_checks(wall, low), parapet)))
+    assert "acts unamplified on M1, which are above the ground, in these methods: DMI 2008, linear." in said
+    assert "unamplified" not in limits(results)
+
+
+def test_each_caveat_is_told_once_with_its_methods(results: Results) -> None:
+    said = [line for line in lines(scope.sections(results)) if "clauses not checked" in line]
+    assert said == ["DMI 2008, linear; DMI 2008, capacity spectrum: clauses not checked against the printed standard"]
+
+
+def test_what_the_basis_could_not_compare_is_told(results: Results) -> None:
+    assert results.verdict is not None
+    assert set(results.verdict.uncompared) <= set(lines(scope.sections(results)))
+
+
+def test_methods_say_their_part_and_those_that_decide_come_first(results: Results) -> None:
+    table = methods.table(results)
+    parts = [row[2] for row in rows(table)]
+    assert parts[0] == "decides"
+    assert "never decides: reading of the thesis" in parts
+    assert table.muted == {place for place, part in enumerate(parts) if part != "decides"}
+    assert len(rows(table)) == len({check.procedure for each in results.mechanisms for check in each.checks})
+
+
+def test_references_are_those_of_these_results(results: Results) -> None:
+    cited = [letters(text) for text in references.cited(results)]
+    assert len(set(cited)) == len(cited)
+    assert any("ASCE/SEI 7-16" in text for text in cited)
+    assert not any("NZSEE" in text or "Zhang" in text for text in cited)

@@ -1,0 +1,131 @@
+"""Page 1 says what the verdict of the results says, all of it or where the rest is, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from assess.codes.verdict import Decision, Index, Missing
+from assess.messages.message import Message, Severity, warning
+from assess.results import ChecklistItem, ReportMatter, Resolved, Results
+from reports.chapters import scope, verdict
+from reports.document import Banner, Code
+from tests.support.letters import letters, lines
+
+JudgedAt = Callable[[Results, float], Results]
+WEAK = Missing("materials.old stone.disintegration", "whether it may disintegrate", 'disintegration = "excluded"')
+
+
+def condition(number: int) -> Message:
+    return Message(f"condition-{number}", Severity.NOTE, "", f"condition {number} is shown to hold")
+
+
+def with_verdict(results: Results, **changes: object) -> Results:
+    assert results.verdict is not None
+    return replace(results, verdict=replace(results.verdict, **changes))  # type: ignore[arg-type]
+
+
+def banner(results: Results) -> Banner:
+    found = verdict.sections(results)[0].blocks[0]
+    assert isinstance(found, Banner)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("pga_g", "outcome", "said"),
+    [
+        (0.067, "pass", "All 2 mechanisms examined hold at the site’s own action, PGA 0.067 g."),
+        (0.45, "fail", "1 of 2 mechanisms examined fails at the site’s own action, PGA 0.45 g."),
+    ],
+)
+def test_the_banner_is_the_verdict_at_the_sites_own_action(
+    results: Results, judged_at: JudgedAt, pga_g: float, outcome: str, said: str
+) -> None:
+    """At 0.45 g linear analysis fails both; it is no method of the basis and decides nothing."""
+    found = banner(judged_at(results, pga_g))
+    assert (found.outcome, letters(found.headline), found.near) == (outcome, said, False)
+
+
+def test_one_mechanism_is_not_all_of_them(results: Results) -> None:
+    assert results.verdict is not None
+    alone = with_verdict(results, mechanisms=results.verdict.mechanisms[:1])
+    assert letters(banner(alone).headline).startswith("The one mechanism examined holds")
+
+
+def test_what_lies_at_the_limit_says_so_unless_it_is_incomplete(results: Results) -> None:
+    assert banner(with_verdict(results, at_the_limit=True)).near
+    assert not banner(with_verdict(results, at_the_limit=True, outcome=Decision.INCOMPLETE)).near
+
+
+def test_the_basis_names_titles_action_target_and_index(results: Results) -> None:
+    known = with_verdict(results, index=Index("zeta_E", 0.8312))
+    project = {**results.project, "building.use_class": Resolved("III", True)}
+    said = lines(verdict.sections(replace(known, project=project)))
+    assert "Code: ASCE/SEI 43-05" in said
+    assert "Limit state: DBE, design basis earthquake" in said
+    assert "Site’s own action: PGA 0.067 g, stated for DBE, class of use III" in said
+    assert "Methods that may decide: ASCE 43-05, response history and ASCE 43-05, approximate method" in said
+    assert "Target: ζ_E of at least 1" in said
+    assert "Index of the building: at most ζ_E = 0.831; local mechanisms only" in said
+
+
+def test_a_ratio_is_bounded_from_below(results: Results) -> None:
+    said = lines(verdict.sections(with_verdict(results, index=Index("D/C", 0.5))))
+    assert "Index of the building: at least D/C = 0.5; local mechanisms only" in said
+
+
+def test_the_code_has_its_national_annex(results: Results) -> None:
+    given = replace(results, report=ReportMatter(national_annex="UNI EN 1998-1"))
+    assert "Code: ASCE/SEI 43-05, national annex: UNI EN 1998-1" in lines(verdict.sections(given))
+
+
+def test_an_incomplete_verdict_lists_what_is_missing_with_lines_to_paste(results: Results) -> None:
+    lacking = with_verdict(
+        results, outcome=Decision.INCOMPLETE, missing=(WEAK,), provisional=Decision.FAIL, conditions=()
+    )
+    blocks = verdict.sections(lacking)[0].blocks
+    said = lines(verdict.sections(lacking))
+    assert "materials.old stone.disintegration: whether it may disintegrate" in said
+    assert Code(('[materials."old stone"]', 'disintegration = "excluded"')) in blocks
+    assert "With the safe value of all that is missing, the verdict would be: fail." in said
+
+
+def test_what_passes_asks_for_nothing(results: Results) -> None:
+    assert not any(isinstance(block, Code) for block in verdict.sections(results)[0].blocks)
+
+
+def test_many_conditions_are_all_in_the_report(results: Results) -> None:
+    many = with_verdict(results, conditions=tuple(map(condition, range(20))))
+    first, rest = lines(verdict.sections(many)), lines(scope.sections(many))
+    assert "and 14 others, under Scope and limits" in first
+    assert all(f"condition {number} is shown to hold" in rest for number in range(20))
+
+
+def test_a_list_is_not_shortened_by_one_point(results: Results) -> None:
+    seven = with_verdict(results, conditions=tuple(map(condition, range(7))))
+    assert sum("is shown to hold" in line for line in lines(verdict.sections(seven))) == 7
+
+
+def test_one_warning_of_several_mechanisms_is_one_line_with_their_numbers(results: Results) -> None:
+    told = tuple(warning("mechanism", f"mechanisms.{name}", text="no rebound") for name in ("parapet", "wall-6"))
+    said = lines(verdict.sections(replace(results, warnings=told)))
+    assert "all mechanisms: no rebound" in said
+    alone = lines(verdict.sections(replace(results, warnings=told[:1])))
+    assert "M2: no rebound" in alone
+
+
+def test_notes_are_no_warnings(results: Results) -> None:
+    told = (replace(condition(1), severity=Severity.NOTE),)
+    assert not any("condition 1" in line for line in lines(verdict.sections(replace(results, warnings=told))))
+
+
+def test_mechanisms_that_are_possible_and_not_examined_are_named(results: Results) -> None:
+    items = (ChecklistItem("gable", None, "not-examined"), ChecklistItem("corner", None, "absent"))
+    matter = ReportMatter(building_type="house", checklist=items)
+    assert "Possible, not examined: overturning of gables" in lines(verdict.sections(replace(results, report=matter)))
+
+
+def test_results_without_a_verdict_say_so(results: Results) -> None:
+    assert "no verdict" in lines(verdict.sections(replace(results, verdict=None)))[0]

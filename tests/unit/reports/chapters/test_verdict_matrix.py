@@ -1,0 +1,92 @@
+"""The matrix of page 1 has a row for each mechanism and no more columns than a page holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.verdict import Index
+from assess.results import Results
+from reports.chapters import verdict_matrix
+from reports.document import Graded, Table
+from tests.support.letters import letters, rows
+
+JudgedAt = Callable[[Results, float], Results]
+PROCEDURES = ("ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history", "nzsee2017-face-loaded", "asce41-13-ht")
+
+
+def matrix(results: Results) -> Table:
+    assert results.verdict is not None
+    return verdict_matrix.table(results, results.verdict)
+
+
+def headings(results: Results) -> list[str]:
+    return [letters(column.label) for column in matrix(results).columns]
+
+
+def with_more(results: Results, procedures: tuple[str, ...], ratio: float = 2.5) -> Results:
+    """The results with checks of more procedures on the first mechanism, at the site's own action."""
+    assert results.verdict is not None
+    first = results.mechanisms[0]
+    like = next(check for check in first.checks if check.level_pga_g == results.verdict.action.pga_g)
+    more = tuple(replace(like, procedure=name, role="comparison", ratio=ratio) for name in procedures)
+    return replace(results, mechanisms=(replace(first, checks=first.checks + more), *results.mechanisms[1:]))
+
+
+def cell_of(check: Check) -> str:
+    return letters(verdict_matrix.ratio_text(check))
+
+
+def test_each_mechanism_has_a_row_with_its_number(results: Results) -> None:
+    assert [row[0] for row in rows(matrix(results))] == ["M1 Wall 6, eroded base", "M2 parapet"]
+
+
+def test_the_deciding_answer_alone_has_a_colour(results: Results, judged_at: JudgedAt) -> None:
+    table = matrix(judged_at(results, 0.45))
+    for row, outcome in zip(table.rows, ("pass", "fail"), strict=True):
+        graded = [cell.outcome for cell in row[2:] if isinstance(cell, Graded)]
+        assert graded.count(outcome) == 1
+        assert set(graded) <= {outcome, "comparison"}
+
+
+def test_readings_of_the_thesis_have_no_column(results: Results) -> None:
+    assert not any("thesis" in heading for heading in headings(results))
+
+
+def test_a_method_that_answers_for_nobody_has_no_column(results: Results) -> None:
+    silent = with_more(results, ("asce41-13-ht",))
+    first = silent.mechanisms[0]
+    checks = tuple(
+        replace(each, verdict=Outcome.NOT_APPLICABLE) if each.procedure == "asce41-13-ht" else each
+        for each in first.checks
+    )
+    silent = replace(silent, mechanisms=(replace(first, checks=checks), *silent.mechanisms[1:]))
+    assert not any("ASCE 41-13" in heading for heading in headings(silent))
+
+
+def test_many_methods_share_a_column_with_the_largest_of_their_answers(results: Results) -> None:
+    many = with_more(results, PROCEDURES)
+    table = matrix(many)
+    assert len(table.columns) == verdict_matrix.WIDTH
+    assert letters(table.columns[-1].label) == "Largest D/C of the other methods"
+    assert rows(table)[0][-1].startswith("2.5 (")
+    assert rows(table)[1][-1] != ""
+
+
+def test_the_index_of_the_code_has_a_column_unless_it_is_the_ratio(results: Results) -> None:
+    assert results.verdict is not None
+    assert "ζ_E" not in headings(results)
+    indexed = replace(results, verdict=replace(results.verdict, index=Index("zeta_E", 0.8)))
+    assert headings(indexed)[3] == "ζ_E"
+
+
+def test_words_stand_for_answers_without_a_number(results: Results) -> None:
+    like = results.mechanisms[0].checks[0]
+    assert cell_of(replace(like, verdict=Outcome.PASS, ratio=0.0)) == "no rocking"
+    assert cell_of(replace(like, verdict=Outcome.PASS, ratio=4e-5)) == "below 0.001"
+    assert cell_of(replace(like, verdict=Outcome.NOT_ANSWERED)) == "not answered"
+    fallen = replace(like, verdict=Outcome.FAIL, ratio=None, demand=None, reason=reason_message(Reason.OVERTURNS))
+    assert cell_of(fallen) == "overturns"
+    beyond = replace(fallen, reason=reason_message(Reason.BEYOND_SPECTRUM))
+    assert cell_of(beyond) == "beyond the spectrum"

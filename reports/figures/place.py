@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from assess.results import Results
+from assess.results import MechanismResult, Results
 from reports.figures.building import building_of, moved_by
 from reports.figures.key_plan import draw_lines, paint_building, scene_points
 from reports.figures.projection import INCH, Room, draw_arrow, draw_triad, fit_camera
@@ -17,17 +17,16 @@ from reports.language.locale import Locale
 ROOM = Room(wide=HALF, tall=2.3, left=0.45, around=0.1)
 
 
-def draw(results: Results, mechanism: str, locale: Locale) -> Figure:
+def draw(results: Results, mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw all bodies grey, the part that a mechanism moves in the colour of its verdict, and its direction.
 
-    mechanism : its name. Where bodies have no common position, those of the mechanism alone. Raises ValueError for one
-    without geometry.
+    Where bodies have no common position, those of the mechanism alone. Raises ValueError for one without geometry.
     """
     building = building_of(results)
     movings = () if building is None else building.moving
-    place = next((k for k, each in enumerate(movings) if mechanism in each.names), None)
+    place = next((k for k, each in enumerate(movings) if mechanism.name in each.names), None)
     if building is None or place is None:
-        raise ValueError(f'mechanism "{mechanism}" has no geometry that can be drawn in space')
+        raise ValueError(f'mechanism "{mechanism.name}" has no geometry that can be drawn in space')
     moving, shown = building.moving[place], moved_by(building, place)
     corners = building.surface.corners[moving.triangles].reshape(-1, 3)
     reach = float(np.ptp(scene_points(shown, [moving]), axis=0).max())

@@ -40,7 +40,7 @@ class Phrase:
     """
 
     english: str
-    values: Mapping[str, Text] = field(default_factory=dict)
+    values: Mapping[str, Text] = field(default_factory=dict, hash=False)
     plural: str = ""
     number: int = 1
 

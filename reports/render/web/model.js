@@ -8,7 +8,7 @@ const FINER = 2; // pixels of the drawing for one of CSS, at least
 const NUDGE = 0.004; // of the bodies' size: how much nearer an edge is taken than the face it belongs to
 const BEHIND = 0.5; // opacity of a wire that begins behind a body
 const LETTERS = 14; // height of names [CSS px]
-const FILLED = 0.86; // of the window, by the diagonal of the bodies' box
+const FILLED = 0.82; // of the window, which leaves room for names
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -18,7 +18,8 @@ const bytes = (colour) => [1, 3, 5].map((start) => parseInt(colour.slice(start, 
 function turnable(canvas, model) {
   const faces = facesOf(model);
   const edges = edgesOf(faces, Math.cos(model.sharp));
-  const { centre, size } = extent([...model.vertices, ...model.wires.flatMap((wire) => wire.points)]);
+  const ends = [...model.vertices, ...model.wires.flatMap((wire) => wire.points)];
+  const { centre, size } = extent(ends);
   let eye, zoomed, shift, waiting = false;
 
   // The unit vectors to the right, up and to the eye, from where the reader has turned it.
@@ -64,6 +65,12 @@ function turnable(canvas, model) {
     if (!waiting) requestAnimationFrame(draw);
     waiting = true;
   }
+  // How much the bodies are enlarged where they fill the window, seen along these axes.
+  function filling(axes) {
+    const reach = (axis) => 2 * Math.max(...ends.map((point) => Math.abs(dot(axis, minus(point, centre)))));
+    const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
+    return (Math.min(wide / reach(axes[0]), high / reach(axes[1])) * size) / Math.min(wide, high) || 1;
+  }
   function drag(right, down, sideways) {
     if (sideways) shift = [shift[0] + right, shift[1] + down];
     else eye = [eye[0] - TURN * right, Math.max(-Math.PI / 2, Math.min(Math.PI / 2, eye[1] + TURN * down))];
@@ -79,6 +86,7 @@ function turnable(canvas, model) {
   }
   function reset() {
     [eye, zoomed, shift] = [[...model.eye], 1, [0, 0]];
+    zoomed = filling(frame());
     soon();
   }
   return { drag, zoom, reset };
@@ -200,12 +208,14 @@ function drawWire(pen, wire, points, fine, taken = []) {
   if (wire.name) drawName(pen, wire.name, end, way, fine, taken);
 }
 
-// A name beyond the end of its line, on a white rim, lowered until it covers no other.
+// A name beyond the end of its line, on a white rim, within the window, lowered until it covers no other.
 function drawName(pen, name, end, way, fine, taken) {
   const high = LETTERS * fine;
   Object.assign(pen, { font: `bold ${high}px sans-serif`, textAlign: "center", textBaseline: "middle" });
   const wide = pen.measureText(name).width;
-  const box = { x: end[0] + (0.5 * wide + 0.4 * high) * way[0], y: end[1] + 0.9 * high * way[1], wide, high };
+  const within = (at, room) => Math.max(Math.min(at, room - 0.5 * wide), 0.5 * wide);
+  const x = within(end[0] + (0.5 * wide + 0.4 * high) * way[0], pen.canvas.width);
+  const box = { x, y: end[1] + 0.9 * high * way[1], wide, high };
   const covers = (other) => 2 * Math.abs(other.x - box.x) < other.wide + wide && Math.abs(other.y - box.y) < high;
   while (taken.some(covers)) box.y += 0.25 * high;
   taken.push(box);

@@ -67,6 +67,12 @@ TEXTS: Mapping[str, str] = {
     "period-of": "{symbol} = {period}",
     "period-or-building": "{symbol} = {period}, or T1 of the building,",
     "period-or-floor": "b T1' = {period}",
+    # sources of restitution
+    "restitution-3-45": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
+    "restitution-other": '"{rule}" would give {value}',
+    "restitution-sliding": "{value} if the loads slide on their seats and pass on no horizontal momentum",
+    "restitution-positive": "positive: {source}",
+    "restitution-negative": "negative: {source}",
     # remarks on requirements and on variables
     "further-factor": "a further factor of {factor} on every record would do",
     "target-known": "the target is known from {low} to {high} only",

@@ -21,7 +21,7 @@ from assess.study.controls.outcome import made, not_made
 from spectra.arrays import FloatArray
 
 LOOSER = 100.0  # times the error allowed in a step
-ROTATION, TIME, OVERTURNING = "largest rotation", "time of overturning", "overturning rotation"
+RATIO, TIME, OVERTURNING = "largest rotation over that of overturning", "time of overturning", "overturning rotation"
 COLUMNS = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
 
 
@@ -43,7 +43,7 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
     if governing is None:
         return _overturning(mechanism)
     if governing.equation == "linearised":
-        return not_made("convergence", mechanism.name, ROTATION, dimension="rotation", why="control-without-table")
+        return not_made("convergence", mechanism.name, RATIO, dimension="ratio", why="control-without-table")
     coarse = peaks(
         [coarser_oscillator(governing.oscillator)],
         [governing.motion],
@@ -53,21 +53,20 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
         tolerance=LOOSER * TOLERANCE,
     )
     found = governing.found
-    falls = bool(coarse.overturned[0])
-    if found.overturned and falls:
-        quantity, dimension, value, reference = TIME, "time", found.overturning_time_s, coarse.overturning_time[0]
-    else:
-        quantity, dimension = ROTATION, "rotation"
-        value, reference = found.max_rotation_rad, coarse.max_rotation[0]
-    if value is None:  # it overturns here and not there
-        value = float(np.copysign(governing.oscillator.positive.unstable, reference))
+    quantity, dimension = RATIO, "ratio"
+    value, reference = found.max_rotation_ratio, float(coarse.max_ratio[0])
+    if found.overturned and coarse.overturned[0]:
+        quantity, dimension = TIME, "time"
+        value, reference = found.overturning_time_s, float(coarse.overturning_time[0])
+    if value is None:  # it overturns here, and not with less exact steps
+        value = 1.0
     return made(
         "convergence",
         mechanism.name,
         quantity,
         value=value,
-        reference=float(reference),
-        scale=abs(value),
+        reference=reference,
+        scale=value,
         dimension=dimension,
         note=note(
             "control-coarser",

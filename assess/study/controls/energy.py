@@ -1,6 +1,6 @@
 """The balance of energy of one history, and of free rocking where no history rocks.
 
-    kinetic + potential energy at the end + loss at impacts = work of the ground's motion
+    kinetic + potential energy + loss at impacts so far = work of the ground's motion so far        at every sample
 
 The work of the ground on the masses, the integral of -u_g'' B dphi, is integrated by parts with S = integral of B dphi,
 which is continuous through impacts, where B is not. Between samples u_g'' is linear, and S the cubic with its values
@@ -37,12 +37,19 @@ LONG = 20.0  # of 1 / p: a body released at HALF is back after 1.3 of them
 
 @dataclass(frozen=True)
 class Balance:
-    """Energies of a history [J]: work of the ground, energy at the end, loss at impacts, and the largest at a time."""
+    """Energies of a history at its samples [n] [J].
 
-    work: float
-    remaining: float
-    lost: float
-    largest: float
+    energy : kinetic and potential; lost : at impacts so far; work : of the ground's motion so far
+    """
+
+    energy: FloatArray
+    lost: FloatArray
+    work: FloatArray
+
+    @property
+    def worst(self) -> int:
+        """The number of the sample where the balance is off most."""
+        return int(np.argmax(np.abs(self.energy + self.lost - self.work)))
 
 
 def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, equation: Equation) -> Control:
@@ -60,7 +67,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     Returns
     -------
     Control
-        Relative to the largest energy at any time.
+        At the sample where the balance is off most, relative to the largest energy of any sample.
     """
     if governing is None:
         return _free_control(mechanism, equation=equation)
@@ -76,15 +83,16 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         motion,
         scale=governing.scale,
     )
-    if found.largest <= 0.0:
+    worst, largest = found.worst, float(found.energy.max())
+    if largest <= 0.0:
         return _free_control(mechanism, equation=equation)
     return made(
         "energy",
         mechanism.name,
         QUANTITY,
-        value=found.remaining + found.lost,
-        reference=found.work,
-        scale=found.largest,
+        value=float(found.energy[worst] + found.lost[worst]),
+        reference=float(found.work[worst]),
+        scale=largest,
         dimension="energy",
         note=_said(mechanism, governing, impacts=int(events.impact.sum())),
     )
@@ -143,37 +151,38 @@ def balance(
     inertia, leap = (np.array([getattr(each, key)[0] for each in at_rest]) for key in ("inertia", "slope"))
     bounce = np.array([branch.restitution for branch in oscillator.branches])[on]
     after = np.where(_stays(times, impact, path), 0.0, before * bounce * (1.0 if len(sides) == 2 else -1.0))
-    lost = 0.5 * (inertia[on] * before**2 - inertia[partner] * after**2)[impact].sum()
+    lost = np.where(impact, 0.5 * (inertia[on] * before**2 - inertia[partner] * after**2), 0.0)
     time = np.concatenate([path.time, times])
     order = np.argsort(time, kind="stable")
+    sampled = order < path.time.size
     none = np.zeros(times.size)
     S = np.concatenate([push, none])[order]
     arriving = np.concatenate([slope, leap[on] * before])[order]
     leaving = np.concatenate([slope, np.where(impact, leap[partner] * after, 0.0)])[order]
     ground = scale * np.interp(time[order], motion.time, motion.acceleration)
-    energy = kinetic + stored
+    so_far = np.concatenate([np.zeros(path.time.size), lost])[order].cumsum()
     work = work_of_ground(time[order], ground, S, arriving, leaving)
-    return Balance(work, float(energy[-1]), float(lost), float(energy.max()))
+    return Balance(kinetic + stored, so_far[sampled], work[sampled])
 
 
 def work_of_ground(
     time: FloatArray, ground: FloatArray, push: FloatArray, arriving: FloatArray, leaving: FloatArray
-) -> float:
-    """Return the work of a ground acceleration that is linear between instants [J].
+) -> FloatArray:
+    """Return the work of a ground acceleration that is linear between instants, up to each of them [n] [J].
 
     Parameters
     ----------
     time, ground : array
         Instants, and the acceleration there [n] [s], [m/s2].
     push : array
-        S, the sum of mass times horizontal displacement [n] [kg m].
+        S, the sum of mass times horizontal displacement, 0 at first [n] [kg m].
     arriving, leaving : array
         Rate of S before and after each instant, which an impact changes [n] [kg m/s].
     """
     step = np.diff(time)
     area = step * (push[:-1] + push[1:]) / 2.0 + step**2 * (leaving[:-1] - arriving[1:]) / 12.0
     rate = np.divide(np.diff(ground), step, out=np.zeros_like(step), where=step > 0.0)
-    return float(rate @ area - ground[-1] * push[-1] + ground[0] * push[0])
+    return np.asarray(np.concatenate([[0.0], np.cumsum(rate * area)]) - ground * push)
 
 
 def _at_samples(path: Trace, sides: tuple[StoresAt, ...]) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:

@@ -19,7 +19,7 @@ from assess.codes.families import FAMILIES, SUITE_CODES, THESIS_READINGS
 from assess.codes.italian.floor import floor_of
 from assess.codes.italian.missing_inputs import MissingInput, missing_inputs
 from assess.codes.sliding import sliding_pga
-from assess.messages.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Oscillator
 
 BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
@@ -28,14 +28,14 @@ ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, F
 """What follows a mechanism as it moves, and so asks for what lasts."""
 ROCKING = (*ON_THE_WAY, Family.LINEAR)
 """What takes it that the mechanism rocks and does not slide."""
-FLOOR_CLAUSES: dict[Family, str] = {
-    Family.LINEAR: "give [building] height and storeys",
-    Family.DISPLACEMENT: "give [building] height and storeys",
-    Family.ELEMENT: "give [building] height",
-    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
-    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
-    Family.FRICTION: "give the mechanism an amplification, up to that height",
-    Family.SLIDING: "the clause has no floor motion",
+FLOOR_CLAUSES: dict[Family, Term] = {
+    Family.LINEAR: Term("give [building] height and storeys"),
+    Family.DISPLACEMENT: Term("give [building] height and storeys"),
+    Family.ELEMENT: Term("give [building] height"),
+    Family.HISTORY: Term('give the mechanism amplification = { method = "modal-filter" }, up to that height'),
+    Family.ENERGY: Term('give the mechanism amplification = { method = "modal-filter" }, up to that height'),
+    Family.FRICTION: Term("give the mechanism an amplification, up to that height"),
+    Family.SLIDING: Term("the clause has no floor motion"),
 }
 
 
@@ -190,6 +190,7 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
         verdict=Outcome.NOT_ANSWERED,
         reason=reason,
         caveat=check.caveat,
+        caveats=check.caveats,
         may_pass=False,
         remarks=others,
     )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import Literal
+from typing import Literal, TypedDict
 
 from assess.codes.calculation_step import Bound, Input, Step, step
-from assess.messages.message import Message, Severity, Value, message
+from assess.messages.message import Message, Severity, Term, Value, message
 from assess.short_repr import ShortRepr
 
 __all__ = [
@@ -135,6 +135,24 @@ def missing_ordinate(clause: str, symbol: str, key: str) -> Message:
     return message(Reason.NOT_BY_NAME, values, severity=Severity.NOTE, where=key)
 
 
+class CaveatFields(TypedDict):
+    """The fields of a check that say what could not be compared with the printed standard."""
+
+    caveat: str
+    caveats: tuple[Term | Message, ...]
+
+
+def caveats_of(*parts: str | Message) -> CaveatFields:
+    """Return the caveats of a check, as fields of it.
+
+    Parameters
+    ----------
+    parts : fixed sentences, and messages
+    """
+    kept = tuple(Term(each) if isinstance(each, str) else each for each in parts if each)
+    return {"caveat": "; ".join(str(each) for each in kept), "caveats": kept}
+
+
 @dataclass(frozen=True, repr=False)
 class PgaCurve(ShortRepr):
     """The peak ground acceleration that takes the mechanism to each rotation, by one procedure.
@@ -154,7 +172,7 @@ class Check(ShortRepr):
     ----------
     demand, capacity : in `unit`, of `quantity`; None where there is no finite value, as of a body that overturns
     uplift_pga_g : None on flexible joints without a threshold
-    caveat : what could not be compared with the printed standard
+    caveat : what could not be compared with the printed standard, the English of `caveats`
     rotation_ratio : the demand as rotation / rigid overturning rotation of the branch; None where the procedure has no
         rotation or the body overturned
     capacity_rotation_ratio : the capacity in the same measure
@@ -201,6 +219,7 @@ class Check(ShortRepr):
     may_pass: bool = True
     conditions: tuple[Message, ...] = ()
     remarks: tuple[Message, ...] = ()
+    caveats: tuple[Term | Message, ...] = ()
 
     @property
     def unbounded(self) -> Unbounded:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.codes.check import Family
+from assess.messages.message import Message, message
 
 AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 EUROPEAN = ("ec8", "ntc2008", "ntc2018")
@@ -64,13 +65,11 @@ def is_written_for(procedure: str, spectrum_code: str) -> bool:
     return procedure not in WRITTEN_FOR or spectrum_code in (*WRITTEN_FOR[procedure], TABLE_SPECTRUM)
 
 
-def other_spectrum_note(procedure: str, spectrum_code: str) -> str:
-    """Return a sentence for the caveat where the spectrum is of a code the procedure is not written for; else ""."""
+def other_spectrum(procedure: str, spectrum_code: str) -> tuple[Message, ...]:
+    """Return the caveat where the spectrum is of a code the procedure is not written for; else none."""
     if is_written_for(procedure, spectrum_code):
-        return ""
-    return (
-        f"; written for spectra of {', '.join(WRITTEN_FOR[procedure])}, here on one of {spectrum_code}: for information"
-    )
+        return ()
+    return (message("other-spectrum", {"codes": ", ".join(WRITTEN_FOR[procedure]), "code": spectrum_code}),)
 
 
 def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from scipy.constants import g
 from assess.codes.check import Outcome, Reason, reason_message
 from assess.codes.context import Context
 from assess.codes.pga_rotation import PgaRotation, pga_capacity
-from assess.messages.message import Message, Quantity
+from assess.messages.message import Message, Quantity, Term
 
 
 @dataclass(frozen=True)
@@ -55,13 +55,17 @@ def rotation_verdict(
     if at_capacity is not None:
         return Answer(Outcome.FAIL, reason_message(Reason.BEYOND_SPECTRUM), in_g)
     end = Quantity(context.spectrum.longest_period, "time")
-    return Answer(Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period="the answer", end=end), None)
+    return Answer(
+        Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=Term("the answer"), end=end), None
+    )
 
 
 def _rocks(rotation: float, allowable: float, level: float, uplift: float | None) -> Message:
     if rotation == 0.0:
         return reason_message(_still(level, uplift))
-    return reason_message(Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity="the allowable rotation")
+    return reason_message(
+        Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity=Term("the allowable rotation")
+    )
 
 
 def _still(level: float, uplift: float | None) -> Reason:

@@ -14,7 +14,7 @@ from math import inf
 from scipy.constants import g
 
 from assess.codes.calculation_step import UNANSWERED, Given
-from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
+from assess.codes.check import CaveatFields, Check, Outcome, Reason, Step, caveats_of, reason_message, step
 from assess.codes.context import Context
 from assess.codes.worst_branch import least_known
 from assess.hinge_forces import HingeForces
@@ -28,7 +28,7 @@ CHAIN = (
     "proportion to the acceleration"
 )
 BALANCE, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
-HELD = "; the top of a wall is taken as held; the sheet gives the force needed"
+HELD = "the top of a wall is taken as held; the sheet gives the force needed"
 
 
 def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
@@ -158,8 +158,14 @@ def _check(
         reason=reason,
         capacity_pga_g=None if slides_at is None else slides_at / g,
         steps=steps,
-        caveat="" if hinge is None or hinge.single else CHAIN + HELD * any(each.held for each in context.hinges),
+        **_caveats(hinge, context),
     )
+
+
+def _caveats(hinge: HingeForces | None, context: Context) -> CaveatFields:
+    if hinge is None or hinge.single:
+        return caveats_of()
+    return caveats_of(CHAIN, *([HELD] if any(each.held for each in context.hinges) else []))
 
 
 def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float | None) -> tuple[Step, ...]:

@@ -58,18 +58,35 @@ class Quantity:
         return f"{self.value:.{self.figures}g}" + (f" {unit}" if unit != "-" else "")
 
 
-Value = Quantity | str
+@dataclass(frozen=True)
+class Term:
+    """Fixed English words, a literal of the program, that a language looks up as they are."""
+
+    english: str
+
+    def __str__(self) -> str:
+        return self.english
 
 
 @dataclass(frozen=True, repr=False)
 class Message(ShortRepr):
-    """Something the engineer should know. `text` is the English sentence, in SI."""
+    """Something the engineer should know. `text` is the English sentence, in SI.
+
+    values : what fills its gaps: numbers, fixed words, other messages; a str is of the user, a name or a symbol, which
+        no language changes
+    """
 
     key: str
     severity: Severity
     where: str
     text: str
-    values: dict[str, Value] = field(default_factory=dict)
+    values: dict[str, Quantity | Term | Message | str] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        return self.text
+
+
+Value = Quantity | Term | Message | str
 
 
 def message(

@@ -30,6 +30,29 @@ TEXTS: Mapping[str, str] = {
     # conditions and gaps of the verdict
     "no-deciding-method": "no method that may decide {state} was requested or applies: {methods}",
     "missing-key": "{key}: {text}",
+    "missing-of-mechanism": "{mechanism}: {procedure}: {reason}",
+    "missing-basis": "which code decides; the site's spectrum does not determine it",
+    "missing-class-by-state": "{state} is not satisfied, which decides in class of use IV",
+    "missing-target": "the share of the new building standard to be reached, 34, 67 or 100, has no default",
+    "missing-works": "a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "
+    '"none" for a target',
+    "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
+    "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",
+    "missing-index-before": "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)",
+    "missing-limit-state": "which limit state decides: {states}",
+    "missing-spectrum-of-state": "the hazard is that of Italian limit states; {state} is decided by the spectrum of "
+    "{states}: give it",
+    "missing-state-of-spectrum": "which limit state the site's single spectrum represents; {state} is decided by the "
+    "action of {states}",
+    "missing-action-of-state": "the site's spectrum is that of {given}; {state} asks for the action of {states}",
+    "missing-hazard": "the site's spectrum is that of {given}; {state} asks for the action of {states}: give the "
+    "hazard over return periods",
+    "missing-own-pga": "it scales the hazard to {share} of what the rows give, which decides nothing: remove it; "
+    "[analysis] levels study other PGA",
+    "missing-disintegration": "whether the masonry may disintegrate: the rigid chain is credible only where it does "
+    "not (C8.7.1.2)",
+    "missing-source": 'the source (survey, quality index, test) of {key} = "excluded"',
+    "either": "{first} or {second}",
     "class-not-given": "a pass is valid for use classes I to III; class IV also requires {states}: give [building] "
     "use_class",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
@@ -40,6 +63,27 @@ TEXTS: Mapping[str, str] = {
     "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass is valid only for an element that carries no floor, such as a gable, parapet or "
     "chimney",
+    "other-spectrum": "written for spectra of {codes}, here on one of {code}: for information",
+    "period-of": "{symbol} = {period}",
+    "period-or-building": "{symbol} = {period}, or T1 of the building,",
+    "period-or-floor": "b T1' = {period}",
+    # outcomes, indices, actions and margins
+    "outcome-pass": "pass",
+    "outcome-pass-near": "pass at the limit",
+    "outcome-fail": "fail",
+    "outcome-fail-near": "fail at the limit",
+    "outcome-incomplete": "incomplete",
+    "index": "{name} {value}",
+    "index-grade": "{name} {value}, grade {grade}",
+    "index-behind": "{value} {name}",
+    "index-behind-grade": "{value} {name}, grade {grade}",
+    "index-at-least": "at least {index}",
+    "index-at-most": "at most {index}",
+    "action-pga": "PGA {pga}",
+    "action-state": "stated for {state}",
+    "action-hazard": "each limit state by the hazard of the site",
+    "action-period": "return period {years}",
+    "margin": "{pga} = {times} x the site's",
     # folders of results
     "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "
     "place",

@@ -13,7 +13,7 @@ from assess.codes.verdict import (
     Missing,
     Question,
 )
-from assess.codes.verdict.question import SOURCES
+from assess.codes.verdict.question import SOURCES, missing_input
 from assess.errors import ProjectError
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
@@ -64,8 +64,7 @@ def _scaled_down(content: sections.Content, scale: float) -> Iterator[Missing]:
     if content.site is None or content.site.pga is None or scale > 1.0 - LIKE:
         return
     if isinstance(content.site.spectrum, sections.NtcHazardSpectrum):
-        text = f"it scales the hazard to {scale:.3g} of what the rows give, which decides nothing: remove it"
-        yield Missing("site.pga", f"{text}; [analysis] levels study other PGA")
+        yield missing_input("site.pga", message("missing-own-pga", {"share": Quantity(scale, "ratio", 3)}))
 
 
 def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -> Action:
@@ -134,11 +133,10 @@ def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) 
     for table, said in _masonry(content, name).items():
         key = f"{table}.disintegration"
         if said != "excluded":
-            text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
-            yield Missing(key, text, 'disintegration = "excluded"')
+            yield missing_input(key, message("missing-disintegration"), 'disintegration = "excluded"')
         if said != "possible" and not source_of(content, key):
-            text = f'the source (survey, quality index, test) of {key} = "excluded"'
-            yield Missing(SOURCES, text, f'"{key}" = "measured: …"')
+            why = message("missing-source", {"key": key})
+            yield missing_input(SOURCES, why, f'"{key}" = "measured: …"')
 
 
 def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:

@@ -11,7 +11,7 @@ from scipy.constants import g
 from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
 from assess.study.motions import ScaledRecord
 from assess.study.oscillator_results import floats
-from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
+from assess.study.periods import ABOVE, BELOW, FITTED_OVER, equivalent_periods, extreme_periods
 from assess.study.site_results import display_periods
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import RULES
@@ -112,7 +112,7 @@ def source_of(study: Study) -> str:
     given = study.resolved.get("records.select.periods")
     if given is not None and given.given:
         return "given"
-    return f"{BELOW} times the least to {ABOVE} times the largest equivalent period of the mechanisms"
+    return FITTED_OVER
 
 
 def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Band) -> float:

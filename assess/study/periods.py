@@ -19,6 +19,7 @@ from assess.oscillator import Branch
 
 LARGEST_FC = 1.35  # of LC1, which makes the longest periods
 BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range that spectra are fitted over
+FITTED_OVER = "0.2 times the least to 1.2 times the largest equivalent period of the mechanisms"
 
 
 def equivalent_period(branch: Branch) -> float:

@@ -24,11 +24,21 @@ from assess.codes.asce41_13.clauses import (
     position_of,
 )
 from assess.codes.calculation_step import UNANSWERED
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, missing_ordinate, reason_message, step
+from assess.codes.check import (
+    BranchName,
+    Check,
+    Outcome,
+    Reason,
+    Step,
+    caveats_of,
+    missing_ordinate,
+    reason_message,
+    step,
+)
 from assess.codes.context import Context, Wall
-from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum
 from assess.codes.worst_branch import check_worst_branch
-from assess.messages.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Branch, Oscillator, threshold
 
 NAME = "asce41-13-ht"
@@ -71,7 +81,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
         verdict=verdict,
         reason=reason,
         uplift_pga_g=threshold(branch),
-        caveat=(CAVEAT_PARAPET if parapet else CAVEAT) + other_spectrum_note(NAME, context.spectrum.code),
+        **caveats_of(CAVEAT_PARAPET if parapet else CAVEAT, *other_spectrum(NAME, context.spectrum.code)),
         conditions=() if options.masonry else (message("premise-coursed", severity=Severity.WARNING),),
         steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=UNANSWERED),),
     )
@@ -94,8 +104,8 @@ def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
             return Outcome.NOT_ANSWERED, missing_ordinate(CLAUSE, "S_X1", KEY)
         if context.spectrum.longest_period < PERIOD:
             end = Quantity(context.spectrum.longest_period, "time")
-            return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end)
-    return Outcome.PASS, reason_message(Reason.WITHIN, capacity="the permissible h/t")
+            return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=Term("S_X1 at 1 s"), end=end)
+    return Outcome.PASS, reason_message(Reason.WITHIN, capacity=Term("the permissible h/t"))
 
 
 def _of_parapet(check: Check, wall: Wall, options: Options) -> Check:
@@ -147,7 +157,7 @@ def s_x1_over_pga(context: Context, options: Options) -> float:
 
 def _answered(check: Check, slenderness: float, most: float, permitted: str) -> Check:
     verdict = Outcome.PASS if slenderness <= most else Outcome.FAIL
-    reason = reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=permitted)
+    reason = reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term(permitted))
     return replace(check, demand=slenderness, capacity=most, ratio=slenderness / most, verdict=verdict, reason=reason)
 
 

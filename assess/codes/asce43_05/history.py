@@ -14,12 +14,12 @@ from scipy.constants import g
 
 from assess.codes.asce43_05.at_height import warn_at_height
 from assess.codes.asce43_05.clauses import EDITION, HALF, Options
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
 from assess.codes.context import Context, Suite
 from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.table_steps import instability_step
 from assess.codes.worst_branch import branch_of
-from assess.messages.message import Message, whole_number
+from assess.messages.message import Message, Term, whole_number
 from assess.oscillator import Branch, Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"
@@ -109,7 +109,7 @@ def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: Scan
         rotation_ratio=None if demand is None else demand / branch.overturning,
         pga_curve=scanned.curve,
         steps=_steps(suite, shares(suite, oscillator), share, branch),
-        caveat=CAVEAT,
+        **caveats_of(CAVEAT),
     )
 
 
@@ -117,14 +117,14 @@ def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
     n, fallen = len(suite.ratio), suite.overturned
     if n < LEAST_RECORDS:
         few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
-        return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause="the method", **few)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=Term("the method"), **few)
     if share is None:
         return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
     if share == 0.0:
         return Outcome.PASS, reason_message(Reason.NO_ROCKING)
     if share <= HALF:
-        return Outcome.PASS, reason_message(Reason.WITHIN, capacity="the allowable mean of the maxima")
-    return Outcome.FAIL, reason_message(Reason.BEYOND, capacity="the allowable mean of the maxima")
+        return Outcome.PASS, reason_message(Reason.WITHIN, capacity=Term("the allowable mean of the maxima"))
+    return Outcome.FAIL, reason_message(Reason.BEYOND, capacity=Term("the allowable mean of the maxima"))
 
 
 def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, branch: Branch) -> tuple[Step, ...]:

@@ -23,12 +23,12 @@ from assess.codes.asce43_05.sliding_clauses import (
     sliding_coefficient,
 )
 from assess.codes.calculation_step import UNANSWERED
-from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
+from assess.codes.check import Check, Outcome, Reason, Step, caveats_of, reason_message, step
 from assess.codes.context import Context
 from assess.codes.sliding import sliding_pga
 from assess.codes.worst_branch import least_known
 from assess.hinge_forces import HingeForces
-from assess.messages.message import Message, Severity, message
+from assess.messages.message import Message, Severity, Term, message
 from assess.oscillator import Oscillator, threshold
 
 PROCEDURE = "asce43-05-sliding"
@@ -103,7 +103,7 @@ def _verdict(found: float | None, allowable: float | None, at_capacity: float | 
         return Outcome.PASS, reason_message(Reason.NO_SLIDING)
     verdict = Outcome.PASS if found <= allowable else Outcome.FAIL
     within = Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND
-    return verdict, reason_message(within, capacity="the allowable sliding")
+    return verdict, reason_message(within, capacity=Term("the allowable sliding"))
 
 
 def _answer(
@@ -135,7 +135,7 @@ def _answer(
         reason=reason,
         capacity_pga_g=None if at_capacity is None else at_capacity / g,
         steps=steps,
-        caveat=CAVEAT,
+        **caveats_of(CAVEAT),
     )
 
 

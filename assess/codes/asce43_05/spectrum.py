@@ -24,7 +24,7 @@ from assess.codes.asce43_05.clauses import (
 )
 from assess.codes.asce43_05.interpretations import A2, Reading, clause_interpretation, thesis_interpretation
 from assess.codes.calculation_step import Given
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, reason_message, step
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, caveats_of, reason_message, step
 from assess.codes.context import Context
 from assess.codes.equivalent_blocks import to_equivalent_blocks
 from assess.codes.multiplier_step import multiplier_step
@@ -118,7 +118,7 @@ def _check(
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
         pga_curve=to_pga_curve(curve, branch),
         steps=_steps(oscillator, branch, context, reading, level=level, f_v=f_v, rotation=rotation),
-        caveat=CAVEAT,
+        **caveats_of(CAVEAT),
     )
 
 

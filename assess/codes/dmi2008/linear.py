@@ -12,6 +12,7 @@ from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
 from assess.codes.italian.sheet import activation_steps
+from assess.messages.message import Term
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-linear"
@@ -38,7 +39,7 @@ def _check(case: Case, options: Options) -> Check:
         procedure=PROCEDURE,
         capacity=a0,
         demands=demands,
-        needs="T1 of the building",
+        needs=Term("T1 of the building"),
         uplift=uplift(branch, context, confidence_factor=FC),
         damping=DAMPING,
         steps=(

@@ -22,6 +22,7 @@ from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
 from assess.codes.italian.sheet import activation_steps, curve_steps
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
+from assess.messages.message import Quantity, message
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-nonlinear"
@@ -66,7 +67,7 @@ def _check(case: Case) -> Check:
         symbol="d_u*",
         collapse=cap.d0,
         e=cap.e,
-        needs=f"T_s = {cap.Ts:.4g} s, or T1 of the building,",
+        needs=message("period-or-building", {"symbol": "T_s", "period": Quantity(cap.Ts, "time")}),
         wanted=demands(context, cap.Ts),
         starts=lifts or 0.0,
         still=0.0,

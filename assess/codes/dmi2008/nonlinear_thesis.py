@@ -9,7 +9,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.calculation_step import Given
-from assess.codes.check import BranchName, Check, Step, step
+from assess.codes.check import BranchName, Check, Step, caveats_of, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, ULTIMATE
 from assess.codes.equivalent_blocks import to_equivalent_blocks
@@ -91,7 +91,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             rotation_ratio=None if rotation is None else rotation / branch.overturning,
             pga_curve=to_pga_curve(curve, branch),
             steps=_steps(like, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g),
-            caveat=EDITION.caveat,
+            **caveats_of(EDITION.caveat),
         )
 
     return check_worst_branch(like, context.levels, one)

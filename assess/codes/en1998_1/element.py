@@ -6,7 +6,17 @@ from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, missing_ordinate, reason_message, step
+from assess.codes.check import (
+    BranchName,
+    Check,
+    Outcome,
+    Reason,
+    Step,
+    caveats_of,
+    missing_ordinate,
+    reason_message,
+    step,
+)
 from assess.codes.context import Context
 from assess.codes.en1998_1.clauses import (
     BEHAVIOUR,
@@ -21,9 +31,10 @@ from assess.codes.en1998_1.clauses import (
     period_ratio,
     uplift_pga,
 )
-from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum
 from assess.codes.multiplier_step import multiplier_step
 from assess.codes.worst_branch import check_worst_branch
+from assess.messages.message import Term
 from assess.oscillator import Branch, Oscillator, linear_multiplier
 
 NAME = "ec8-element"
@@ -102,12 +113,12 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
         ratio=ratio,
         verdict=verdict,
         reason=reason_message(
-            Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="what the weight resists"
+            Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("what the weight resists")
         ),
         capacity_pga_g=level * resistance / found.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
         steps=_steps(branch, context, found),
-        caveat=CAVEAT + other_spectrum_note(NAME, context.spectrum.code),
+        **caveats_of(CAVEAT, *other_spectrum(NAME, context.spectrum.code)),
     )
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
+from assess.codes.check import Check, Outcome, Reason, Step, caveats_of, reason_message, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, outcome_of
 from assess.codes.italian.limit_state import Case
-from assess.messages.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import linear_multiplier
 
 
@@ -19,7 +19,7 @@ def acceleration_check(
     procedure: str,
     capacity: float,
     demands: Demands | None,
-    needs: str,
+    needs: Term,
     uplift: float | None,
     damping: float,
     steps: tuple[Step, ...],
@@ -61,7 +61,7 @@ def acceleration_check(
         capacity_pga_g=None if demanded is None else case.pga * capacity / demanded / g,
         uplift_pga_g=None if uplift is None else uplift / g,
         steps=steps,
-        caveat=edition.caveat,
+        **caveats_of(edition.caveat),
         conditions=_conditions(case) if verdict == Outcome.PASS else (),
     )
 
@@ -74,7 +74,7 @@ def _conditions(case: Case) -> tuple[Message, ...]:
     return (message("counts-at-rest", severity=Severity.WARNING),)
 
 
-def _verdict(case: Case, demanded: float | None, capacity: float, *, needs: str) -> tuple[Outcome, Message]:
+def _verdict(case: Case, demanded: float | None, capacity: float, *, needs: Term) -> tuple[Outcome, Message]:
     if demanded is None:
         end = Quantity(case.context.spectrum.longest_period, "time")
         return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=needs, end=end)

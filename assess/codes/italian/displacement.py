@@ -7,7 +7,7 @@ from math import isclose, pi
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, outcome_of
 from assess.codes.italian.kinematic import rotation_at
@@ -24,7 +24,7 @@ class Answer:
 
     ultimate : displacement capacity d* [m], written `symbol`; collapse : d0* [m]; e : e* [-]
     wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends too early for it
-    needs : longest period at which the spectrum is read, as a sentence names it
+    needs : longest period at which the spectrum is read
     conditions : what a pass rests on
     starts : PGA [m/s2] up to which the mechanism does not rock, and its displacement there for each m/s2 of PGA [s2]
     uplift : PGA at uplift [m/s2], None on joints without a threshold
@@ -34,7 +34,7 @@ class Answer:
     symbol: str
     collapse: float
     e: float
-    needs: str
+    needs: Message
     wanted: Demands | None
     starts: float
     still: float
@@ -87,7 +87,7 @@ def displacement_check(
         pga_curve=_curve(case, answer),
         steps=steps,
         conditions=answer.conditions,
-        caveat=edition.caveat,
+        **caveats_of(edition.caveat),
     )
 
 

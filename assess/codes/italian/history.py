@@ -17,7 +17,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.calculation_step import Given
-from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, Step, reason_message, step
+from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
 from assess.codes.context import Context, Hazard, Suite
 from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.italian.confidence import Confidence, confidence_factors, confidence_step, mark_informative
@@ -204,7 +204,7 @@ def _check(
         level_pga_g=level / g,
         input_at=context.histories_at,
         damping=None,
-        quantity=f"{'largest' if found.uses_largest else 'mean'} d*",
+        quantity="largest d*" if found.uses_largest else "mean d*",
         unit="m",
         demand=None if found.governing_ratio is None else found.governing_ratio * threshold.moved,
         capacity=threshold.moved,
@@ -225,7 +225,7 @@ def _check(
             *_record_steps(found, rule, FC=FC),
             *_ratio_steps(found, rule, curves, threshold, state=state),
         ),
-        caveat=rule.edition.caveat,
+        **caveats_of(rule.edition.caveat),
     )
 
 

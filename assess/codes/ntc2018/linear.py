@@ -21,6 +21,7 @@ from assess.codes.ntc2018.sheet import (
     period_steps,
     share_steps,
 )
+from assess.messages.message import Term
 from assess.oscillator import Oscillator
 
 PROCEDURE = "ntc2018-linear"
@@ -49,7 +50,7 @@ def _check(case: Case, options: Options) -> Check:
         procedure=PROCEDURE,
         capacity=a0,
         demands=demands,
-        needs="T0 or T1 of the building",
+        needs=Term("T0 or T1 of the building"),
         uplift=uplift(branch, context, confidence_factor=FC),
         damping=ELASTIC_DAMPING,
         steps=(

@@ -38,6 +38,7 @@ from assess.codes.ntc2018.clauses import (
 )
 from assess.codes.ntc2018.linear import demand_steps
 from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
+from assess.messages.message import Quantity, message
 from assess.oscillator import Oscillator
 from spectra.circolare2019 import PLATEAU
 
@@ -97,12 +98,13 @@ def _answer(case: Case, worked: Worked) -> Answer:
     else:
         activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
     symbol, longest = f"T_{case.state}", longest_period_used(worked.modes, cap.T)
+    at = Quantity(longest, "time")
     return Answer(
         ultimate=cap.d,
         symbol=f"d_{case.state}",
         collapse=cap.d0,
         e=cap.e,
-        needs=f"{symbol} = {longest:.4g} s" if longest == cap.T else f"b {FIRST} = {longest:.4g} s",
+        needs=message("period-of" if longest == cap.T else "period-or-floor", {"symbol": symbol, "period": at}),
         wanted=worked.wanted,
         starts=activated if elastic * activated <= cap.d else 0.0,
         still=elastic,

@@ -6,15 +6,25 @@ from dataclasses import replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, missing_ordinate, reason_message, step
+from assess.codes.check import (
+    BranchName,
+    Check,
+    Outcome,
+    PgaCurve,
+    Reason,
+    caveats_of,
+    missing_ordinate,
+    reason_message,
+    step,
+)
 from assess.codes.context import Context
-from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum
 from assess.codes.nzsee2017.clauses import CAVEAT, CAVEAT_FREE, EDITION, USABLE, Options
 from assess.codes.nzsee2017.response import Response, is_overloaded, response
 from assess.codes.nzsee2017.sheet import CLAUSE, sheet
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
 from assess.codes.worst_branch import check_worst_branch
-from assess.messages.message import Message, Quantity, message
+from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, Oscillator
 from spectra.arrays import FloatArray
 
@@ -68,7 +78,9 @@ def _check(name: BranchName, context: Context, level: float) -> Check:
         unit="rad",
         verdict=Outcome.NOT_APPLICABLE,
         reason=reason_message(Reason.NOT_A_WALL, clause=CLAUSE),
-        caveat=CAVEAT + CAVEAT_FREE * (context.support == "free") + other_spectrum_note(NAME, context.spectrum.code),
+        **caveats_of(
+            CAVEAT, *([CAVEAT_FREE] if context.support == "free" else []), *other_spectrum(NAME, context.spectrum.code)
+        ),
     )
 
 
@@ -96,7 +108,9 @@ def _answered(check: Check, branch: Branch, context: Context, found: Response, l
 def _reason(demanded: float, verdict: Outcome) -> Message:
     if demanded == 0.0:
         return reason_message(Reason.NO_ROCKING)
-    return reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="the usable rotation")
+    return reason_message(
+        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("the usable rotation")
+    )
 
 
 def _curve(branch: Branch, found: Response) -> PgaCurve:

@@ -205,7 +205,7 @@ def _declared(found: Found, lacking: Missing | None) -> Found:
     """Return the answer where the site's action is declared; where not, what it would be if it were."""
     if lacking is None:
         return found
-    reason = message("missing-key", {"key": lacking.key, "text": lacking.text}, where=lacking.key)
+    reason = message("missing-key", {"key": lacking.key, "text": lacking.why[0]}, where=lacking.key)
     answer = replace(
         found.answer, outcome=Decision.INCOMPLETE, provisional=found.answer.outcome, reason=reason, at_the_limit=False
     )

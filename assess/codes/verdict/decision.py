@@ -14,7 +14,7 @@ from assess.codes.check import Check
 from assess.codes.verdict.answer import Answer, Found, Index, find_answer
 from assess.codes.verdict.methods import find_limit_states, methods_of
 from assess.codes.verdict.outcome import Decision, worst
-from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question, once
+from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question, missing_input, once
 from assess.codes.verdict.target import target_of
 from assess.messages.message import Message, Severity, message
 from assess.short_repr import ShortRepr
@@ -159,8 +159,8 @@ def _by_class(found: Sequence[Found], measure: _Measure) -> tuple[Found, ...]:
         if it.answer.limit_state not in besides:
             kept.append(it)
         elif it.answer.outcome == Decision.FAIL:
-            text = f"{it.answer.limit_state} is not satisfied, which decides in class of use IV"
-            missing = Missing("building.use_class", text, 'use_class = "II"')
+            why = message("missing-class-by-state", {"state": it.answer.limit_state})
+            missing = missing_input("building.use_class", why, 'use_class = "II"')
             answer = replace(it.answer, outcome=Decision.INCOMPLETE, provisional=Decision.FAIL)
             kept.append(Found(answer, it.checks, (missing,)))
     return tuple(kept)
@@ -212,10 +212,9 @@ def _unique(messages: Iterable[Message]) -> tuple[Message, ...]:
 
 def _without_basis(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
     """Return a verdict that is incomplete: no basis is named, and the site's spectrum has no default."""
-    missing = Missing(
-        "verdict.basis", "which code decides; the site's spectrum does not determine it", 'basis = "asce43-05"'
-    )
-    reason = message("missing-key", {"key": missing.key, "text": missing.text}, where=missing.key)
+    why = message("missing-basis")
+    missing = missing_input("verdict.basis", why, 'basis = "asce43-05"')
+    reason = message("missing-key", {"key": missing.key, "text": why}, where=missing.key)
     answer = Answer("", Decision.INCOMPLETE, "", None, None, reason)
     silent = (MechanismVerdict(each.name, Decision.INCOMPLETE, None, False, (answer,)) for each in mechanisms)
     return Verdict(

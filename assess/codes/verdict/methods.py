@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from assess.codes.basis import Acceptance, Basis, LimitState, Method, Role
-from assess.codes.verdict.question import Action, Missing, Question
+from assess.codes.verdict.question import Action, Missing, Question, either, missing_input
+from assess.messages.message import Value, message
 from spectra.ntc import EXCEEDANCE
 
 Rank = tuple[Method, ...]
@@ -22,8 +23,8 @@ def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple
     chosen = tuple(state for state in basis.chosen if state.name == name)
     if not chosen:
         names = [state.name for state in basis.chosen]
-        text = f"which limit state decides: {' or '.join(names)}"
-        return (), (Missing("verdict.limit_state", text, f'limit_state = "{names[0]}"'),)
+        why = message("missing-limit-state", {"states": either(names)})
+        return (), (missing_input("verdict.limit_state", why, f'limit_state = "{names[0]}"'),)
     return (*chosen, *_besides(basis, question.use_class)), ()
 
 
@@ -86,20 +87,16 @@ def missing_action(state: LimitState, action: Action) -> Missing | None:
     """
     if not state.actions or action.limit_state in state.actions:
         return None
-    names = " or ".join(state.actions)
+    of_state: dict[str, Value] = {"state": state.name, "states": either(state.actions)}
     if action.over_periods:
         if any(each in EXCEEDANCE for each in state.actions):
             return None
-        text = (
-            f"the hazard is that of Italian limit states; {state.name} is decided by the spectrum of {names}: give it"
-        )
-        return Missing("site.spectrum", text)
+        return missing_input("site.spectrum", message("missing-spectrum-of-state", of_state))
     if action.limit_state is None:
-        text = (
-            f"which limit state the site's single spectrum represents; {state.name} is decided by the action of {names}"
-        )
+        why = message("missing-state-of-spectrum", of_state)
     else:
-        text = f"the site's spectrum is that of {action.limit_state}; {state.name} asks for the action of {names}"
+        of_state["given"] = action.limit_state
         if state.role == Role.BESIDES:  # two limit states decide: one spectrum cannot be that of both
-            return Missing("site.spectrum.hazard", f"{text}: give the hazard over return periods")
-    return Missing("site.limit_state", text, f'limit_state = "{state.actions[0]}"')
+            return missing_input("site.spectrum.hazard", message("missing-hazard", of_state))
+        why = message("missing-action-of-state", of_state)
+    return missing_input("site.limit_state", why, f'limit_state = "{state.actions[0]}"')

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.families import FAMILIES
-from assess.codes.verdict.question import Missing
-from assess.messages.message import Message
+from assess.codes.verdict.question import Missing, missing_input
+from assess.messages.message import Message, message
 
 Line = tuple[str, str]
 """A key, with the mechanism's name for {}, and a line of TOML."""
@@ -64,14 +64,15 @@ def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
 
 
 def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
-    text = f"{mechanism}: {check.procedure}: {reason.text}"
+    why = message("missing-of-mechanism", {"mechanism": mechanism, "procedure": check.procedure, "reason": reason})
     if reason.where:  # of the whole project, as a suite of records is, said once for all mechanisms
         own = reason.where.startswith("mechanisms.")
-        return (Missing(reason.where, text if own else reason.text, str(reason.values.get("toml", "")), (reason,)),)
+        line = str(reason.values.get("toml", ""))
+        return (missing_input(reason.where, why if own else reason, line, reasons=(reason,)),)
     lines = _lines(check, reason)
     if not lines:
-        return (Missing(f"mechanisms.{mechanism}", text, reasons=(reason,)),)
-    return tuple(Missing(key.format(mechanism), text, toml, (reason,)) for key, toml in lines)
+        return (missing_input(f"mechanisms.{mechanism}", why, reasons=(reason,)),)
+    return tuple(missing_input(key.format(mechanism), why, toml, reasons=(reason,)) for key, toml in lines)
 
 
 def _reasons(check: Check) -> tuple[Message, ...]:

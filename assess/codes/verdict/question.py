@@ -8,7 +8,7 @@ from typing import Literal
 
 from assess.codes.basis import Basis
 from assess.codes.check import Check
-from assess.messages.message import Message
+from assess.messages.message import Message, message
 from assess.short_repr import ShortRepr
 
 SOURCES = "report.sources"
@@ -20,6 +20,7 @@ Works = Literal["none", "repair", "improvement", "upgrading"]
 class Missing(ShortRepr):
     """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with.
 
+    text : why, the English of `why`
     reasons : those whose texts are part of why
     """
 
@@ -27,6 +28,7 @@ class Missing(ShortRepr):
     text: str
     toml: str = ""
     reasons: tuple[Message, ...] = ()
+    why: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
@@ -83,6 +85,25 @@ class MechanismChecks:
     tolerance: float = 0.0
 
 
+def missing_input(key: str, why: Message, toml: str = "", *, reasons: tuple[Message, ...] = ()) -> Missing:
+    """Return an input that is missing.
+
+    Parameters
+    ----------
+    key : of the project file
+    why : it is needed
+    toml : a line to begin with
+    reasons : of the checks that need it
+    """
+    return Missing(key, why.text, toml, reasons, (why,))
+
+
+def either(names: Sequence[str]) -> Message | str:
+    """Return names with "or" between them."""
+    first, *others = names
+    return first if not others else message("either", {"first": first, "second": either(others)})
+
+
 def once(missing: Sequence[Missing]) -> tuple[Missing, ...]:
     """Return each missing key once, with all its reasons."""
     groups: dict[str, list[Missing]] = {}
@@ -94,6 +115,7 @@ def once(missing: Sequence[Missing]) -> tuple[Missing, ...]:
             text="; ".join(dict.fromkeys(each.text for each in group)),
             toml=_line_of(group),
             reasons=_once(reason for each in group for reason in each.reasons),
+            why=_once(why for each in group for why in each.why),
         )
         for group in groups.values()
     )

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from assess.codes.basis import Basis, IndexKind
-from assess.codes.verdict.question import Missing, Question
+from assess.codes.verdict.question import Missing, Question, missing_input
+from assess.messages.message import message
 
 Target = tuple[float | None, tuple[Missing, ...]]
 IMPROVED, RAISED = 0.60, 0.10  # NTC 8.4.2
@@ -39,8 +40,7 @@ def whole(basis: Basis) -> float:
 
 def _share_of_standard(question: Question) -> Target:
     if question.target_nbs is None:
-        text = "the share of the new building standard to be reached, 34, 67 or 100, has no default"
-        return None, (Missing("verdict.target_nbs", text, "target_nbs = 67"),)
+        return None, (missing_input("verdict.target_nbs", message("missing-target"), "target_nbs = 67"),)
     return question.target_nbs, ()
 
 
@@ -49,22 +49,19 @@ def _unchanged(question: Question) -> Target:
 
 
 def _repaired(question: Question) -> Target:
-    text = 'a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "none" for a target'
-    return None, (Missing("verdict.works", text, 'works = "none"'),)
+    return None, (missing_input("verdict.works", message("missing-works"), 'works = "none"'),)
 
 
 def _improved(question: Question) -> Target:
     if question.use_class is None:
-        text = "the class of use, on which the target of an improvement depends (NTC 8.4.2)"
-        return None, (Missing("building.use_class", text, 'use_class = "II"'),)
+        why = message("missing-class-of-improvement")
+        return None, (missing_input("building.use_class", why, 'use_class = "II"'),)
     if question.use_class == "III" and question.school is None:
-        text = "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)"
-        return None, (Missing("building.school", text, "school = true"),)
+        return None, (missing_input("building.school", message("missing-school"), "school = true"),)
     if question.use_class == "IV" or (question.use_class == "III" and question.school):
         return IMPROVED, ()
     if question.index_before is None:
-        text = "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)"
-        return None, (Missing("verdict.index_before", text, "index_before = 0.40"),)
+        return None, (missing_input("verdict.index_before", message("missing-index-before"), "index_before = 0.40"),)
     return question.index_before + RAISED, ()
 
 

@@ -277,6 +277,23 @@ MECHANISMS = {
         sides="one",
         direction=[1, 0, 0],
     ),
+    "breaking": block(
+        loads=[
+            {
+                "kind": "tie",
+                "at": [0.0, 3.9],
+                "force": "3 kN",
+                "direction": [-1, 0],
+                "until": "20 mm",
+                "strength": "9 kN",
+                "length": "4 m",
+                "fracture_strain": 0.2,
+            }
+        ],
+        sides="one",
+        direction=[1, 0, 0],
+        restitution=0.9,
+    ),
     "table": published(),
 }
 
@@ -291,6 +308,7 @@ def test_a_run_controls_every_mechanism_whatever_the_number_of_jobs(tmp_path: Pa
         "wall": [True] * 5,
         "soft": [True, True, True, None, True],
         "tied": [True] * 5,
+        "breaking": [True] * 5,
         "table": [None, None, True, True, None],  # by the linearised equation
     }
     order = ["equilibrium", "equilibrium", "energy", "hand-multiplier", "convergence"]

@@ -30,7 +30,7 @@ from spectra.arrays import BoolArray, FloatArray
 
 QUANTITY = "energy balance"
 HALF = 0.5  # of the overturning rotation: where free rocking is released
-PHASE = 0.4  # rad: of a vibration on joints, from one sample to the next
+PHASE = 0.25  # rad: of a vibration on joints, from one sample to the next
 MOST_PARTS = 64  # of a step of the record
 LONG = 20.0  # of 1 / p: a body released at HALF is back after 1.3 of them
 

@@ -14,7 +14,7 @@ from assess.cli.report import Language
 from assess.codes.check import Outcome
 from assess.codes.verdict import Decision
 from assess.codes.verdict_text import outcome_text
-from assess.project.sections.analysis import Report
+from assess.project.sections.report import Report
 from reports.document import Banner
 from reports.figures.style import BANNER
 from reports.language.catalogue import FOLDER, catalogue, languages, parse_catalogue

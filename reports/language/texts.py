@@ -10,7 +10,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from assess.messages.message import Message, Quantity, Term
+from assess.messages.message import Message, Quantity
+from assess.messages.message import Term as Term  # fixed English words that results hold
 
 Kind = Literal["Figure", "Table", "Sheet"]
 

@@ -119,4 +119,5 @@ def _records(results: Results) -> Iterator[Block]:
     told = tuple(suite.sentences(results))
     if told:
         yield Prose(told)
-    yield from nonempty(suite.requirements(results))
+    if not suite.complies(results):
+        yield from nonempty(suite.requirements(results))

@@ -32,6 +32,7 @@ class Moving:
     names : of the mechanisms; title : their numbers, "M1, M2"
     group : of bodies that hang together by shared ones, from 0
     triangles : of the surface, all that move; middle : of the part that no smaller one has [3] [m]
+    direction : horizontal, of its motion [3]
     hinges : ends of the axes of rotation [2, 3] [m]; cracks : closed rings [k, 3] [m]
     """
 
@@ -41,6 +42,7 @@ class Moving:
     outcome: Outcome
     triangles: IntArray
     middle: FloatArray
+    direction: FloatArray
     hinges: tuple[FloatArray, ...]
     cracks: tuple[FloatArray, ...]
 
@@ -291,6 +293,7 @@ def _moving(results: Results, alike: Sequence[_Region], group: int) -> Moving:
         _outcome(results, names),
         np.arange(0),
         alike[0].box.mean(axis=0),
+        np.array(view.direction),
         tuple(np.array(axis.ends) for axis in view.axes),
         tuple(np.array(ring) for ring in view.sections),
     )
@@ -312,7 +315,8 @@ def _collide(one: _Group, other: _Group) -> bool:
     tall = min(float(box[1, 2] - box[0, 2]) for box in boxes)
     if high[2] - low[2] <= SHARED * tall:
         return False
-    return max(_shared_ground(one.surface, other.surface), _shared_ground(other.surface, one.surface)) > SHARED
+    pairs = ((one.surface, other.surface), (other.surface, one.surface))
+    return any(_shared_ground(mine, its) > SHARED for mine, its in pairs)
 
 
 def _shared_ground(one: Surface, other: Surface) -> float:
@@ -326,7 +330,9 @@ def _shared_ground(one: Surface, other: Surface) -> float:
 
 def _are_above(surface: Surface, points: np.ndarray) -> BoolArray:
     """Return whether each point of the ground [k] lies under a surface."""
-    tree = shapely.STRtree(np.asarray(shapely.polygons(surface.corners[:, :, :2])))
+    corners = surface.corners[:, :, :2]
+    upwards = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) > 0.0
+    tree = shapely.STRtree(np.asarray(shapely.polygons(corners[upwards])))
     found = np.zeros(len(points), dtype=np.bool_)
     found[tree.query(points, predicate="intersects")[0]] = True
     return found

@@ -25,12 +25,12 @@ def draw(results: Results, mechanism: MechanismResult, locale: Locale) -> Figure
     building = building_of(results)
     movings = () if building is None else building.moving
     place = next((k for k, each in enumerate(movings) if mechanism.name in each.names), None)
-    if building is None or place is None or mechanism.view is None:
+    if building is None or place is None:
         raise ValueError(f'mechanism "{mechanism.name}" has no geometry that can be drawn in space')
     moving, shown = building.moving[place], moved_by(building, place)
     corners = building.surface.corners[moving.triangles].reshape(-1, 3)
     reach = float(np.ptp(scene_points(shown, [moving]), axis=0).max())
-    arrow = direction_arrow(corners, np.array(mechanism.view.direction), 0.6 * reach)
+    arrow = direction_arrow(corners, moving.direction, 0.6 * reach)
     camera, (wide, high) = fit_camera(building.direction, np.concatenate([scene_points(shown, [moving]), arrow]), ROOM)
     with report_style():
         figure = bare_sheet(high, locale, width=HALF)

@@ -68,6 +68,11 @@ def of_basis(results: Results) -> tuple[RequirementResult, ...]:
     return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
 
 
+def complies(results: Results) -> bool:
+    """Return whether the suite meets every requirement of the code that belongs to the basis."""
+    return all(rule.verdict == "met" for rule in of_basis(results))
+
+
 def sentences(results: Results) -> Iterator[Text]:
     """Yield over which periods the suite was fitted, and whether it meets the rules of the basis."""
     motion, rules = results.ground_motion, of_basis(results)

@@ -23,8 +23,7 @@ def shown(cell: Cell) -> str:
     if isinstance(cell, Graded):
         return f"{cell.outcome}: {EN.text(cell.text)}"
     assert cell is not None
-    assert not isinstance(cell, float | int)
-    return EN.text(cell)
+    return f"{cell:g}" if isinstance(cell, float | int) else EN.text(cell)
 
 
 def test_only_the_sites_own_action_is_coloured(results: Results) -> None:

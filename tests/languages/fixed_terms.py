@@ -45,6 +45,7 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "LimitState": (1,),
     "Edition": (0, 1, 2),
     "Ultimate": tuple(range(6)),
+    "PossibleMechanism": (2,),
 }
 """By the name of a function, its arguments that are terms."""
 KEYWORDS = frozenset(
@@ -62,6 +63,10 @@ CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/grounding.py": ("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
     "assess/study/periods.py": ("FITTED_OVER",),
     "assess/project/variables.py": ("FULL", "SWEPT"),
+    "assess/study/controls/convergence.py": ("RATIO", "TIME", "OVERTURNING"),
+    "assess/study/controls/energy.py": ("QUANTITY",),
+    "assess/study/controls/equilibrium.py": ("VERTICAL", "HORIZONTAL"),
+    "assess/study/controls/hand_multiplier.py": ("QUANTITY",),
     "records/compliance/requirement.py": ("CAVEAT",),
     "assess/codes/asce41_13/clauses.py": ("PLACES",),
     "assess/codes/asce41_13/slenderness.py": ("PERMITTED", "SEISMICITY"),

@@ -173,17 +173,18 @@ def _left_over(results: Results) -> Iterator[Block]:
 
 def _uncompared(results: Results) -> Iterator[Block]:
     """Yield what could not be compared with the printed standards, each sentence once."""
-    caveats: dict[str, list[str]] = {}
+    caveats: dict[str, tuple[Text, list[str]]] = {}
     for check in _answered(results):
         if check.caveat and check.reading == "letter":
-            caveats.setdefault(check.caveat, []).append(check.procedure)
+            said = listing(check.caveats, "") if check.caveats else Term(check.caveat)
+            caveats.setdefault(check.caveat, (said, []))[1].append(check.procedure)
     points: list[Text] = [
         say(
             "{procedures}: {caveat}",
             procedures=listing(map(procedure_title, dict.fromkeys(used)), ""),
-            caveat=Term(caveat),
+            caveat=caveat,
         )
-        for caveat, used in caveats.items()
+        for caveat, used in caveats.values()
     ]
     found = results.verdict
     points = [*(Term(each) for each in (() if found is None else found.uncompared)), *points]

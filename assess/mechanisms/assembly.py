@@ -10,18 +10,19 @@ import numpy as np
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.flexible import FlexibleChain
-from assess.mechanisms.impact import RestitutionChoice, find_restitution
+from assess.mechanisms.impact import GIVEN, RestitutionChoice, find_restitution
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.jointed_chain import top_loads
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.restitution import Restitution
+from assess.mechanisms.restitution import Restitution, source_text
 from assess.mechanisms.virtual_work import require_stable, virtual_work
 from assess.mechanisms.warnings import supports_in_tension
+from assess.messages.message import Message, Term, message
 
 Impacts = tuple[Restitution, Restitution]
 
-INSIDE = ", about hinges a_SF inside the edges"
-CRUSHED = ", about the resultants of the crushed joints"
+INSIDE = Term("about hinges a_SF inside the edges")
+CRUSHED = Term("about the resultants of the crushed joints")
 
 
 def assemble(
@@ -65,7 +66,8 @@ def assemble(
         positive=positive,
         negative=negative,
         restitution=(kept.value, back.value),
-        restitution_source=_sources(kept, back),
+        restitution_source=source_text(_sources(kept, back)),
+        restitution_said=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
         warnings=(*warnings, *pulling, *sorted({kept.notice, back.notice} - {""})),
@@ -114,7 +116,8 @@ def add_joints(
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
-        restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
+        restitution_source=source_text(_sources(kept, returned, *others_of(kept, about))),
+        restitution_said=_sources(kept, returned, *others_of(kept, about)),
         warnings=(*others, *sorted({kept.notice, returned.notice} - {""})),
         stopped=_stopped(kept, returned),
         rebounds=kept.range,
@@ -138,7 +141,7 @@ def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: Flexible
 
 def _times(kept: Restitution, factor: float) -> Restitution:
     """Return a coefficient times a factor, without the warning for values above 1 if it is no longer above."""
-    if kept.source == "given":
+    if kept.source == GIVEN:
         return kept
     value = kept.value * factor
     return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else "")
@@ -169,8 +172,15 @@ def _stopped(positive: Restitution, negative: Restitution) -> float | None:
     return min((each.stopped for each in (positive, negative) if each.stopped is not None), default=None)
 
 
-def _sources(positive: Restitution, negative: Restitution) -> str:
-    """Return the source of both coefficients in a phrase."""
+def _sources(positive: Restitution, negative: Restitution, *about: Term) -> tuple[Term | Message, ...]:
+    """Return the source of both coefficients, in parts."""
     if positive.source == negative.source:
-        return positive.source
-    return f"positive: {positive.source}; negative: {negative.source}"
+        return (*positive.source, *about)
+    ahead = (message("restitution-positive", {"source": each}) for each in positive.source)
+    behind = (message("restitution-negative", {"source": each}) for each in negative.source)
+    return (*ahead, *behind, *about)
+
+
+def others_of(kept: Restitution, about: Term) -> tuple[Term, ...]:
+    """Return about which points a mechanism on joints turns, nothing where the coefficient is given."""
+    return () if kept.source == GIVEN else (about,)

@@ -15,8 +15,9 @@ from assess.errors import MechanismError
 from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.rest import plain_block
-from assess.mechanisms.restitution import Restitution, housner, sorrentino
+from assess.mechanisms.restitution import Restitution, housner, sorrentino, source_text
 from assess.mechanisms.velocity_field import angular_momentum, inertia_at_rest, kinetic_product, velocity_field
+from assess.messages.message import Message, Quantity, Term, message
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None
@@ -24,9 +25,12 @@ RestitutionChoice = float | Named | None
 Rule = Callable[[Chain, Chain], Restitution]
 Rebound = Callable[[Chain], Restitution]
 
-HOUSNER = "Housner 1963, thesis eq. 3.44"
-MOMENTUM = "momentum kept over the mechanism"
-ABOUT_BASE = "angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"
+HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
+MOMENTUM = (Term("momentum kept over the mechanism"),)
+ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
+NO_REBOUND = (Term("no rebound"),)
+GIVEN = (Term("given"),)
+WORST_OF_THREE = Term("histories take the worst of 0.5, 1 and 1.5 times it")
 NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
 REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
 SAME = 5e-4  # coefficients this close are printed alike
@@ -68,17 +72,17 @@ def single_block_rule(ending: Chain, starting: Chain) -> Restitution:
 def sorrentino_rebound(chain: Chain) -> Restitution:
     """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
     signed = sorrentino(plain_block(chain))
-    source = f"Sorrentino et al. 2011, thesis eq. 3.45: {signed:+.3f}"
+    source = message("restitution-3-45", {"value": Quantity(signed, "ratio", 3)})
     if signed >= 0:
-        return Restitution(0.0, source, f"{source} is not negative: there is no rebound, restitution 0 is used")
-    said = f"{source}; histories take the worst of 0.5, 1 and 1.5 times it"
-    return Restitution(-signed, said, range=REBOUNDS)
+        notice = f"{source.text} is not negative: there is no rebound, restitution 0 is used"
+        return Restitution(0.0, (source,), notice)
+    return Restitution(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
 
 
 def no_rebound(chain: Chain) -> Restitution:
     """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
     notice = "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one as a number"
-    return Restitution(0.0, "no rebound", notice)
+    return Restitution(0.0, NO_REBOUND, notice)
 
 
 _BLOCK: Mapping[Named, Rule] = {"thesis": single_block_rule, "housner": housner_rule, "momentum": conserve_momentum}
@@ -119,7 +123,7 @@ def find_restitution(
     MechanismError : a rule that does not apply to this kind, or a named one that adds energy
     """
     if isinstance(choice, int | float):
-        return Restitution(choice, "given", _flattering(choice, ending=ending, starting=starting))
+        return Restitution(choice, GIVEN, _flattering(choice, ending=ending, starting=starting))
     rules = (ONE_SIDED if starting is None else TWO_SIDED)[kind]
     if choice is not None and choice not in rules:
         sides = "one" if starting is None else "two"
@@ -156,25 +160,27 @@ def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
     return "momentum" if _gains(kept, ending=ending, starting=starting) else "thesis"
 
 
-def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> str:
-    """Return a phrase on the other rule, and on loads that slide on their seats; empty if the value is the same."""
+def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> tuple[Message, ...]:
+    """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
     other: Named = "thesis" if rule == "momentum" else "momentum"
     value = TWO_SIDED[kind][other](ending, starting).value
-    text = f'; "{other}" would give {value:.3f}' if abs(value - kept.value) > SAME else ""
+    said: tuple[Message, ...] = ()
+    if abs(value - kept.value) > SAME:
+        said = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
     if rule != "momentum" or not moving_masses(ending, starting):
-        return text
+        return said
     new = velocity_field(starting, sliding=True)
     slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
     if abs(slid - kept.value) <= NOTABLE:
-        return text
-    return f"{text}; {slid:.3f} if the loads slide on their seats and pass on no horizontal momentum"
+        return said
+    return (*said, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
 
 
 def _stopped(kept: Restitution) -> Restitution:
     """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
     notice = (
-        f"restitution {kept.value:.3g} ({kept.source}): a mechanism this squat stops at its first impact; 0 is taken, "
-        "and histories are not answered: for those give restitution as a number in [0, 1]"
+        f"restitution {kept.value:.3g} ({source_text(kept.source)}): a mechanism this squat stops at its first impact; "
+        "0 is taken, and histories are not answered: for those give restitution as a number in [0, 1]"
     )
     return replace(kept, value=0.0, notice=notice, stopped=kept.value)
 
@@ -222,6 +228,6 @@ def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str
     """Raise MechanismError for a coefficient that would add energy."""
     if _gains(kept, ending=ending, starting=starting):
         raise MechanismError(
-            f'mechanism "{name}": restitution {kept.value:.3g} ({kept.source}) would add energy at the '
+            f'mechanism "{name}": restitution {kept.value:.3g} ({source_text(kept.source)}) would add energy at the '
             'impact, for the two hinges differ; use "momentum" or a number'
         )

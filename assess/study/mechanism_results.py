@@ -86,6 +86,7 @@ def mechanism_result(
         sides=mechanism.sides,
         equation=equation,
         restitution_source=mechanism.restitution_source,
+        restitution_said=mechanism.restitution_said,
         direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
         drawing=drawn,
         view=None if scene is None else view(mechanism, scene),

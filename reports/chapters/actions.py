@@ -37,10 +37,13 @@ def section(results: Results) -> Section:
 
 def _weights(results: Results) -> Iterator[Text]:
     yield say("The weight of the moving masonry acts in every mechanism, as a permanent load and as a mass.")
+    given = [mechanism for mechanism in results.mechanisms if mechanism.kind == "equivalent-block"]
+    if given:
+        yield say("Loads on equivalent blocks are part of their rocking parameters, as the project gives them.")
     if any(mechanism.loads for mechanism in results.mechanisms):
         yield _AS_GIVEN
-    else:
-        yield say("The project gives no other loads: no floor, roof, tie or force acts on any mechanism.")
+    elif len(given) < len(results.mechanisms):
+        yield say("The project gives no other loads: no floor, roof, tie or force.")
 
 
 def _directions(results: Results) -> Iterator[Text]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.codes.check import Check, Outcome, Reason
+from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
 from reports.chapters import methods, references, verdict
@@ -175,15 +176,11 @@ def _uncompared(results: Results) -> Iterator[Block]:
     """Yield what could not be compared with the printed standards, each sentence once."""
     caveats: dict[str, tuple[Text, list[str]]] = {}
     for check in _answered(results):
-        if check.caveat and check.reading == "letter":
-            said = listing(check.caveats, "") if check.caveats else Term(check.caveat)
-            caveats.setdefault(check.caveat, (said, []))[1].append(check.procedure)
+        if check.reading == "letter":
+            for caveat in caveats_of(check):
+                caveats.setdefault(str(caveat), (caveat, []))[1].append(check.procedure)
     points: list[Text] = [
-        say(
-            "{procedures}: {caveat}",
-            procedures=listing(map(procedure_title, dict.fromkeys(used)), ""),
-            caveat=caveat,
-        )
+        say("{procedures}: {caveat}", procedures=listing(map(procedure_title, dict.fromkeys(used)), ""), caveat=caveat)
         for caveat, used in caveats.values()
     ]
     found = results.verdict
@@ -196,3 +193,8 @@ def _uncompared(results: Results) -> Iterator[Block]:
 def _answered(results: Results) -> list[Check]:
     every = (check for mechanism in results.mechanisms for check in mechanism.checks)
     return [check for check in every if check.verdict in (Outcome.PASS, Outcome.FAIL)]
+
+
+def caveats_of(check: Check) -> tuple[Term | Message, ...]:
+    """Return what could not be compared of a check; in results of older versions one text."""
+    return check.caveats or ((Term(check.caveat),) if check.caveat else ())

@@ -170,8 +170,7 @@ def _provisional(found: Verdict) -> list[Block]:
 
 def missing_text(missing: Missing) -> Text:
     """Return the key of an input that is missing, and why it is needed."""
-    said = missing.reasons or missing.why
-    why = listing(said, "") if said else Term(missing.text)
+    why = listing(missing.why or missing.reasons, "") if missing.why or missing.reasons else Term(missing.text)
     return say("{key}: {why}", key=Verbatim(missing.key), why=why)
 
 

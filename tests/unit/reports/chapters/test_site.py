@@ -47,8 +47,10 @@ def test_parameters_have_their_units_and_sources(results: Results) -> None:
     rows = {told([row[0]]): told(row[1:]) for row in table.rows}  # type: ignore[list-item, arg-type]  all are texts
     assert rows["S_DS, design, at short periods"] == "0.167 g\nliterature: <b>a study</b>"
     assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
-    assert rows["T_L, long-period transition"] == "6 s\ncalculated"
     assert rows["Damping ratio"] == "0.05\ndefault"
+    assert "T_L, long-period transition" not in rows
+    calculated = told(site.calculated(replace(results, project=project), results.spectrum))
+    assert calculated.startswith("Calculated from these: T_L, long-period transition: 6 s; ")
 
 
 def test_no_spectrum_and_no_records_are_told(results: Results) -> None:
@@ -83,6 +85,9 @@ def test_loads_that_are_alike_share_a_row(results: Results) -> None:
     bare = replace(results, mechanisms=(wall,))
     assert not actions.loads(bare).rows
     assert "The project gives no other loads" in prose(bare)
+    block = replace(bare, mechanisms=(replace(wall, kind="equivalent-block"),))
+    assert "The project gives no other loads" not in prose(block)
+    assert "Loads on equivalent blocks are part of their rocking parameters" in prose(block)
 
 
 def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Results) -> None:

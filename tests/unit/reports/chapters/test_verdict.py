@@ -127,5 +127,9 @@ def test_mechanisms_that_are_possible_and_not_examined_are_named(results: Result
     assert "Possible, not examined: overturning of gables" in lines(verdict.sections(replace(results, report=matter)))
 
 
+def test_page_1_says_where_nobody_listed_what_is_possible(results: Results) -> None:
+    assert any(line.startswith("Possible, not examined: not stated") for line in lines(verdict.sections(results)))
+
+
 def test_results_without_a_verdict_say_so(results: Results) -> None:
     assert "no verdict" in lines(verdict.sections(replace(results, verdict=None)))[0]

@@ -331,7 +331,8 @@ def _shared_ground(one: Surface, other: Surface) -> float:
 def _are_above(surface: Surface, points: np.ndarray) -> BoolArray:
     """Return whether each point of the ground [k] lies under a surface."""
     corners = surface.corners[:, :, :2]
-    upwards = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) > 0.0
+    (x, y), (u, v) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+    upwards = x * v - y * u > 0.0
     tree = shapely.STRtree(np.asarray(shapely.polygons(corners[upwards])))
     found = np.zeros(len(points), dtype=np.bool_)
     found[tree.query(points, predicate="intersects")[0]] = True

@@ -31,6 +31,7 @@ DATA = {
     "assess.errors",
     "assess.results",
     "assess.results.envelopes",
+    "assess.codes.basis",
     "assess.codes.check",
     "assess.codes.checklists",
     "assess.codes.families",

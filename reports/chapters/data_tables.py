@@ -306,5 +306,5 @@ def _varied(row: SensitivityResult) -> tuple[Cell, ...]:
         QUANTITIES.get(row.quantity),
         *(row.at_base, row.at_low, row.at_high),
         *(None if outcome is None else OUTCOMES[outcome.value] for outcome in outcomes),
-        Term(row.remark),
+        Listing(row.remarks or (Term(row.remark),), ""),
     )

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS
 from assess.results import Results, SensitivityResult
-from reports.chapters import checklist, verdict
+from reports.chapters import checklist, missing_inputs
 from reports.chapters.governing_words import lacking_factor
 from reports.chapters.index_text import SHARE, symbol
 from reports.chapters.mechanism_list import mechanism_list
@@ -39,7 +39,7 @@ def sections(results: Results) -> list[Section]:
         return []
     blocks: list[Block] = [
         *_failing(results, found),
-        *_titled(say("To complete the verdict:"), [verdict.missing_text(each) for each in found.missing]),
+        *_missing(results, found),
         *_titled(say("To be shown, since a pass depends on it:"), list(found.conditions)),
         *_titled(say("To survey first:"), list(survey(results, found))),
         *_titled(say("To examine next:"), list(next_checks(results))),
@@ -52,6 +52,14 @@ def sections(results: Results) -> list[Section]:
 
 def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
     return [Prose((title,)), Items(tuple(points))] if points else []
+
+
+def _missing(results: Results, found: Verdict) -> list[Block]:
+    """Return what is missing where page 1 does not show all of it, or nothing of it in a verdict that is not open."""
+    if found.outcome != Decision.INCOMPLETE:
+        texts = missing_inputs.missing_texts(results, found)
+        return [*_titled(say("To be given for the mechanisms without an answer:"), texts)]
+    return [] if missing_inputs.fits_page_1(results, found) else missing_inputs.paste(results, found)
 
 
 def _failing(results: Results, found: Verdict) -> list[Block]:

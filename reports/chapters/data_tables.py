@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from assess.codes.check import Check
 from assess.results import BranchCurve, ComparisonRow, RecordSpectrum, Results, SensitivityResult, SpectrumResult
 from reports import governing
-from reports.chapters import annex_envelopes, annex_histories, annex_inputs, annex_suite, parameter_tables
+from reports.chapters import annex_envelopes, annex_histories, annex_inputs, annex_suite, controls, parameter_tables
 from reports.chapters.cells import (
     BRANCHES,
     INPUTS,
@@ -52,6 +52,7 @@ def tables(results: Results) -> Iterator[Table]:
         capacity_curves(results),
         pga_curves(results),
         sensitivity(results),
+        controls.control_rows(results),
         *annex_envelopes.data(results),
         annex_envelopes.primary_pulses(results.records),
         *_of_mechanisms(results),

@@ -39,6 +39,11 @@ class Plane:
         return np.asarray((points - self.point) @ self.normal)
 
 
+def box_of(points: FloatArray) -> FloatArray:
+    """Return the least and the largest coordinates [2, 3] of points [k, 3]."""
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
 def plane_of(ring: FloatArray) -> Plane:
     """Return the plane of a ring of points [k, 3], its normal upwards where it is not upright."""
     middle = ring.mean(axis=0)

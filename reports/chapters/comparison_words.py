@@ -128,6 +128,14 @@ def _spread(results: Results) -> Iterator[Text]:
     if not spreads:
         return
     largest, mechanism, low, high = max(spreads, key=lambda spread: spread[0])
+    if len(spreads) == 1:
+        yield say(
+            "The PGA at capacity by {high} is {largest} times that by {low}.",
+            high=procedure_title(high),
+            largest=quantity(largest, "ratio", FIGURES),
+            low=procedure_title(low),
+        )
+        return
     yield say(
         "The largest PGA at capacity of a mechanism by a code is {middle} times its least in the median, and at most "
         "{largest} times ({mechanism}: {high} over {low}).",

@@ -104,8 +104,10 @@ def test_the_suite_is_judged_by_the_rules_of_the_basis_alone(results: Results) -
     assert told(suite.sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
     missed = with_rules(results, rule("met"), rule("not met"))
     assert told(suite.sentences(missed)).endswith(
-        "does not meet every requirement of ASCE 43-05 on suites: largest time step."
+        "The suite does not meet these requirements of ASCE 43-05: largest time step."
     )
+    silent = with_rules(results, rule("not answered"))
+    assert "These requirements of ASCE 43-05 could not be checked: largest time step." in told(suite.sentences(silent))
     table = suite.requirements(missed)
     assert [row[-1].outcome for row in table.rows if isinstance(row[-1], Graded)] == ["pass", "fail"]
     assert told([table.rows[0][3]]) == "≤ 0.01 s"  # type: ignore[list-item]  a text

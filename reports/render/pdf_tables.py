@@ -38,7 +38,12 @@ _LOOK: tuple[Any, ...] = (
 
 
 class Rows(LongTable):
-    """A table that goes on over pages; a row is divided only where it is higher than a good part of a page."""
+    """A table that goes on over pages; a row is divided only where it is higher than a good part of a page.
+
+    start : height of the head and the first row, of which a higher one may be divided [pt]
+    """
+
+    start = 0.0
 
     def split(self, aW: float, aH: float) -> list[Any]:
         self.splitInRow = int(aH > _DIVIDED)
@@ -188,11 +193,12 @@ def _tints(table: Table) -> Iterator[tuple[Any, ...]]:
 
 
 def _grid(rows: Sequence[list[Any]], widths: Sequence[float], look: Sequence[Any]) -> Rows:
-    return Rows(
-        rows,
-        colWidths=widths,
-        repeatRows=1,
-        hAlign="LEFT",
-        spaceAfter=8,
-        style=[*_LOOK, *look],
-    )
+    made = Rows(rows, colWidths=widths, repeatRows=1, hAlign="LEFT", spaceAfter=8, style=[*_LOOK, *look])
+    made.start = min(_DIVIDED, sum(_height(row, widths) for row in rows[:2]))
+    return made
+
+
+def _height(row: Sequence[Any], widths: Sequence[float]) -> float:
+    """Return the height of a row [pt]; one of single lines alone is lower than what is anyway left for it."""
+    cells = zip(row, widths, strict=True)
+    return max((cell.wrap(wide - 2 * _PADDING, 0)[1] for cell, wide in cells if isinstance(cell, Paragraph)), default=0)

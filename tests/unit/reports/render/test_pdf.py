@@ -240,6 +240,16 @@ def test_figures_of_a_row_stand_side_by_side_over_their_captions(tmp_path: Path)
     assert two - one > 200
 
 
+def test_the_title_of_a_table_stands_above_its_first_row(tmp_path: Path) -> None:
+    long = Verbatim(WORDS * 3)
+    columns = (Column(long), Column(Verbatim("Height"), "length"), Column(Verbatim("Text")))
+    table = Table("t", Verbatim("Walls"), columns, tuple((Verbatim(f"Wall {n}"), 0.1, long) for n in range(20)))
+    for filled in range(30, 55, 3):
+        pages = pages_of(write(tmp_path, section(Prose((Verbatim("a line"),) * filled), table)))
+        (titled,) = [page for page in pages if "Table 1." in page]
+        assert "Wall 0" in titled
+
+
 def test_a_table_repeats_its_head_on_each_page(tmp_path: Path) -> None:
     rows = tuple((Verbatim(f"Wall {place}"), 0.1 * place) for place in range(150))
     table = Table("t", Verbatim("Walls"), (Column(Verbatim("The wall")), Column(Verbatim("Height"), "length")), rows)

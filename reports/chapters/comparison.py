@@ -50,9 +50,10 @@ def _curves(results: Results) -> Iterator[Figure]:
     caption = say("Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings.")
     yield Figure("capacities", caption, partial(figure.draw_capacities, results))
     caption = say(
-        "Largest rotation over peak ground acceleration of all mechanisms by the method that decides; mechanisms "
-        "that differ by their joints alone share a colour (solid: rigid, dashed: flexible). Beside it "
-        "their moments over rotation, as a part of what rigid joints give."
+        "Largest rotation over peak ground acceleration of all mechanisms by {method}; mechanisms that differ by their "
+        "joints alone share a colour (solid: rigid, dashed: flexible). Beside it their moments over rotation, as a "
+        "part of what rigid joints give.",
+        method=procedure_title(figure.curve_procedure(results)),
     )
     yield Figure("curves", caption, partial(figure.draw_curves, results))
 

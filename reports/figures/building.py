@@ -10,16 +10,17 @@ from typing import Literal
 import numpy as np
 
 from assess.codes.verdict.outcome import Decision, worst
+from assess.geometry.simplify import simplify
 from assess.results import MechanismResult, Results, View
 from reports.figures.common_ground import are_one_in_the_other
 from reports.figures.projection import eye_of
 from reports.figures.region import NEAR, Region, cuts, middle_of, region_of
-from reports.figures.solids import Surface, box_of, coarsen, connected, cut, weld
+from reports.figures.solids import Surface, box_of, connected, cut, weld
 from reports.titles import mechanism_number
 from spectra.arrays import FloatArray, IntArray
 
 Outcome = Literal["pass", "fail", "incomplete"]
-FINE, CELLS = 4000, 40  # triangles of a body from which on it is drawn coarser, and cells along it then
+MOST_TRIANGLES = 1000  # of a body
 BESIDE, MOST = 0.3, 8  # bodies drawn apart: the gap, of the widest, and how many stand in a row
 
 
@@ -198,9 +199,9 @@ def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
 
 def _coarse(corners: FloatArray) -> FloatArray:
     """Return the triangles of a body, fewer where it is a scan: the picture is small."""
-    if len(corners) <= FINE:
-        return corners
-    return coarsen(weld(corners), float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / CELLS).corners
+    surface = weld(corners)
+    vertices, triangles = simplify(surface.vertices, surface.triangles, limit=MOST_TRIANGLES)
+    return np.asarray(vertices[triangles])
 
 
 def _moving(results: Results, alike: Sequence[Region], group: int) -> Moving:

@@ -71,6 +71,12 @@ def test_the_basis_names_titles_action_target_and_index(results: Results) -> Non
     assert "Index of the building: at most ζ_E = 0.831; local mechanisms only" in said
 
 
+def test_the_target_has_its_measure_where_no_index_is_known(results: Results) -> None:
+    said = lines(verdict.sections(with_verdict(results, index=None)))
+    assert "Target: D/C of at most 1" in said
+    assert not any(line.startswith("Index of the building") for line in said)
+
+
 def test_a_ratio_is_bounded_from_below(results: Results) -> None:
     said = lines(verdict.sections(with_verdict(results, index=Index("D/C", 0.5))))
     assert "Index of the building: at least D/C = 0.5; local mechanisms only" in said

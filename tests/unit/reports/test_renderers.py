@@ -32,6 +32,7 @@ DATA = {
     "assess.errors",
     "assess.results",
     "assess.results.envelopes",
+    "assess.codes.bases",
     "assess.codes.basis",
     "assess.codes.check",
     "assess.codes.checklists",

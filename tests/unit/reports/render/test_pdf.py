@@ -37,8 +37,8 @@ from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity
 from reports.render.frame_words import verdict_word
 from reports.render.pdf import write_pdf
-from reports.render.pdf_tables import INK_OF, TINT
-from reports.render.typeset import BOLD, REGULAR
+from reports.render.pdf_tables import INK_OF, TINT, column_widths
+from reports.render.typeset import BOLD, REGULAR, register_fonts, width_of
 from tests.support.sample_document import HOSTILE, sample_document
 
 WORDS = "the wall rocks about its base and comes to rest again after a few impacts " * 3
@@ -215,8 +215,8 @@ def test_words_of_ten_thousand_letters_stay_on_the_page_and_are_printed_whole(tm
     long = Verbatim("".join(f"{number:05d}" for number in range(2000)))
     columns = (Column(Verbatim("Name")), Column(long), Column(Verbatim("Level"), "length"), Column(Verbatim("Answer")))
     rows = tuple((Verbatim(f"M{place}"), long if place == 3 else None, 0.1, Graded("pass", long)) for place in range(4))
-    blocks = (Prose((long,)), Items((long,)), Facts(((long, long),)), Table("t", long, columns[:1] + columns[2:], ()))
-    table = Table("u", Verbatim("Long cells"), (columns[0], Column(Verbatim("Text")), *columns[2:]), rows)
+    blocks = (Prose((long,)), Items((long,)), Facts(((long, long),)), Banner("fail", long))
+    table = Table("u", long, columns, rows)
     path = write(tmp_path, section(*blocks, title=long.text), section(table))
     reader = PdfReader(path)
     for page in reader.pages:
@@ -226,6 +226,24 @@ def test_words_of_ten_thousand_letters_stay_on_the_page_and_are_printed_whole(tm
             assert 20 < y < float(page.mediabox.top) - 20
     assert long.text[:3000] in squeezed(path)
     assert len(reader.pages) < 40
+
+
+@pytest.mark.parametrize("shares", [(0.0,) * 30, (0.5, 0.5, 0.0, 0.0), (0.9, 0.9, 0.0), (0.2, 0.0, 0.0)])
+def test_columns_have_the_width_of_the_table_together(shares: tuple[float, ...]) -> None:
+    register_fonts()
+    row = [WORDS[place : place + 40] for place in range(len(shares))]
+    widths = column_widths([row, row], shares, 480.0, "head")
+    assert sum(widths) == pytest.approx(480.0)
+    assert min(widths) > 10.0
+
+
+def test_a_narrow_table_is_not_stretched_and_no_word_of_it_is_broken() -> None:
+    register_fonts()
+    widths = column_widths([["Level [g]", "Answer"], ["0.1", "not answered"]], (0.0, 0.0), 480.0, "head")
+    assert sum(widths) < 240.0
+    assert widths[1] > width_of("not answered", "head")
+    rows = [["Name", "Outcome", "Text"], ["M1", "incomplete", WORDS], ["M2", "fail", WORDS]]
+    assert column_widths(rows, (0.0,) * 3, 300.0, "head")[1] > width_of("incomplete", "head")
 
 
 def test_a_figure_higher_than_the_page_is_made_smaller(tmp_path: Path) -> None:

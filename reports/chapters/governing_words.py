@@ -31,7 +31,7 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     if own.at_the_limit:
         yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
     if own.conditions:
-        yield say("It depends on the conditions listed with the verdict.")
+        yield say("The answer depends on the conditions listed with the verdict.")
 
 
 def verdict_of(results: Results, mechanism: MechanismResult) -> MechanismVerdict | None:

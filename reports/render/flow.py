@@ -53,10 +53,16 @@ class PageStart(CondPageBreak):
         self.flowables = list(chain.from_iterable(part.flowables for part in parts))
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        if aH >= self.height and self._needs_a_page(aW, aH):
+            self.height = self.page
         if self.drawings:
             self._reduce(aW, self.page if aH < self.height else aH)
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
+
+    def _needs_a_page(self, width: float, room: float) -> bool:
+        """Return whether all parts fit on a page of their own and not on what is left of this one."""
+        return room < self._height(width, _SMALLEST, 1.5 * self.page) <= self.page
 
     def _reduce(self, width: float, room: float) -> None:
         whole = self._height(width, 1.0, 1.5 * room)

@@ -294,6 +294,11 @@ def test_a_section_that_asks_for_it_begins_a_page_unless_the_page_is_nearly_empt
     no_head: dict[str, Any] = {"facts": (), "logo": None, "title": Verbatim("t")}
     assert ["Asking" in page for page in pages_of(write(tmp_path, much, asks, **no_head))] == [False, True]
     assert ["Asking" in page for page in pages_of(write(tmp_path, little, asks, **no_head))] == [True]
+    whole = section(
+        Prose((Verbatim("a line"),) * 42), title="Asking", starts_page=True
+    )  # a page, but not the rest of one
+    pages = pages_of(write(tmp_path, little, whole, **no_head))
+    assert [(("Asking" in page), page.count("a line")) for page in pages] == [(False, 2), (True, 42)]
 
 
 def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -> None:

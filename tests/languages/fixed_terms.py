@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("assess/codes", "assess/study", "assess/project", "assess/mechanisms", "assess/model", "records/compliance",
+FOLDERS = ("assess/codes", "assess/study", "assess/project", "assess/mechanisms", "assess/model", "assess/loads", "records/compliance",
            "spectra")  # fmt: skip
 PLACES: Mapping[str, tuple[int, ...]] = {
     "step": (1, 2, 3),
@@ -43,6 +43,7 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "FreePeriod": (1, 3),
     "Unvaried": (2,),
     "LimitState": (1,),
+    "Construction": (0,),
     "Edition": (0, 1, 2),
     "Ultimate": tuple(range(6)),
 }

@@ -14,8 +14,16 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("assess/codes", "assess/study", "assess/project", "assess/mechanisms", "assess/model", "assess/loads", "records/compliance",
-           "spectra")  # fmt: skip
+FOLDERS = (
+    "assess/codes",
+    "assess/loads",
+    "assess/mechanisms",
+    "assess/model",
+    "assess/project",
+    "assess/study",
+    "records/compliance",
+    "spectra",
+)
 PLACES: Mapping[str, tuple[int, ...]] = {
     "step": (1, 2, 3),
     "instability_step": (1, 2),

@@ -168,6 +168,8 @@ TEXTS: Mapping[str, str] = {
     # amplification
     "by-floor-factor": "every record and pulse is multiplied by {factor}, at h = {height} of H = {building}, "
     "according to {clause}",
+    "clause-3-49": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
+    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: {assumptions}",
     "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
     "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",
     # suites of records

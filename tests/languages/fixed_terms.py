@@ -51,6 +51,7 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "FreePeriod": (1, 3),
     "Unvaried": (2,),
     "LimitState": (1,),
+    "Amplified": (3,),
     "Construction": (0,),
     "Edition": (0, 1, 2),
     "Ultimate": tuple(range(6)),
@@ -70,6 +71,7 @@ IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/grounding.py": ("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
     "assess/study/periods.py": ("FITTED_OVER",),
+    "assess/study/amplification.py": ("FLOORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
     "assess/project/variables.py": ("FULL", "SWEPT"),
     "records/compliance/requirement.py": ("CAVEAT",),
     "assess/codes/asce41_13/clauses.py": ("PLACES",),

@@ -70,6 +70,8 @@ OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("claus
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/grounding.py": ("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
+    "assess/study/floor_input.py": ("SUITE", "CIRCULAR", "OF_MOTIONS", "OF_CIRCULAR"),
+    "spectra/ntc.py": ("CLAUSES",),
     "assess/study/periods.py": ("FITTED_OVER",),
     "assess/study/amplification.py": ("FLOORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
     "assess/project/variables.py": ("FULL", "SWEPT"),

@@ -18,6 +18,7 @@ from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, thrust_of, weight
+from assess.messages.message import Message, Quantity, Term, Value, message
 from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
@@ -78,6 +79,12 @@ class Case:
         return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
 
 
+BEARS_AS_GIVEN = {True: Term("bears (given)"), False: Term("only pushes (given)")}
+PUSHES_WHOLE = Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)")
+HALF = Term("share 0.5 (its other foot is not in the project)")
+ALONE = Term("share 1 (nothing else in the project carries it)")
+
+
 @dataclass(frozen=True)
 class BlockContact:
     """Where a body meets the block and others, None if the user states all of it; and warnings."""
@@ -94,7 +101,7 @@ class Part:
     """The share of a body that the block carries, its source, and warnings."""
 
     share: float
-    source: str
+    source: Term | Message
     warnings: tuple[str, ...] = ()
 
 
@@ -160,15 +167,15 @@ def body_loads(
     whole, of = weight(load, body, mass=mass)
     bearing, how = bearing_of(case)
     part = part_of(case, bearing=bearing)
-    source, pushed = [of, part.source, how, *place_text(load, found, along=around.along)], list[Force]()
+    source, pushed = [of, part.source, how, *place_said(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
-        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, thrust.source)
+        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))
         pushed += [force] if thrust.size else []
-        source += [] if thrust.size else [thrust.source]
+        source += [] if thrust.size else thrust.source
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
-    carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
+    carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
     return LoadSet((carried, *pushed), name_load(load, (*meeting.warnings, *part.warnings)))
 
 
@@ -230,16 +237,18 @@ def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bearing_of(case: Case) -> tuple[bool, str]:
+def bearing_of(case: Case) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
-    words = {True: "bears", False: "only pushes"}
     given = case.load.bearing
     if case.found is None:
-        return bool(given), f"{words[bool(given)]} (given)"
+        return bool(given), BEARS_AS_GIVEN[bool(given)]
     contact = case.found.contact
     shown = carries_weight(contact, axis=case.springs)
-    seen = f"{words[shown]} on {contact.area:.3g} m2"
-    return (shown, seen) if given is None else (given, f"{words[given]} (given; by its contact it {seen})")
+    area = {"area": Quantity(contact.area, "area", 3)}
+    seen = message("load-bears" if shown else "load-pushes", area)
+    if given is None:
+        return shown, seen
+    return given, message("load-bears-given" if given else "load-pushes-given", {"seen": seen})
 
 
 def part_of(case: Case, *, bearing: bool) -> Part:
@@ -249,17 +258,21 @@ def part_of(case: Case, *, bearing: bool) -> Part:
     if case.body is not None and carried is not None and carried.others:
         statics = share_of(carried, centroid=case.body.centroid)
     if case.load.share is not None:
-        beside = "" if statics is None else f"; by statics {statics:.3g}"
-        return Part(case.load.share, f"share {case.load.share:.3g} (given{beside})")
+        share = {"share": Quantity(case.load.share, "ratio", 3)}
+        if statics is None:
+            return Part(case.load.share, message("load-share-given", share))
+        beside = Quantity(statics, "ratio", 3)
+        return Part(case.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:
         warnings = ("nothing in the project carries its weight",) if statics is None else ()
-        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", warnings)
+        return Part(1.0, PUSHES_WHOLE, warnings)
     if statics is None or carried is None:
         return alone(case)
     if statics == 0.0:
         raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
-    return Part(statics, f"share {statics:.3g} (statics; the rest on {names})")
+    values: dict[str, Value] = {"share": Quantity(statics, "ratio", 3), "bodies": names}
+    return Part(statics, message("load-share-statics", values))
 
 
 def alone(case: Case) -> Part:
@@ -267,8 +280,8 @@ def alone(case: Case) -> Part:
     nothing = "nothing else in the project carries it"
     if case.arch is not None and case.one_foot:
         warning = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
-        return Part(0.5, "share 0.5 (its other foot is not in the project)", (warning,))
-    return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
+        return Part(0.5, HALF, (warning,))
+    return Part(1.0, ALONE, (f"{nothing}, so its whole weight is on the block: else give share",))
 
 
 def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
@@ -280,14 +293,14 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
     return point_in_plane(at, along.tolist())
 
 
-def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
+def place_said(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Term | Message]:
     """Say that the load acts at the given place in place of the contact, if it does."""
     if load.at is None:
         return []
     if found is None:
-        return ["place given"]
+        return [Term("place given")]
     x, z = point_in_plane(found.contact.centroid.tolist(), along.tolist())
-    return [f"place given (its contact is at x = {x:.4g} m, z = {z:.4g} m)"]
+    return [message("load-place-given", {"x": Quantity(x, "length"), "z": Quantity(z, "length")})]
 
 
 def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
@@ -308,10 +321,10 @@ def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
             'write the thrust as a load of kind = "force"'
         )
     if not given and not bearing_of(case)[0]:
-        return Thrust(0.0, "no thrust: it does not stand on the block")
+        return Thrust(0.0, [Term("no thrust: it does not stand on the block")])
     found = thrust_of(case.load, case.arch, along=along, V=V)
     if not found.size:
         return found
     if not case.one_foot:
-        return Thrust(0.0, "no thrust: both its feet stand on the block, or none near its ends")
-    return Thrust(float(np.copysign(found.size, case.side)), f"{found.source}, outwards")
+        return Thrust(0.0, [Term("no thrust: both its feet stand on the block, or none near its ends")])
+    return Thrust(float(np.copysign(found.size, case.side)), [*found.source, Term("outwards")])

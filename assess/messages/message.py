@@ -29,6 +29,8 @@ UNITS: Mapping[str, str] = {
     "inertia": "kg m2",
     "first moment": "kg m",
     "stress": "Pa",
+    "area": "m2",
+    "area density": "kg/m2",
     "volume": "m3",
     "percent": "%",
     "return period": "years",

@@ -17,7 +17,7 @@ from assess.amplification.floor_motion import (
 from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.limits import height_of_support
-from assess.messages.message import Quantity, note
+from assess.messages.message import Message, Quantity, Term, Value, message, note, whole_number
 from assess.model.assembly import Built
 from assess.model.body import Bodies
 from assess.model.definitions import Definition, SingleBlock
@@ -155,9 +155,10 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
     try:
         if asked.method == PRINTED:
             factor = ec8_at_resonance_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
-            clause = f"thesis 3.49: S [3 (1 + h/H) - 0.5], S = {asked.soil_factor:.4g}"
+            said_clause: Term | Message = message("clause-3-49", {"soil": Quantity(asked.soil_factor)})
         else:
             rule, clause = FLOORS[asked.method]
+            said_clause = Term(clause)
             factor = rule(height, building_height=building)
     except SpectrumError as error:
         raise ProjectError(f"{standing.where}.height: {error}") from None
@@ -167,10 +168,10 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
         factor=Quantity(factor),
         height=Quantity(height, "length"),
         building=Quantity(building, "length"),
-        clause=clause,
+        clause=said_clause,
     )
     return Amplified(
-        asked.method, height, FloorFactor(factor, clause), (said, "not checked against the printed standard")
+        asked.method, height, FloorFactor(factor, str(said_clause)), (said, "not checked against the printed standard")
     )
 
 
@@ -178,21 +179,22 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
     """Return the amplification by the first mode, with values given or by Rayleigh's method."""
     structure = standing.structure
     frequency, effective = given_frequency(asked, structure), given_effective_height(asked, structure)
-    assumed: tuple[str, ...] = ()
+    assumed: tuple[Message, ...] = ()
     if frequency is None or effective is None:
         found = rayleigh_mode_of(standing)
         frequency = frequency or (found.frequency, RAYLEIGH)
         effective = effective or (found.effective_height, RAYLEIGH)
-        assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
+        values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
+        assumed = (note("by-rayleigh", standing.where, **values),)
     damping = structure.damping
     mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
     said = note(
         "by-first-mode",
         standing.where,
         frequency=Quantity(frequency[0], "frequency"),
-        frequency_from=frequency[1],
+        frequency_from=Term(frequency[1]),
         effective=Quantity(effective[0], "length"),
-        effective_from=effective[1],
+        effective_from=Term(effective[1]),
         damping=Quantity(damping, "ratio", 3),
         height=Quantity(height, "length"),
         shape=Quantity(mode.shape(height)),

@@ -65,7 +65,7 @@ class Amplified:
 
     method : as in the project; height : of the base above the ground [m], None where nothing is amplified
     description : what is done, with which numbers and their sources
-    assumptions : sentences on values that are not given
+    assumptions : on values that are not given
     by_stiffness : whether the amplification follows from the stiffness of the bodies
     """
 
@@ -73,7 +73,7 @@ class Amplified:
     height: float | None
     amplification: Amplification
     description: tuple[Message | str, ...]
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[Message, ...] = ()
     by_stiffness: bool = False
 
 

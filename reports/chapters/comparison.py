@@ -50,9 +50,10 @@ def _curves(results: Results) -> Iterator[Figure]:
     caption = say("Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings.")
     yield Figure("capacities", caption, partial(figure.draw_capacities, results))
     caption = say(
-        "Largest rotation over peak ground acceleration of all mechanisms by the method that decides; mechanisms "
-        "that differ by their joints alone share a colour (solid: rigid, dashed: flexible). Beside it "
-        "their moments over rotation, as a part of what rigid joints give."
+        "Largest rotation over peak ground acceleration of all mechanisms by {method}; mechanisms that differ by their "
+        "joints alone share a colour (solid: rigid, dashed: flexible). Beside it their moments over rotation, as a "
+        "part of what rigid joints give.",
+        method=procedure_title(figure.curve_procedure(results)),
     )
     yield Figure("curves", caption, partial(figure.draw_curves, results))
 
@@ -78,7 +79,7 @@ def table(results: Results) -> Table:
         Column(say("PGA at capacity over the site’s"), "ratio", FIGURES),
     )
     rows = tuple(_row(results, mechanism, levels) for mechanism in results.mechanisms)
-    return Table("levels", _caption(own, others), columns, rows, small=True)
+    return Table("levels", _caption(results, others), columns, rows, small=True)
 
 
 def _level_column(level: float) -> Column:
@@ -90,8 +91,15 @@ def _some(levels: tuple[float, ...]) -> tuple[float, ...]:
     return levels[:: ceil(len(levels) / MOST)] if levels else ()
 
 
-def _caption(own: float | None, others: tuple[float, ...]) -> Text:
-    if own is not None and others:
+def _has_basis(results: Results) -> bool:
+    """Return whether a code is named that decides."""
+    return results.verdict is not None and bool(results.verdict.basis)
+
+
+def _caption(results: Results, others: tuple[float, ...]) -> Text:
+    if not _has_basis(results):
+        return say("Demand over capacity, the worst of the methods of codes; none of them decides.")
+    if others:
         return say(
             "Demand over capacity of the methods that may decide, the worst of each mechanism. Only the coloured "
             "column, at the site’s own action, counts in the verdict; the other levels are a study."
@@ -105,7 +113,7 @@ def _row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]
     worst = [governing.worst(_accepted(results, mechanism, level)) for level in levels]
     known = next((check for check in worst if check is not None), None)
     cells = (
-        _own_cell(check, found) if level == own and found is not None else _ratio(check)
+        _own_cell(check, found) if level == own and found is not None and _has_basis(results) else _ratio(check)
         for level, check in zip(levels, worst, strict=True)
     )
     title = None if known is None else procedure_title(known.procedure)

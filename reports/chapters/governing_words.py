@@ -22,13 +22,16 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     found, own = results.verdict, verdict_of(results, mechanism)
     if found is None or own is None:
         return
+    if not found.basis:
+        yield say("No code is named that decides: the results of all methods are for comparison only.")
+        return
     for answer in own.answers:
         yield _governing(governing.at_site(results, mechanism), answer)
     yield from _remedy(own, found)
     if own.at_the_limit:
         yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
     if own.conditions:
-        yield say("It depends on the conditions listed with the verdict.")
+        yield say("The answer depends on the conditions listed with the verdict.")
 
 
 def verdict_of(results: Results, mechanism: MechanismResult) -> MechanismVerdict | None:
@@ -43,7 +46,11 @@ def summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
     if own is None:
         return []
     outcome = outcome_text(own.outcome, near=own.at_the_limit)
-    indices = [index_text(answer.index) for answer in own.answers if answer.index is not None]
+    known = [(answer.limit_state, index_text(answer.index)) for answer in own.answers if answer.index is not None]
+    indices = [
+        say("{index} at {state}", index=index, state=Verbatim(state)) if len(known) > 1 else index
+        for state, index in known
+    ]
     text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
     return [Facts(((say("Verdict"), text),))]
 
@@ -103,8 +110,6 @@ def _measured(value: float, unit: str) -> Quantity:
 
 def _unanswered(answer: Answer) -> Text:
     """Return why a limit state has no answer, with what it would be."""
-    if not answer.limit_state:
-        return say("No check governs: {reason}.", reason=answer.reason)
     if answer.provisional is None:
         return say(
             "There is no answer for {state}: {reason}.", state=Verbatim(answer.limit_state), reason=answer.reason

@@ -32,7 +32,7 @@ def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Se
         Prose(tuple(_findings(results, mechanism))),
     ]
     if warnings:
-        blocks.append(Items(warnings))
+        blocks += [Prose((say("Warnings on this mechanism:"),)), Items(warnings)]
     title, mark = Verbatim(mechanism_title(mechanism)), mechanism_number(results, mechanism.name)
     return [Section(title, 0, tuple(block for block in blocks if block != Prose(())), starts_page=True, mark=mark)]
 

@@ -8,7 +8,7 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
+from reports.language.texts import Listing, Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
 
 KINDS: Mapping[str, Phrase] = {
     "single-block": say("A single block"),
@@ -81,7 +81,7 @@ def _joints(mechanism: MechanismResult) -> Text:
     return say(
         "Joints: {model}; coefficient of restitution: {source}.",
         model=MODELS.get(model, Verbatim(model)),
-        source=Term(mechanism.restitution_source),
+        source=Listing(mechanism.restitution_said or (Term(mechanism.restitution_source),), ""),
     )
 
 

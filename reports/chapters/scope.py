@@ -8,7 +8,7 @@ from assess.codes.check import Check, Outcome, Reason
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.chapters import methods, references, verdict
+from reports.chapters import methods, missing_inputs, references, verdict
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Items, Prose, Section, nonempty
 from reports.language.texts import Paragraph, Term, Text, listing, say, say_count
@@ -164,7 +164,7 @@ def _left_over(results: Results) -> Iterator[Block]:
         return
     lists: tuple[tuple[Text, list[Text]], ...] = (
         (say("All conditions of the verdict:"), list(found.conditions)),
-        (say("All that is missing:"), [verdict.missing_text(each) for each in found.missing]),
+        (say("All that is missing:"), missing_inputs.missing_texts(results, found)),
         (say("All warnings that bear on the verdict:"), verdict.warnings(results)),
     )
     for title, points in lists:

@@ -227,7 +227,7 @@ def _unvaried(results: Results) -> list[Block]:
             "{mechanism}, {input}: {remark}.",
             mechanism=Verbatim(mechanism_number(results, row.mechanism)),
             input=input_name(row) if row.parameter else say("all inputs"),
-            remark=Term(row.remark),
+            remark=listing(row.remarks, "") if row.remarks else Term(row.remark),
         )
         for row in results.sensitivity
         if not row.quantity

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from scipy.constants import g
+
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
 from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
@@ -32,6 +34,7 @@ def _hazard(results: Results) -> Iterator[Block]:
         return
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
+    yield from nonempty(hazard(results))
     derived = calculated(results, results.spectrum)
     if derived:
         yield Prose(derived)
@@ -81,6 +84,20 @@ def parameters(results: Results, spectrum: SpectrumResult) -> Table:
     told = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
     columns = (Column(say("Parameter")), Column(say("Value")), Column(say("Source")))
     return Table("site", say("The elastic response spectrum of the site."), columns, tuple(_once(told)), small=True)
+
+
+def hazard(results: Results) -> Table:
+    """Tabulate the hazard over return periods; no rows where the project gives one spectrum."""
+    found = results.project.get(f"{SPECTRUM}.hazard")
+    given = found.value if found is not None and isinstance(found.value, list | tuple) else ()
+    columns = (
+        Column(say("Return period"), "return period"),
+        Column(say("a_g on rock"), "ground acceleration"),
+        Column(say("F_0"), "ratio"),
+        Column(say("T_C*"), "time"),
+    )
+    rows = tuple((row["return_period"], row["a_g"] / g, row["f_0"], row["t_c_star"]) for row in given)
+    return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
 def calculated(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:

@@ -85,21 +85,25 @@ def sentences(results: Results) -> Iterator[Text]:
             misfit=quantity(motion.misfit, "ratio", FIGURES),
         )
     if rules:
-        yield _compliance(rules)
+        yield from _compliance(rules)
 
 
-def _compliance(rules: tuple[RequirementResult, ...]) -> Text:
-    open_ones = [rule for rule in rules if rule.verdict != "met"]
+def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
     code = Verbatim(rules[0].code)
-    if not open_ones:
-        return say_count(
+    missed, silent = (
+        listing(Term(rule.what) for rule in rules if rule.verdict == verdict) for verdict in ("not met", "not answered")
+    )
+    if missed.texts:
+        yield say("The suite does not meet these requirements of {code}: {which}.", code=code, which=missed)
+    if silent.texts:
+        yield say("These requirements of {code} could not be checked: {which}.", code=code, which=silent)
+    if not missed.texts and not silent.texts:
+        yield say_count(
             "The suite meets the one requirement of {code} on suites.",
             "The suite meets all {number} requirements of {code} on suites.",
             len(rules),
             code=code,
         )
-    which = listing(Term(rule.what) for rule in open_ones)
-    return say("The suite does not meet every requirement of {code} on suites: {which}.", code=code, which=which)
 
 
 def requirements(results: Results) -> Table:

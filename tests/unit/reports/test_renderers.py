@@ -24,13 +24,14 @@ LETTERS = {
 DATA = {
     *LETTERS,
     "spectra.arrays",  # the types of arrays
-    "spectra.ntc",  # coefficients of use classes, which the front matter prints
+    "assess.geometry.simplify",  # fewer faces for a drawing
     "assess.outputs.signals",  # interruptions end the process that writes
     "assess.outputs.single",  # files whole or not at all
     "assess.workers",  # processes that end with their parent
     "assess.errors",
     "assess.results",
     "assess.results.envelopes",
+    "assess.codes.bases",
     "assess.codes.basis",
     "assess.codes.check",
     "assess.codes.checklists",

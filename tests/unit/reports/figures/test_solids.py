@@ -1,4 +1,4 @@
-"""Surfaces of triangles: cut, welded, coarser."""
+"""Surfaces of triangles: cut, welded, divided."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from reports.figures.solids import Plane, Surface, coarsen, connected, cut, plane_of, weld
+from reports.figures.solids import Plane, Surface, connected, cut, plane_of, weld
 
 
 def box(size: tuple[float, float, float] = (1.0, 2.0, 3.0), at: tuple[float, float, float] = (0, 0, 0)) -> Surface:
@@ -50,12 +50,3 @@ def test_the_plane_of_a_ring_looks_upwards() -> None:
     plane = plane_of(ring)
     np.testing.assert_allclose(plane.heights(ring), 0.0, rtol=0, atol=1e-12)
     assert plane.normal[2] > 0.8
-
-
-def test_a_scan_gets_fewer_triangles_within_its_box() -> None:
-    mesh = trimesh.creation.icosphere(subdivisions=4)
-    fine = Surface(np.array(mesh.vertices), np.array(mesh.faces))
-    coarse = coarsen(fine, 0.2)
-    assert len(coarse.triangles) < 0.5 * len(fine.triangles)
-    assert np.abs(coarse.vertices).max() <= 1.0
-    assert area(coarse.corners) == pytest.approx(area(fine.corners), rel=0.1)

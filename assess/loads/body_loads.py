@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +18,7 @@ from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, thrust_of, weight
+from assess.messages.message import Message, Quantity, Said, Term, Value, lengths, message, warning
 from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
@@ -48,7 +49,7 @@ class LoadSet:
     """
 
     loads: tuple[Load, ...]
-    warnings: tuple[str, ...]
+    warnings: tuple[Message, ...]
     follows: tuple[bool, ...] = ()
 
 
@@ -83,7 +84,7 @@ class BlockContact:
     """Where a body meets the block and others, None if the user states all of it; and warnings."""
 
     found: Support | None
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
 
 FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
@@ -94,8 +95,8 @@ class Part:
     """The share of a body that the block carries, its source, and warnings."""
 
     share: float
-    source: str
-    warnings: tuple[str, ...] = ()
+    source: Said
+    warnings: tuple[Message, ...] = ()
 
 
 def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
@@ -118,7 +119,7 @@ def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings)
     given = load.at is not None and load.bearing is not None
     found = find_support(load, body, given=given, around=around)
     if found is not None:
-        return beside_the_block(found, around=around)
+        return beside_the_block(load, found, around=around)
     if body is None or given:
         return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
@@ -163,24 +164,13 @@ def body_loads(
     source, pushed = [of, part.source, how, *place_text(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
-        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, thrust.source)
+        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, (thrust.source,))
         pushed += [force] if thrust.size else []
         source += [] if thrust.size else [thrust.source]
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
-    carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
-    return LoadSet((carried, *pushed), name_load(load, (*meeting.warnings, *part.warnings)))
-
-
-def name_load(load: BodyLoad, warnings: Iterable[str]) -> tuple[str, ...]:
-    """Put the name of the load in front of each warning.
-
-    Parameters
-    ----------
-    load : the load that they are about
-    warnings : sentences
-    """
-    return tuple(f'load "{load.body}": {text}' for text in warnings)
+    carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
+    return LoadSet((carried, *pushed), (*meeting.warnings, *part.warnings))
 
 
 def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
@@ -217,29 +207,32 @@ def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance:
     return Support(found.contact, kept)
 
 
-def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
+def beside_the_block(load: BodyLoad, found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
-    kept, warnings = dict(found.others), list[str]()
+    kept, warnings = dict(found.others), list[Message]()
     for other in (solid for solid in around.others if solid.name in found.others):
         part, volume = shared_volume(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
-            warnings.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
+            warnings.append(warning("load-stands-in-block", load=load.body, other=other.name))
         elif part > OVERLAP:
-            warnings.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
+            common = Quantity(volume, "volume", 3)
+            warnings.append(warning("load-touches-overlapping", load=load.body, other=other.name, volume=common))
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bearing_of(case: Case) -> tuple[bool, str]:
+def bearing_of(case: Case) -> tuple[bool, Said]:
     """Return whether the block carries the body or is only pushed, and the source."""
-    words = {True: "bears", False: "only pushes"}
     given = case.load.bearing
     if case.found is None:
-        return bool(given), f"{words[bool(given)]} (given)"
+        return (True, Term("bears (given)")) if given else (False, Term("only pushes (given)"))
     contact = case.found.contact
     shown = carries_weight(contact, axis=case.springs)
-    seen = f"{words[shown]} on {contact.area:.3g} m2"
-    return (shown, seen) if given is None else (given, f"{words[given]} (given; by its contact it {seen})")
+    area: dict[str, Value] = {"area": Quantity(contact.area, "area", 3)}
+    seen = message("bears-on" if shown else "only-pushes-on", area)
+    if given is None:
+        return shown, seen
+    return given, message("bears-given" if given else "only-pushes-given", {"seen": seen})
 
 
 def part_of(case: Case, *, bearing: bool) -> Part:
@@ -249,26 +242,34 @@ def part_of(case: Case, *, bearing: bool) -> Part:
     if case.body is not None and carried is not None and carried.others:
         statics = share_of(carried, centroid=case.body.centroid)
     if case.load.share is not None:
-        beside = "" if statics is None else f"; by statics {statics:.3g}"
-        return Part(case.load.share, f"share {case.load.share:.3g} (given{beside})")
+        return Part(case.load.share, share_given(case.load.share, statics))
     if not bearing:
-        warnings = ("nothing in the project carries its weight",) if statics is None else ()
-        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", warnings)
+        warnings = (warning("load-weight-not-carried", load=case.load.body),) if statics is None else ()
+        return Part(1.0, Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)"), warnings)
     if statics is None or carried is None:
         return alone(case)
     if statics == 0.0:
         raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
-    return Part(statics, f"share {statics:.3g} (statics; the rest on {names})")
+    return Part(statics, message("share-by-statics", {"share": Quantity(statics, figures=3), "others": names}))
+
+
+def share_given(share: float, statics: float | None) -> Message:
+    """Say that a share is given, beside that by statics if it is known."""
+    given = Quantity(share, figures=3)
+    if statics is None:
+        return message("share-given", {"share": given})
+    return message("share-given-statics", {"share": given, "statics": Quantity(statics, figures=3)})
 
 
 def alone(case: Case) -> Part:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
-    nothing = "nothing else in the project carries it"
+    name = case.load.body
     if case.arch is not None and case.one_foot:
-        warning = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
-        return Part(0.5, "share 0.5 (its other foot is not in the project)", (warning,))
-    return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
+        half = Term("share 0.5 (its other foot is not in the project)")
+        return Part(0.5, half, (warning("load-half-taken", load=name),))
+    whole = Term("share 1 (nothing else in the project carries it)")
+    return Part(1.0, whole, (warning("load-all-taken", load=name),))
 
 
 def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
@@ -280,14 +281,14 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
     return point_in_plane(at, along.tolist())
 
 
-def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
+def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Said]:
     """Say that the load acts at the given place in place of the contact, if it does."""
     if load.at is None:
         return []
     if found is None:
-        return ["place given"]
+        return [Term("place given")]
     x, z = point_in_plane(found.contact.centroid.tolist(), along.tolist())
-    return [f"place given (its contact is at x = {x:.4g} m, z = {z:.4g} m)"]
+    return [message("place-given", lengths(x=x, z=z))]
 
 
 def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
@@ -308,10 +309,11 @@ def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
             'write the thrust as a load of kind = "force"'
         )
     if not given and not bearing_of(case)[0]:
-        return Thrust(0.0, "no thrust: it does not stand on the block")
+        return Thrust(0.0, Term("no thrust: it does not stand on the block"))
     found = thrust_of(case.load, case.arch, along=along, V=V)
     if not found.size:
         return found
     if not case.one_foot:
-        return Thrust(0.0, "no thrust: both its feet stand on the block, or none near its ends")
-    return Thrust(float(np.copysign(found.size, case.side)), f"{found.source}, outwards")
+        return Thrust(0.0, Term("no thrust: both its feet stand on the block, or none near its ends"))
+    source = message("thrust-outwards", {"found": found.source})
+    return Thrust(float(np.copysign(found.size, case.side)), source)

@@ -1,7 +1,7 @@
 """What a block carries or is pulled by besides itself: point masses, given forces, ties.
 
 Places and forces are in the plane of motion, (distance along the direction, elevation); a load is fixed to its block.
-`source` says in a sentence how a load was found; it is empty where the user gave its numbers.
+`source` says how a load was found; it is empty where the user gave its numbers.
 
 A force or tie may end before the mechanism collapses. `until` says when: "collapse" where it is still there then, or
 the displacement of its point [m] at which it ends; None where nobody has shown that it lasts.
@@ -14,6 +14,8 @@ from math import hypot
 from typing import Literal
 
 from scipy.constants import g
+
+from assess.messages.message import Said
 
 Point = tuple[float, float]
 Until = float | Literal["collapse"] | None
@@ -33,7 +35,7 @@ class PointMass:
     at: Point
     bearing: bool
     block: int = 0
-    source: str = ""
+    source: tuple[Said, ...] = ()
     seat: float | None = None
 
 
@@ -48,7 +50,7 @@ class Force:
     force: Point
     at: Point
     block: int = 0
-    source: str = ""
+    source: tuple[Said, ...] = ()
     until: Until = None
     evidence: str = ""
 
@@ -75,7 +77,7 @@ class Tie:
     anchor: Point | None = None
     both: bool = False
     block: int = 0
-    source: str = ""
+    source: tuple[Said, ...] = ()
     until: Until = None
     strength: float | None = None
     length: float | None = None

@@ -13,6 +13,7 @@ from assess.loads.bearing import Overburden, overburden
 from assess.loads.definitions import LoadDefinition, OverburdenLoad, Through
 from assess.loads.load import Force
 from assess.loads.plane import point_in_plane
+from assess.messages.message import Quantity, message
 
 UPPER = 1  # the block it stands on
 ROUNDING = 1e-9  # of the thickness: a load this near its edge is on it
@@ -58,9 +59,11 @@ def overburden_of(
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
-    source = f"weight of {', '.join(load.bodies)} on the wall, {x - middle:+.3g} m from mid-thickness"
-    source += f"; not shared with {', '.join(states)}, which stands where the wall does" if states else ""
-    return Force(name, (0.0, -found.force), (x, elevation), UPPER, source, until="collapse", evidence=WEIGHT)
+    offset = Quantity(x - middle, "length", 3)
+    source = message("weight-on-wall", {"bodies": ", ".join(load.bodies), "offset": offset})
+    if states:
+        source = message("weight-not-shared", {"found": source, "bodies": ", ".join(states)})
+    return Force(name, (0.0, -found.force), (x, elevation), UPPER, (source,), until="collapse", evidence=WEIGHT)
 
 
 def weight_of(

@@ -14,14 +14,15 @@ from assess.mechanisms.impact import RestitutionChoice, find_restitution
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.jointed_chain import top_loads
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.restitution import Restitution
+from assess.mechanisms.restitution import GIVEN, Restitution
 from assess.mechanisms.virtual_work import require_stable, virtual_work
 from assess.mechanisms.warnings import supports_in_tension
+from assess.messages.message import Message, Term, distinct, message
 
 Impacts = tuple[Restitution, Restitution]
 
-INSIDE = ", about hinges a_SF inside the edges"
-CRUSHED = ", about the resultants of the crushed joints"
+INSIDE = "restitution-about-inner-hinges"
+CRUSHED = "restitution-about-crushed"
 
 
 def assemble(
@@ -33,7 +34,7 @@ def assemble(
     label: str,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
     outlines: tuple[Outline, ...],
-    warnings: Iterable[str] = (),
+    warnings: Iterable[Message] = (),
 ) -> Mechanism:
     """Assemble a mechanism from its chains, with its coefficients of restitution.
 
@@ -45,7 +46,7 @@ def assemble(
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
     outlines : of each block in the plane of motion
-    warnings : sentences on what was given
+    warnings : on what was given
 
     Raises
     ------
@@ -68,7 +69,7 @@ def assemble(
         restitution_source=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        warnings=(*warnings, *pulling, *sorted({kept.notice, back.notice} - {""})),
+        warnings=(*warnings, *pulling, *_notices(kept, back)),
         stopped=_stopped(kept, back),
         rebounds=kept.range,
     )
@@ -106,16 +107,18 @@ def add_joints(
     )
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
     rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
-    others = [notice for notice in mechanism.warnings if notice not in {each.notice for each in rigid}]
+    before = _notices(*rigid)
+    others = [notice for notice in mechanism.warnings if notice not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
+    source = _sources(kept, returned)
     return replace(
         mechanism,
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
-        restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
-        warnings=(*others, *sorted({kept.notice, returned.notice} - {""})),
+        restitution_source=source if kept.source == GIVEN else message(about, {"source": source}),
+        warnings=(*others, *_notices(kept, returned)),
         stopped=_stopped(kept, returned),
         rebounds=kept.range,
     )
@@ -138,10 +141,10 @@ def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: Flexible
 
 def _times(kept: Restitution, factor: float) -> Restitution:
     """Return a coefficient times a factor, without the warning for values above 1 if it is no longer above."""
-    if kept.source == "given":
+    if kept.source == GIVEN:
         return kept
     value = kept.value * factor
-    return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else "")
+    return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else None)
 
 
 def bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
@@ -169,8 +172,13 @@ def _stopped(positive: Restitution, negative: Restitution) -> float | None:
     return min((each.stopped for each in (positive, negative) if each.stopped is not None), default=None)
 
 
-def _sources(positive: Restitution, negative: Restitution) -> str:
-    """Return the source of both coefficients in a phrase."""
+def _sources(positive: Restitution, negative: Restitution) -> Term | Message:
+    """Return the source of both coefficients."""
     if positive.source == negative.source:
         return positive.source
-    return f"positive: {positive.source}; negative: {negative.source}"
+    return message("restitution-of-sides", {"positive": positive.source, "negative": negative.source})
+
+
+def _notices(*found: Restitution) -> tuple[Message, ...]:
+    """Return the warnings on the coefficients, each once."""
+    return distinct(each.notice for each in found if each.notice is not None)

@@ -15,8 +15,9 @@ from assess.errors import MechanismError
 from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.rest import plain_block
-from assess.mechanisms.restitution import Restitution, housner, sorrentino
+from assess.mechanisms.restitution import GIVEN, Restitution, housner, sorrentino
 from assess.mechanisms.velocity_field import angular_momentum, inertia_at_rest, kinetic_product, velocity_field
+from assess.messages.message import Message, Quantity, Term, Value, message, warning
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None
@@ -24,9 +25,10 @@ RestitutionChoice = float | Named | None
 Rule = Callable[[Chain, Chain], Restitution]
 Rebound = Callable[[Chain], Restitution]
 
-HOUSNER = "Housner 1963, thesis eq. 3.44"
-MOMENTUM = "momentum kept over the mechanism"
-ABOUT_BASE = "angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"
+HOUSNER = Term("Housner 1963, thesis eq. 3.44")
+MOMENTUM = Term("momentum kept over the mechanism")
+ABOUT_BASE = Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46")
+NO_REBOUND = Term("no rebound")
 NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
 REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
 SAME = 5e-4  # coefficients this close are printed alike
@@ -68,17 +70,15 @@ def single_block_rule(ending: Chain, starting: Chain) -> Restitution:
 def sorrentino_rebound(chain: Chain) -> Restitution:
     """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
     signed = sorrentino(plain_block(chain))
-    source = f"Sorrentino et al. 2011, thesis eq. 3.45: {signed:+.3f}"
+    value: dict[str, Value] = {"value": Quantity(signed, figures=3)}
     if signed >= 0:
-        return Restitution(0.0, source, f"{source} is not negative: there is no rebound, restitution 0 is used")
-    said = f"{source}; histories take the worst of 0.5, 1 and 1.5 times it"
-    return Restitution(-signed, said, range=REBOUNDS)
+        return Restitution(0.0, message("restitution-sorrentino", value), warning("restitution-no-rebound", **value))
+    return Restitution(-signed, message("restitution-sorrentino-range", value), range=REBOUNDS)
 
 
 def no_rebound(chain: Chain) -> Restitution:
     """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
-    notice = "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one as a number"
-    return Restitution(0.0, "no rebound", notice)
+    return Restitution(0.0, NO_REBOUND, warning("restitution-chain"))
 
 
 _BLOCK: Mapping[Named, Rule] = {"thesis": single_block_rule, "housner": housner_rule, "momentum": conserve_momentum}
@@ -119,7 +119,7 @@ def find_restitution(
     MechanismError : a rule that does not apply to this kind, or a named one that adds energy
     """
     if isinstance(choice, int | float):
-        return Restitution(choice, "given", _flattering(choice, ending=ending, starting=starting))
+        return Restitution(choice, GIVEN, _flattering(choice, ending=ending, starting=starting))
     rules = (ONE_SIDED if starting is None else TWO_SIDED)[kind]
     if choice is not None and choice not in rules:
         sides = "one" if starting is None else "two"
@@ -133,19 +133,17 @@ def find_restitution(
     rule = choice or default_rule(ending, starting, kind=kind)
     kept = TWO_SIDED[kind][rule](ending, starting)
     _refuse_gain(kept, ending=ending, starting=starting, name=name)
-    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
+    told = replace(kept, source=compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
     return _stopped(told) if told.value < 0.0 else _noticed(told, ending=ending, starting=starting)
 
 
-def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
-    """Return a warning if a given restitution takes more energy at each impact than momentum does, else ""."""
+def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
+    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
     by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
     if starting is None or given >= by_momentum - NOTABLE:
-        return ""
-    return (
-        f"restitution {given:.3g} is given, where momentum kept over the mechanism is {by_momentum:.3f}: each impact "
-        "takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that number"
-    )
+        return None
+    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
+    return warning("restitution-takes-more", **values)
 
 
 def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
@@ -156,26 +154,26 @@ def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
     return "momentum" if _gains(kept, ending=ending, starting=starting) else "thesis"
 
 
-def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> str:
-    """Return a phrase on the other rule, and on loads that slide on their seats; empty if the value is the same."""
+def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> Term | Message:
+    """Return the source of a coefficient with what the other rule would give, and loads that slide on their seats."""
     other: Named = "thesis" if rule == "momentum" else "momentum"
     value = TWO_SIDED[kind][other](ending, starting).value
-    text = f'; "{other}" would give {value:.3f}' if abs(value - kept.value) > SAME else ""
+    source = kept.source
+    if abs(value - kept.value) > SAME:
+        values: dict[str, Value] = {"source": source, "rule": other, "value": Quantity(value, figures=3)}
+        source = message("restitution-other-rule", values)
     if rule != "momentum" or not moving_masses(ending, starting):
-        return text
+        return source
     new = velocity_field(starting, sliding=True)
     slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
     if abs(slid - kept.value) <= NOTABLE:
-        return text
-    return f"{text}; {slid:.3f} if the loads slide on their seats and pass on no horizontal momentum"
+        return source
+    return message("restitution-sliding-loads", {"source": source, "value": Quantity(slid, figures=3)})
 
 
 def _stopped(kept: Restitution) -> Restitution:
     """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
-    notice = (
-        f"restitution {kept.value:.3g} ({kept.source}): a mechanism this squat stops at its first impact; 0 is taken, "
-        "and histories are not answered: for those give restitution as a number in [0, 1]"
-    )
+    notice = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source)
     return replace(kept, value=0.0, notice=notice, stopped=kept.value)
 
 
@@ -189,11 +187,8 @@ def _noticed(kept: Restitution, *, ending: Chain, starting: Chain) -> Restitutio
     plain = conserve_momentum(*(without_masses(chain) for chain in (ending, starting))).value
     if kept.value <= plain + NOTABLE:
         return kept
-    notice = (
-        f"restitution {kept.value:.3f} is above the {plain:.3f} of the same blocks without {', '.join(loads)}: a mass "
-        "high up moves almost horizontally before and after the impact, which therefore takes little of its velocity"
-    )
-    return replace(kept, notice=notice)
+    values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
+    return replace(kept, notice=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
 
 
 def without_masses(chain: Chain) -> Chain:
@@ -201,13 +196,14 @@ def without_masses(chain: Chain) -> Chain:
     return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
 
 
-def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
+def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> Message:
     """Return a warning that explains a coefficient above 1 without a gain of energy."""
     share = inertia_at_rest(velocity_field(starting)) / inertia_at_rest(velocity_field(ending))
-    return (
-        f"restitution {kept.value:.4g} is above 1 though energy is lost: the hinges of the two directions differ, and "
-        f"the branch that begins is the faster one, its inertia being {share:.3g} of that of the one that ends; the "
-        f"impact keeps {100.0 * kept.value**2 * share:.3g} % of the energy"
+    return warning(
+        "restitution-above-one",
+        value=Quantity(kept.value),
+        share=Quantity(share, figures=3),
+        kept=Quantity(100.0 * kept.value**2 * share, "percent", 3),
     )
 
 

@@ -15,7 +15,7 @@ from assess.mechanisms.face import Face
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator_at_start
 from assess.mechanisms.variants import Variants, find_variants
-from assess.messages.message import Message
+from assess.messages.message import Message, Term
 from assess.oscillator import Oscillator
 
 Sides = Literal["one", "two"]
@@ -33,13 +33,13 @@ class Mechanism:
     sides : "one" (positive rotation only) or "two"
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
     restitution : of the impacts that end the positive and the negative branch [-]
-    restitution_source : its formula, or "given"
+    restitution_source : its formula, or GIVEN
     rebounds : factors on the restitution in histories, 1 first; the worst result counts [-]
     stopped : the negative restitution by the rule, if an impact brings the mechanism to rest; else None [-]
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
-    warnings : sentences the engineer must read, such as a rule that did not hold
+    warnings : what the engineer must read, such as a rule that did not hold
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
     directions : the resistance towards each direction if the weakest of a circle was searched, else None
     direction : of positive rotation, a horizontal vector; None for an equivalent block
@@ -55,10 +55,10 @@ class Mechanism:
     positive: Chain
     negative: Chain | None
     restitution: tuple[float, float]
-    restitution_source: str
+    restitution_source: Term | Message
     elevation: float
     outlines: tuple[Outline, ...]
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
     stopped: float | None = None

@@ -5,20 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import cos, sin
 
+from assess.messages.message import Message, Term
 from assess.oscillator import SingleBlock
+
+GIVEN = Term("given")
 
 
 @dataclass(frozen=True)
 class Restitution:
-    """A coefficient [-], at least 0, its source, and a warning if the rule does not apply ("" otherwise).
+    """A coefficient [-], at least 0, its source, and a warning if the rule does not apply (else None).
 
     stopped : the negative value by the rule, if the impact brings the mechanism to rest; else None
     range : factors on an uncertain value in histories, of which the worst counts
     """
 
     value: float
-    source: str
-    notice: str = ""
+    source: Term | Message
+    notice: Message | None = None
     stopped: float | None = None
     range: tuple[float, ...] = (1.0,)
 

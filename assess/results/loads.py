@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from assess.messages.message import Message, Term
 from assess.results.values import Point
 from assess.short_repr import ShortRepr
 
@@ -15,7 +16,7 @@ Lasting = Literal["to collapse", "to its end", "not shown"]
 class LoadResult(ShortRepr):
     """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
 
-    at: distance along the direction, elevation [m]; source: how it was found, or "given". lasting: how long a force or
+    at: distance along the direction, elevation [m]; source: how it was found, or "given", the English of sources. lasting: how long a force or
     tie that resists on some branch is shown to last: to collapse, to an earlier end (at end_rad, where its point has
     moved by end_m), or not at all, because the keys `missing` are not given; None if it only drives. A tie that lasts
     also has an end if its fracture strain is reached beyond collapse. seat_m: length of seat of a bearing mass.
@@ -34,3 +35,4 @@ class LoadResult(ShortRepr):
     end_rad: float | None = None
     end_m: float | None = None
     seat_m: float | None = None
+    sources: tuple[Term | Message, ...] = ()

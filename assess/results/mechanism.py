@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from assess.codes.check import Check
+from assess.messages.message import Message, Term
 from assess.results.amplification import AmplificationResult
 from assess.results.directions import DirectionCandidate, DirectionSweep
 from assess.results.drawing import Drawing
@@ -29,7 +30,8 @@ class MechanismResult(ShortRepr):
     direction: of positive rotation, horizontal; None for an equivalent block. candidates: directions among which the
     weakest was found, or with which a given one was compared. base_elevation_m: of its base above the ground;
     input_height_m: of its support, the mean of base and far support if it has both; above_ground: whether that counts
-    as above the ground; ground_known_from: source of the level of the ground.
+    as above the ground; ground_known_from: source of the level of the ground. restitution_source: the English of
+    restitution_found.
     """
 
     name: str
@@ -61,3 +63,4 @@ class MechanismResult(ShortRepr):
     input_height_m: float | None = None
     above_ground: bool | None = None
     ground_known_from: str = ""
+    restitution_found: Term | Message = Term("")

@@ -14,10 +14,10 @@ from assess.amplification.floor_motion import (
     Unamplified,
     first_mode,
 )
-from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
+from assess.amplification.natural_frequency import SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.limits import height_of_support
-from assess.messages.message import Quantity, note
+from assess.messages.message import Message, Quantity, Said, Term, message, note, warning, whole_number
 from assess.model.assembly import Built
 from assess.model.body import Bodies
 from assess.model.definitions import Definition, SingleBlock
@@ -28,7 +28,9 @@ from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_resonance, nzs117
 
 NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
 DAMPING = 0.05  # of the first mode where there is no [building]
-RAYLEIGH = "Rayleigh's method"
+RAYLEIGH = Term("Rayleigh's method")
+GIVEN, OF_BUILDING = Term("given"), Term("given for the building")
+UNCHECKED = Term("not checked against the printed standard")
 PRINTED = "ec8-printed"
 AS_IT_IS = Amplified("none", None, Unamplified(), ())
 
@@ -152,12 +154,14 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
         raise ProjectError(
             f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
         )
+    clause: Said
     try:
         if asked.method == PRINTED:
             factor = ec8_at_resonance_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
-            clause = f"thesis 3.49: S [3 (1 + h/H) - 0.5], S = {asked.soil_factor:.4g}"
+            clause = message("floor-factor-printed", {"soil": Quantity(asked.soil_factor)})
         else:
-            rule, clause = FLOORS[asked.method]
+            rule, words = FLOORS[asked.method]
+            clause = Term(words)
             factor = rule(height, building_height=building)
     except SpectrumError as error:
         raise ProjectError(f"{standing.where}.height: {error}") from None
@@ -169,21 +173,19 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
         building=Quantity(building, "length"),
         clause=clause,
     )
-    return Amplified(
-        asked.method, height, FloorFactor(factor, clause), (said, "not checked against the printed standard")
-    )
+    return Amplified(asked.method, height, FloorFactor(factor, str(clause)), (said, UNCHECKED))
 
 
 def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> Amplified:
     """Return the amplification by the first mode, with values given or by Rayleigh's method."""
     structure = standing.structure
     frequency, effective = given_frequency(asked, structure), given_effective_height(asked, structure)
-    assumed: tuple[str, ...] = ()
+    assumed: tuple[Message, ...] = ()
     if frequency is None or effective is None:
         found = rayleigh_mode_of(standing)
         frequency = frequency or (found.frequency, RAYLEIGH)
         effective = effective or (found.effective_height, RAYLEIGH)
-        assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
+        assumed = (warning("by-rayleigh", slices=whole_number(SLICES)),)
     damping = structure.damping
     mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
     said = note(
@@ -198,26 +200,26 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
         shape=Quantity(mode.shape(height)),
     )
     make, how = FIRST_MODES[asked.method]
-    return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))
+    return Amplified(asked.method, height, make(mode, height), (Term(how), said), assumed, by_stiffness=bool(assumed))
 
 
-def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
+def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, Term] | None:
     """Return the first natural frequency [Hz] that is given, and its source; None if none is."""
     if asked.natural_frequency is not None:
-        return asked.natural_frequency, "given"
+        return asked.natural_frequency, GIVEN
     if structure.natural_frequency is not None:
-        return structure.natural_frequency, "given for the building"
+        return structure.natural_frequency, OF_BUILDING
     if structure.period is not None:
-        return 1.0 / structure.period, "1 / period of the building"
+        return 1.0 / structure.period, Term("1 / period of the building")
     return None
 
 
-def given_effective_height(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
+def given_effective_height(asked: AmplificationChoice, structure: Structure) -> tuple[float, Term] | None:
     """Return the effective height [m] that is given, and its source; None if none is."""
     if asked.effective_height is not None:
-        return asked.effective_height, "given"
+        return asked.effective_height, GIVEN
     if structure.effective_height is not None:
-        return structure.effective_height, "given for the building"
+        return structure.effective_height, OF_BUILDING
     return None
 
 

@@ -10,7 +10,7 @@ from assess.loads.load import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.ends import displacement_at
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
-from assess.messages.message import Message, Severity, message
+from assess.messages.message import Message, Severity, Term, joined_text, message
 from assess.results import Lasting, LoadResult
 
 
@@ -28,14 +28,13 @@ def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
 
 def load_result(load: Load) -> LoadResult:
     """Return a load as used, with its source."""
-    source = load.source or "given"
+    said = load.source or (Term("given"),)
+    found = LoadResult(load.name, "mass", load.block, load.at, None, None, None, joined_text(said), sources=said)
     if isinstance(load, PointMass):
         seat = load.seat if load.bearing else None
-        return LoadResult(load.name, "mass", load.block, load.at, load.mass, load.bearing, None, source, seat_m=seat)
-    at, missing = load.at, load.missing
-    if isinstance(load, Force):
-        return LoadResult(load.name, "force", load.block, at, None, None, load.force, source, missing=missing)
-    return LoadResult(load.name, "tie", load.block, at, None, None, pull_at_rest(load), source, missing=missing)
+        return replace(found, mass_kg=load.mass, bearing=load.bearing, seat_m=seat)
+    force = load.force if isinstance(load, Force) else pull_at_rest(load)
+    return replace(found, kind="force" if isinstance(load, Force) else "tie", force_n=force, missing=load.missing)
 
 
 def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:

@@ -12,7 +12,7 @@ from assess.codes.registry import CodeOptions
 from assess.codes.verdict import Missing, Question
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message
+from assess.messages.message import Message, Said
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.study.grounding import Grounded
 from records.band import Band
@@ -65,15 +65,15 @@ class Amplified:
 
     method : as in the project; height : of the base above the ground [m], None where nothing is amplified
     description : what is done, with which numbers and their sources
-    assumptions : sentences on values that are not given
+    assumptions : on values that are not given
     by_stiffness : whether the amplification follows from the stiffness of the bodies
     """
 
     method: str
     height: float | None
     amplification: Amplification
-    description: tuple[Message | str, ...]
-    assumptions: tuple[str, ...] = ()
+    description: tuple[Said, ...]
+    assumptions: tuple[Message, ...] = ()
     by_stiffness: bool = False
 
 

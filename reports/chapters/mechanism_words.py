@@ -76,12 +76,18 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
         )
 
 
+def restitution_source(mechanism: MechanismResult) -> Text:
+    """Return where the coefficient of restitution is from; older results hold its English alone."""
+    found = mechanism.restitution_found
+    return found if str(found) else Term(mechanism.restitution_source)
+
+
 def _joints(mechanism: MechanismResult) -> Text:
     model = joints.model_name(mechanism)
     return say(
         "Joints: {model}; coefficient of restitution: {source}.",
         model=MODELS.get(model, Verbatim(model)),
-        source=Term(mechanism.restitution_source),
+        source=restitution_source(mechanism),
     )
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from assess.messages.message import Message, Quantity
+from assess.messages.message import Term as Term
 
 Kind = Literal["Figure", "Table", "Sheet"]
 
@@ -20,13 +21,6 @@ class Verbatim:
     """Text that no language changes: of the user, names, paths, symbols of formulas, identifiers."""
 
     text: str
-
-
-@dataclass(frozen=True)
-class Term:
-    """English words that the results hold, such as the description of a step, looked up as they are."""
-
-    english: str
 
 
 @dataclass(frozen=True)

@@ -47,8 +47,8 @@ def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[Message, ...
     percent = 100.0 * found.share
     if found.share > LARGEST:
         raise GeometryError(
-            f"{where}: its surface intersects itself near {point_text(found.place)} m, so that about {percent:.2g} % of "
-            "its volume counts twice or not at all; repair it where it was made, or split it into bodies"
+            f"{where}: its surface intersects itself near {point_text(found.place)} m, so that about {percent:.2g} % "
+            "of its volume counts twice or not at all; repair it where it was made, or split it into bodies"
         )
     return (note("self-overlap", share=Quantity(percent, "percent", 2), **place_values(found.place)),)
 

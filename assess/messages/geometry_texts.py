@@ -17,21 +17,21 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "border-corners-joined": "corners of open borders joined: {number}, at most {reach} apart; the volume changes by "
     "{change}",
     "edges-split": "edges split at corners of other triangles that lie on them: {number}; the volume is unchanged",
-    "holes-closed": "holes closed by planes: {number} with {edges} edges and an area of {area}, {share} of the surface, "
-    "the first around x = {x}, y = {y}, z = {z}; the volume changes by {change} against the open mesh, with its holes "
-    "taken as cones to the middle of its box",
+    "holes-closed": "holes closed by planes: {number} with {edges} edges and an area of {area}, {share} of the "
+    "surface, the first around x = {x}, y = {y}, z = {z}; the volume changes by {change} against the open mesh, with "
+    "its holes taken as cones to the middle of its box",
     "body-reversed": "its triangles faced inwards and were reversed; the volume is unchanged",
     "flat-shells-removed": "closed shells without volume removed: {number}",
-    "shells-reversed": "closed shells that faced inwards reversed: {number}, the first around x = {x}, y = {y}, z = {z}; "
-    "the volume changes by {change}",
-    "shells-united": "its {number} closed shells, some of which overlap (near x = {x}, y = {y}, z = {z}), united so that "
-    "their common volume counts once; a cavity would face inwards; the volume changes by {change}",
+    "shells-reversed": "closed shells that faced inwards reversed: {number}, the first around x = {x}, y = {y}, z = "
+    "{z}; the volume changes by {change}",
+    "shells-united": "its {number} closed shells, some of which overlap (near x = {x}, y = {y}, z = {z}), united so "
+    "that their common volume counts once; a cavity would face inwards; the volume changes by {change}",
     "self-overlap": "its surface intersects itself near x = {x}, y = {y}, z = {z}, so that about {share} of its volume "
     "counts twice or not at all; left as it is",
     # size and place of bodies
     "size": 'body "{body}" measures {size} at its longest; is its unit right?',
-    "size-in-unit": 'body "{body}" measures {size} at its longest; is its unit right? With mesh_unit = "{unit}" it would '
-    "measure {other}",
+    "size-in-unit": 'body "{body}" measures {size} at its longest; is its unit right? With mesh_unit = "{unit}" it '
+    "would measure {other}",
     "size-thick": 'body "{body}" measures {size} at its longest and is about {thickness} thick; is its unit right?',
     "size-thick-in-unit": 'body "{body}" measures {size} at its longest and is about {thickness} thick; is its unit '
     'right? With mesh_unit = "{unit}" it would measure {other}',
@@ -50,13 +50,13 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "taken level at the middle of that line: turn `direction` to the slope of the crack",
     "uneven-base": "the base is the lowest face alone, {width} wide, yet within {above} above it the body is {wide} "
     "wide; if it stands on all of that, make it plane by a cut",
-    "turns-about-corner": "the cut slopes, so in most directions the block turns about one corner of it and slides along "
-    "the crack beyond: check that the crack can be as smooth as that",
-    "crack-by-formula": "crack at z = {z}, {share} of the height, by thesis eq. 3.27: N / W = {load}, tension f_mt l b / "
-    "W = {tension}; the formula is for a plain rectangular wall",
-    "crack-by-general-formula": "crack at z = {z}, {share} of the height, by the general form of thesis eq. 3.27, load at "
-    "{place} of the thickness from the edge support: N / W = {load}, tension f_mt l b / W = {tension}; the formula is "
-    "for a plain rectangular wall",
+    "turns-about-corner": "the cut slopes, so in most directions the block turns about one corner of it and slides "
+    "along the crack beyond: check that the crack can be as smooth as that",
+    "crack-by-formula": "crack at z = {z}, {share} of the height, by thesis eq. 3.27: N / W = {load}, tension f_mt l b "
+    "/ W = {tension}; the formula is for a plain rectangular wall",
+    "crack-by-general-formula": "crack at z = {z}, {share} of the height, by the general form of thesis eq. 3.27, load "
+    "at {place} of the thickness from the edge support: N / W = {load}, tension f_mt l b / W = {tension}; the formula "
+    "is for a plain rectangular wall",
     "crack-of-least-multiplier": "crack at z = {z}, {share} of the height, where the uplift multiplier is least, "
     "{multiplier}",
     "crack-of-least-multiplier-with-tension": "crack at z = {z}, {share} of the height, where the uplift multiplier is "
@@ -74,41 +74,41 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "loose-hinge": "hinge {hinge} at x = {x}, z = {z} is {gap} away from block {block}; check it",
     "hinge-in-tension": "hinge {hinge} would have to pull its block down with {pull} when the mechanism starts, which "
     "masonry cannot: check hinges and loads",
-    "hinge-off-base": "hinge {hinge} at x = {x}, z = {z} is not on the base of the body, which reaches from x = {low_x}, "
-    "z = {low_z} to x = {high_x}, z = {high_z}; the whole body turns about it all the same",
+    "hinge-off-base": "hinge {hinge} at x = {x}, z = {z} is not on the base of the body, which reaches from x = "
+    "{low_x}, z = {low_z} to x = {high_x}, z = {high_z}; the whole body turns about it all the same",
     "no-such-body": "I_O / (M R^2) = g / (p^2 R) = {ratio} is less than 1, which no body has; check p and radius",
     # joints
     "never-crushes": "interface {interface}: no strength is known, so its joint never crushes; give strength",
     "joint-taken-level": "interface {interface}: no faces meet at its hinge, so its joint is taken level",
     "hinge-inside-contact": "interface {interface}: the hinge lies {distance} inside the edge of its contact, which is "
     "{depth} deep; pressure is counted from the hinge on",
-    "hinge-outside-contact": "interface {interface}: the hinge lies {distance} outside the edge of its contact, which is "
-    "{depth} deep; pressure is counted from the hinge on",
-    "contacts-apart": "interface A: its contact lies {distance} apart for the two directions, as it is {depth} deep and "
-    "begins at the hinge of each; give a shape as deep as they are apart",
+    "hinge-outside-contact": "interface {interface}: the hinge lies {distance} outside the edge of its contact, which "
+    "is {depth} deep; pressure is counted from the hinge on",
+    "contacts-apart": "interface A: its contact lies {distance} apart for the two directions, as it is {depth} deep "
+    "and begins at the hinge of each; give a shape as deep as they are apart",
     "contact-not-symmetric": "interface {interface}: the contact is not symmetric about the plane of motion: its "
     "resultant moves by up to {distance}, {share} of the section, along the axis of rotation, which turns the body out "
     "of plane",
-    "load-through-top": "interface C: the load on the middle of the top comes through the joint there, so its resultant "
-    "moves to the edge as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays "
-    'in its place, and so does one with through = "fixed"',
+    "load-through-top": "interface C: the load on the middle of the top comes through the joint there, so its "
+    "resultant moves to the edge as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the "
+    'middle stays in its place, and so does one with through = "fixed"',
     # loads
-    "load-stands-in-block": 'load "{load}": body "{other}" stands where the block does; it is not taken to carry a part '
-    "of this",
+    "load-stands-in-block": 'load "{load}": body "{other}" stands where the block does; it is not taken to carry a '
+    "part of this",
     "load-touches-overlapping": 'load "{load}": body "{other}", which it touches too, overlaps the block by {volume}',
     "load-weight-not-carried": 'load "{load}": nothing in the project carries its weight',
-    "load-half-taken": 'load "{load}": nothing else in the project carries it; half of it is taken, since its other foot '
-    "must stand on something: else give share",
-    "load-all-taken": 'load "{load}": nothing else in the project carries it, so its whole weight is on the block: else '
-    "give share",
-    "load-on-other-block": 'load "{load}": block {given} is given, yet it touches block {touched}; it moves with the one '
-    "given: check `block`",
-    "load-part-left-out": 'load "{load}": it bears on block {block} too, and no load puts that part of it there: remove '
-    "`block`, or add a load with block = {block}",
+    "load-half-taken": 'load "{load}": nothing else in the project carries it; half of it is taken, since its other '
+    "foot must stand on something: else give share",
+    "load-all-taken": 'load "{load}": nothing else in the project carries it, so its whole weight is on the block: '
+    "else give share",
+    "load-on-other-block": 'load "{load}": block {given} is given, yet it touches block {touched}; it moves with the '
+    "one given: check `block`",
+    "load-part-left-out": 'load "{load}": it bears on block {block} too, and no load puts that part of it there: '
+    "remove `block`, or add a load with block = {block}",
     "load-anchor-moves": 'load "{load}": its anchor at x = {x}, z = {z} lies on block {block}, which moves too, yet it '
     "is taken as fixed in space: check `anchor`",
-    "load-in-the-air": 'load "{load}" at x = {x}, z = {z} is in the air, {distance} from the block as seen in the plane '
-    "of motion; it moves with the block all the same: check `at`",
+    "load-in-the-air": 'load "{load}" at x = {x}, z = {z} is in the air, {distance} from the block as seen in the '
+    "plane of motion; it moves with the block all the same: check `at`",
     "load-across-crack": 'load "{load}" at x = {x}, z = {z} acts on block {block}, yet the crack is at z = {crack}; '
     "write block = {side} if it moves with that one",
     # how loads were found
@@ -134,12 +134,13 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     # restitution
     "restitution-no-rebound": "restitution 0 is used: Sorrentino et al. 2011, thesis eq. 3.45, gives {value}, which is "
     "not negative: there is no rebound",
-    "restitution-chain": "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one as "
-    "a number",
-    "restitution-takes-more": "restitution {given} is given, where momentum kept over the mechanism is {momentum}: each "
-    "impact takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that number",
-    "restitution-stops": "restitution {value} ({source}): a mechanism this squat stops at its first impact; 0 is taken, "
-    "and histories are not answered: for those give restitution as a number in [0, 1]",
+    "restitution-chain": "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one "
+    "as a number",
+    "restitution-takes-more": "restitution {given} is given, where momentum kept over the mechanism is {momentum}: "
+    "each impact takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that "
+    "number",
+    "restitution-stops": "restitution {value} ({source}): a mechanism this squat stops at its first impact; 0 is "
+    "taken, and histories are not answered: for those give restitution as a number in [0, 1]",
     "restitution-of-high-mass": "restitution {value} is above the {plain} of the same blocks without {loads}: a mass "
     "high up moves almost horizontally before and after the impact, which therefore takes little of its velocity",
     "restitution-above-one": "restitution {value} is above 1 though energy is lost: the hinges of the two directions "
@@ -147,10 +148,11 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "impact keeps {kept} of the energy",
     # sources of restitution
     "restitution-sorrentino": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
-    "restitution-sorrentino-range": "Sorrentino et al. 2011, thesis eq. 3.45: {value}; histories take the worst of 0.5, "
-    "1 and 1.5 times it",
+    "restitution-sorrentino-range": "Sorrentino et al. 2011, thesis eq. 3.45: {value}; histories take the worst of "
+    "0.5, 1 and 1.5 times it",
     "restitution-other-rule": '{source}; "{rule}" would give {value}',
-    "restitution-sliding-loads": "{source}; {value} if the loads slide on their seats and pass on no horizontal momentum",
+    "restitution-sliding-loads": "{source}; {value} if the loads slide on their seats and pass on no horizontal "
+    "momentum",
     "restitution-of-sides": "positive: {positive}; negative: {negative}",
     "restitution-about-inner-hinges": "{source}, about hinges a_SF inside the edges",
     "restitution-about-crushed": "{source}, about the resultants of the crushed joints",

@@ -43,6 +43,7 @@ UNITS: Mapping[str, str] = {
 """The unit in which values of each dimension are given: SI, but for peak ground accelerations, in g, and years."""
 DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in reversed(tuple(UNITS.items()))}
 """The first dimension of `UNITS` that has a unit."""
+PLAIN = 1e9  # numbers below it are written without an exponent
 
 
 class Severity(StrEnum):
@@ -63,7 +64,10 @@ class Quantity:
 
     def __str__(self) -> str:
         unit = UNITS[self.dimension]
-        return f"{self.value:.{self.figures}g}" + (f" {unit}" if unit != "-" else "")
+        text = f"{self.value:.{self.figures}g}"
+        if "e+" in text and abs(self.value) < PLAIN:
+            text = f"{float(text):.0f}"
+        return text + (f" {unit}" if unit != "-" else "")
 
 
 @dataclass(frozen=True)
@@ -89,6 +93,9 @@ class Message(ShortRepr):
     where: str
     text: str
     values: dict[str, Quantity | Term | Message | str] = field(default_factory=dict)
+
+    def __hash__(self) -> int:
+        return hash((self.key, self.where, self.text))
 
     def __str__(self) -> str:
         return self.text

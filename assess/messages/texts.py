@@ -141,9 +141,9 @@ TEXTS: Mapping[str, str] = {
     "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
     "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",
     "floor-factor-printed": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
-    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: a cantilever clamped at its foot and free above, "
-    "uncracked, on stiff ground; bending and shear; G = 0.4 E, shear area 5/6 of the section; floors and what stands "
-    "beside it left out",
+    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: a cantilever clamped at its foot and free "
+    "above, uncracked, on stiff ground; bending and shear; G = 0.4 E, shear area 5/6 of the section; floors and what "
+    "stands beside it left out",
     # suites of records
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records may decide only if [verdict] procedures lists {procedure}: {remedy}",

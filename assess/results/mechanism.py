@@ -63,4 +63,4 @@ class MechanismResult(ShortRepr):
     input_height_m: float | None = None
     above_ground: bool | None = None
     ground_known_from: str = ""
-    restitution_found: Term | Message = Term("")
+    restitution_found: Term | Message | None = None

@@ -61,7 +61,7 @@ def _amplification(mechanism: MechanismResult, stem: str) -> list[Block]:
     return blocks
 
 
-def _sentences(said: tuple[Message | str, ...]) -> list[Text]:
+def _sentences(said: tuple[Message | Term | str, ...]) -> list[Text]:
     texts = (Term(each) if isinstance(each, str) else each for each in said)
     return [say("Motion at its base: {text}.", text=each) for each in texts]
 

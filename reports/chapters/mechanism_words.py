@@ -78,8 +78,7 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
 
 def restitution_source(mechanism: MechanismResult) -> Text:
     """Return where the coefficient of restitution is from; older results hold its English alone."""
-    found = mechanism.restitution_found
-    return found if str(found) else Term(mechanism.restitution_source)
+    return mechanism.restitution_found or Term(mechanism.restitution_source)
 
 
 def _joints(mechanism: MechanismResult) -> Text:

@@ -44,7 +44,7 @@ def test_momentum_is_kept_where_a_load_moves(bearing, x):
     found = single_block("w", wall(), loads=(mass,))
     assert found.restitution[0] == pytest.approx(kept_by_hand((2000.0, x, 3.8, bearing)), rel=1e-12)
     assert found.restitution[1] == pytest.approx(kept_by_hand((2000.0, -x, 3.8, bearing)), rel=1e-12)
-    assert found.restitution_source.startswith("momentum kept over the mechanism")
+    assert str(found.restitution_source).startswith("momentum kept over the mechanism")
 
 
 def test_a_mass_that_does_not_bear_takes_part_in_the_impact():
@@ -54,17 +54,17 @@ def test_a_mass_that_does_not_bear_takes_part_in_the_impact():
     found = single_block("w", wall(), loads=(mass,))
     assert found.restitution[0] == pytest.approx(kept_by_hand((0.35 * M, 0.0, 3.8, False)), rel=1e-12)
     assert found.restitution[0] > plain
-    assert f'"thesis" would give {plain:.3f}' in found.restitution_source
+    assert f'"thesis" would give {plain:.3f}' in str(found.restitution_source)
     asked = single_block("w", wall(), loads=(mass,), restitution=("thesis", "thesis"))
     assert asked.restitution[0] == pytest.approx(plain, rel=1e-12)
-    assert f'"momentum" would give {found.restitution[0]:.3f}' in asked.restitution_source
+    assert f'"momentum" would give {found.restitution[0]:.3f}' in str(asked.restitution_source)
 
 
 def test_forces_alone_leave_the_rule_of_the_thesis():
     thrust = Force("thrust", (500.0, -2000.0), (0.0, 3.8))
     found = single_block("w", wall(), loads=(thrust,))
     assert found.restitution == single_block("w", wall()).restitution
-    assert found.restitution_source == "Housner 1963, thesis eq. 3.44"
+    assert str(found.restitution_source) == "Housner 1963, thesis eq. 3.44"
 
 
 def test_well_above_the_plain_block_is_told_with_the_reason():
@@ -72,7 +72,7 @@ def test_well_above_the_plain_block_is_told_with_the_reason():
     plain = single_block("w", stocky)
     heavy = single_block("w", stocky, loads=(PointMass("bell", 20000.0, (0.0, 6.0), False),))
     assert heavy.restitution[0] > plain.restitution[0] + 0.03
-    (told,) = [text for text in heavy.warnings if "restitution" in text]
+    (told,) = [text for text in map(str, heavy.warnings) if "restitution" in text]
     assert f"above the {plain.restitution[0]:.3f} of the same blocks without bell" in told
     light = single_block("w", stocky, loads=(PointMass("bell", 20.0, (0.0, 6.0), False),))
     assert not light.warnings
@@ -86,7 +86,7 @@ def test_what_slides_on_its_seat_passes_on_no_horizontal_momentum():
     before = inertia + block * ((H / 2.0) ** 2 - half**2) - m * half**2
     after = inertia + block * ((H / 2.0) ** 2 + half**2) + m * half**2
     found = single_block("w", stocky, loads=(PointMass("floor", m, (0.0, z), True),))
-    assert f"{before / after:.3f} if the loads slide on their seats" in found.restitution_source
+    assert f"{before / after:.3g} if the loads slide on their seats" in str(found.restitution_source)
     assert found.restitution[0] == pytest.approx((before + m * z * z) / (after + m * z * z), rel=1e-12)
 
 
@@ -95,8 +95,8 @@ def test_two_blocks_with_a_floor_are_not_refused():
     floor = PointMass("floor", 30000.0, (0.0, 2.4), True, 1)
     found = two_block("w", wall(height=2.2), wall(height=1.8, foot=2.2), loads=(floor,))
     assert 0.0 <= found.restitution[0] < 1.0
-    assert found.restitution_source.startswith("momentum kept over the mechanism")
-    assert '"thesis" would give' in found.restitution_source
+    assert str(found.restitution_source).startswith("momentum kept over the mechanism")
+    assert '"thesis" would give' in str(found.restitution_source)
 
 
 def test_no_default_is_refused():
@@ -117,7 +117,9 @@ def test_a_squat_block_stops_and_everything_else_is_given():
     assert signed < 0.0
     assert found.restitution == (0.0, 0.0)
     assert found.stopped == pytest.approx(signed, rel=1e-12)
-    assert any(f"restitution {signed:.3g} (Housner 1963, thesis eq. 3.44): a" in text for text in found.warnings)
+    assert any(
+        f"restitution {signed:.3g} (Housner 1963, thesis eq. 3.44): a" in text for text in map(str, found.warnings)
+    )
     given = single_block("w", squat, restitution=(0.2, 0.2))
     assert given.stopped is None
     assert given.restitution == (0.2, 0.2)
@@ -133,7 +135,7 @@ def test_one_branch_that_stops_is_enough():
 def test_the_rebound_of_a_one_sided_block_has_a_range():
     found = single_block("w", wall(), sides="one")
     assert found.rebounds == (1.0, 0.5, 1.5)
-    assert "the worst of 0.5, 1 and 1.5 times it" in found.restitution_source
+    assert "the worst of 0.5, 1 and 1.5 times it" in str(found.restitution_source)
     assert single_block("w", wall(), sides="one", restitution=(0.3, 0.3)).rebounds == (1.0,)
     assert single_block("w", wall()).rebounds == (1.0,)
 
@@ -143,21 +145,21 @@ def test_where_the_formula_gives_no_rebound_there_is_none():
     found = single_block("w", wall(thickness=8.0), sides="one")
     assert found.restitution == (0.0, 0.0)
     assert found.rebounds == (1.0,)
-    assert any("no rebound" in text for text in found.warnings)
+    assert any("no rebound" in text for text in map(str, found.warnings))
 
 
 def test_a_chain_to_one_side_does_not_rebound():
     found = two_block("w", wall(height=2.2), wall(height=1.8, foot=2.2), sides="one")
     assert found.restitution == (0.0, 0.0)
     assert found.stopped is None
-    assert any("no formula is published" in text for text in found.warnings)
+    assert any("no formula is published" in text for text in map(str, found.warnings))
 
 
 def test_a_given_restitution_that_takes_more_energy_than_the_rule_is_warned_of():
     """For a slender wall momentum keeps 1 - 3/2 sin^2 alpha; a number well below it flatters every history."""
     by_rule = single_block("w", wall()).restitution[0]
     low = single_block("w", wall(), restitution=(by_rule - 0.05, by_rule - 0.05))
-    assert any("takes more energy" in text for text in low.warnings)
+    assert any("takes more energy" in text for text in map(str, low.warnings))
     near = single_block("w", wall(), restitution=(by_rule - 0.02, by_rule - 0.02))
-    assert not any("takes more energy" in text for text in near.warnings)
+    assert not any("takes more energy" in text for text in map(str, near.warnings))
     assert not single_block("w", wall(), sides="one", restitution=(0.1, 0.1)).warnings

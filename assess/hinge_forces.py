@@ -14,6 +14,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from assess.messages.message import Message, Term
+
 Vector = tuple[float, float]
 
 
@@ -49,7 +51,7 @@ class HingeForces:
     resting: Pressure
     acceleration: float
     friction: float | None
-    remedy: str
+    remedy: Term | Message
     held: bool
 
     @property

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.constants import g
 
 from spectra.arrays import FloatArray
-from spectra.asce7_editions import Edition, SiteTable, edition_of
+from spectra.asce7_editions import SiteTable, edition_of
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, check_periods, check_positive, plausibility_warnings
@@ -125,17 +125,10 @@ def design_spectrum(
         code=code,
         parameters={"s_ds": s_ds, "s_d1": s_d1, "t_l": t_l, "t_0": shape.t_0, "t_s": t_s, "hazard": hazard},
         damping=0.05,
-        damping_rule=_damping_rule(edition),
+        damping_rule=edition.damping,
         ordinates=lambda period, damping: factor * shape.ordinates(period, damping),
         clause=edition.design if hazard == "design" else edition.mce,
         warnings=plausibility_warnings(s_ds=s_ds, s_d1=s_d1),
-    )
-
-
-def _damping_rule(edition: Edition) -> str:
-    return (
-        f"{edition.damping}: ordinates from T_0 on divided by B, zero-period ordinate kept, linear in between "
-        "(the code is silent below T_0); not checked against the printed standard"
     )
 
 

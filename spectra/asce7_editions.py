@@ -35,7 +35,7 @@ class StudyRule:
 
 @dataclass(frozen=True)
 class Edition:
-    """Where an edition keeps the design spectrum, the MCE spectrum and damping; its site coefficients and studies."""
+    """Where an edition keeps the design spectrum and the MCE spectrum, its rule for damping, coefficients, studies."""
 
     design: str
     mce: str
@@ -102,7 +102,8 @@ EDITIONS: Mapping[str, Edition] = {
     "asce7-05": Edition(
         "ASCE 7-05 §11.4.5",
         "ASCE 7-05 §11.4.6",
-        "ASCE 7-05 Table 18.6-1",
+        "ASCE 7-05 Table 18.6-1: ordinates from T_0 on divided by B, zero-period ordinate kept, linear in between (the "
+        "code is silent below T_0); not checked against the printed standard",
         SiteTable("ASCE 7-05 Table 11.4-1", _COLUMNS_2005[0], F_A_2005),
         SiteTable("ASCE 7-05 Table 11.4-2", _COLUMNS_2005[1], F_V_2005),
         "ASCE 7-05 §11.4.7",
@@ -110,7 +111,8 @@ EDITIONS: Mapping[str, Edition] = {
     "ibc2009": Edition(
         "IBC 2009 §1613.5 with ASCE 7-05 §11.4.5",
         "IBC 2009 §1613.5 with ASCE 7-05 §11.4.6",
-        "ASCE 7-05 Table 18.6-1",
+        "ASCE 7-05 Table 18.6-1: ordinates from T_0 on divided by B, zero-period ordinate kept, linear in between (the "
+        "code is silent below T_0); not checked against the printed standard",
         SiteTable("IBC 2009 Table 1613.5.3(1)", _COLUMNS_2005[0], F_A_2005),
         SiteTable("IBC 2009 Table 1613.5.3(2)", _COLUMNS_2005[1], F_V_2005),
         "ASCE 7-05 §11.4.7",
@@ -118,7 +120,8 @@ EDITIONS: Mapping[str, Edition] = {
     "asce7-10": Edition(
         "ASCE 7-10 §11.4.5",
         "ASCE 7-10 §11.4.6",
-        "ASCE 7-10 Table 18.6-1",
+        "ASCE 7-10 Table 18.6-1: ordinates from T_0 on divided by B, zero-period ordinate kept, linear in between (the "
+        "code is silent below T_0); not checked against the printed standard",
         SiteTable("ASCE 7-10 Table 11.4-1", _COLUMNS_2005[0], F_A_2005),
         SiteTable("ASCE 7-10 Table 11.4-2", _COLUMNS_2005[1], F_V_2005),
         "ASCE 7-10 §11.4.7",
@@ -126,7 +129,8 @@ EDITIONS: Mapping[str, Edition] = {
     "asce7-16": Edition(
         "ASCE 7-16 §11.4.6",
         "ASCE 7-16 §11.4.7",
-        "ASCE 7-16 Table 18.7-1",
+        "ASCE 7-16 Table 18.7-1: ordinates from T_0 on divided by B, zero-period ordinate kept, linear in between (the "
+        "code is silent below T_0); not checked against the printed standard",
         SiteTable("ASCE 7-16 Table 11.4-1", _COLUMNS_2016[0], F_A_2016),
         SiteTable("ASCE 7-16 Table 11.4-2", _COLUMNS_2016[1], F_V_2016),
         "ASCE 7-16 §11.4.8",

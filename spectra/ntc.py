@@ -29,6 +29,14 @@ LONG_PERIODS: Mapping[str, float] = {"A": 4.5, "B": 5.0, "C": 6.0, "D": 6.0, "E"
 T_F = 10.0  # s
 VERTICAL_CORNERS = (0.05, 0.15, 1.0)  # T_B, T_C, T_D [s]
 CLAUSES: Mapping[str, str] = {"ntc2008": "NTC 2008 §3.2.3.2", "ntc2018": "NTC 2018 §3.2.3.2"}
+VERTICAL_CLAUSES: Mapping[str, str] = {
+    "ntc2008": "NTC 2008 §3.2.3.2 (vertical)",
+    "ntc2018": "NTC 2018 §3.2.3.2 (vertical)",
+}
+DAMPING_RULES: Mapping[str, str] = {
+    "ntc2008": "NTC 2008 §3.2.3.2.1: eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed decree",
+    "ntc2018": "NTC 2018 §3.2.3.2.1: eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed decree",
+}
 
 
 @dataclass(frozen=True)
@@ -128,7 +136,7 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
 
     Source: NTC 2018 §3.2.3.2.2, (3.2.8), (3.2.9).
     """
-    clause = _check(hazard, place, code)
+    _check(hazard, place, code)
     S_T, F_V = topographic_factor(place), 1.35 * hazard.f_0 * (hazard.a_g / g) ** 0.5
     T_B, T_C, T_D = VERTICAL_CORNERS
     shape = FourBranches(hazard.a_g * S_T * F_V / hazard.f_0, hazard.f_0, T_B, T_C, T_D)
@@ -145,7 +153,7 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
         damping=0.05,
         damping_rule=_damping_rule(code),
         ordinates=shape.ordinates,
-        clause=f"{clause} (vertical)",
+        clause=VERTICAL_CLAUSES[code],
         warnings=plausibility_warnings(a_g=hazard.a_g),
     )
 
@@ -279,7 +287,7 @@ def _given(hazard: Hazard, place: Place) -> dict[str, float | str]:
 
 
 def _damping_rule(code: str) -> str:
-    return f"{CLAUSES[code]}.1: eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed decree"
+    return DAMPING_RULES[code]
 
 
 def _known(key: str, value: str, known: Mapping[str, object]) -> None:

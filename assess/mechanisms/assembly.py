@@ -10,19 +10,19 @@ import numpy as np
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.flexible import FlexibleChain
-from assess.mechanisms.impact import RestitutionChoice, find_restitution
+from assess.mechanisms.impact import GIVEN, RestitutionChoice, find_restitution
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.jointed_chain import top_loads
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.restitution import GIVEN, Restitution
+from assess.mechanisms.restitution import Restitution, source_text
 from assess.mechanisms.virtual_work import require_stable, virtual_work
 from assess.mechanisms.warnings import supports_in_tension
 from assess.messages.message import Message, Term, distinct, message
 
 Impacts = tuple[Restitution, Restitution]
 
-INSIDE = "restitution-about-inner-hinges"
-CRUSHED = "restitution-about-crushed"
+INSIDE = Term("about hinges a_SF inside the edges")
+CRUSHED = Term("about the resultants of the crushed joints")
 
 
 def assemble(
@@ -66,7 +66,8 @@ def assemble(
         positive=positive,
         negative=negative,
         restitution=(kept.value, back.value),
-        restitution_source=_sources(kept, back),
+        restitution_source=source_text(_sources(kept, back)),
+        restitution_said=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
         warnings=(*warnings, *pulling, *_notices(kept, back)),
@@ -111,13 +112,13 @@ def add_joints(
     others = [notice for notice in mechanism.warnings if notice not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
-    source = _sources(kept, returned)
     return replace(
         mechanism,
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
-        restitution_source=source if kept.source == GIVEN else message(about, {"source": source}),
+        restitution_source=source_text(_sources(kept, returned, *others_of(kept, about))),
+        restitution_said=_sources(kept, returned, *others_of(kept, about)),
         warnings=(*others, *_notices(kept, returned)),
         stopped=_stopped(kept, returned),
         rebounds=kept.range,
@@ -172,13 +173,20 @@ def _stopped(positive: Restitution, negative: Restitution) -> float | None:
     return min((each.stopped for each in (positive, negative) if each.stopped is not None), default=None)
 
 
-def _sources(positive: Restitution, negative: Restitution) -> Term | Message:
-    """Return the source of both coefficients."""
+def _sources(positive: Restitution, negative: Restitution, *about: Term) -> tuple[Term | Message, ...]:
+    """Return the source of both coefficients, in parts."""
     if positive.source == negative.source:
-        return positive.source
-    return message("restitution-of-sides", {"positive": positive.source, "negative": negative.source})
+        return (*positive.source, *about)
+    ahead = (message("restitution-positive", {"source": each}) for each in positive.source)
+    behind = (message("restitution-negative", {"source": each}) for each in negative.source)
+    return (*ahead, *behind, *about)
 
 
 def _notices(*found: Restitution) -> tuple[Message, ...]:
     """Return the warnings on the coefficients, each once."""
     return distinct(each.notice for each in found if each.notice is not None)
+
+
+def others_of(kept: Restitution, about: Term) -> tuple[Term, ...]:
+    """Return about which points a mechanism on joints turns, nothing where the coefficient is given."""
+    return () if kept.source == GIVEN else (about,)

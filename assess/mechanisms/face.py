@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from assess.messages.message import Message, Term
+
 LEVEL = (0.0, 1.0)
+
+
+NO_FRICTION = Term("give blocks with geometry and a material with friction")
 
 
 @dataclass(frozen=True)
@@ -19,4 +24,4 @@ class Face:
     normal: tuple[float, float] = LEVEL
     found: bool = False
     friction: float | None = None
-    remedy: str = "give blocks with geometry and a material with friction"
+    remedy: Term | Message = NO_FRICTION

@@ -15,7 +15,7 @@ from assess.errors import MechanismError
 from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.rest import plain_block
-from assess.mechanisms.restitution import GIVEN, Restitution, housner, sorrentino
+from assess.mechanisms.restitution import Restitution, housner, sorrentino, source_text
 from assess.mechanisms.velocity_field import angular_momentum, inertia_at_rest, kinetic_product, velocity_field
 from assess.messages.message import Message, Quantity, Term, Value, message, warning
 
@@ -25,10 +25,12 @@ RestitutionChoice = float | Named | None
 Rule = Callable[[Chain, Chain], Restitution]
 Rebound = Callable[[Chain], Restitution]
 
-HOUSNER = Term("Housner 1963, thesis eq. 3.44")
-MOMENTUM = Term("momentum kept over the mechanism")
-ABOUT_BASE = Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46")
-NO_REBOUND = Term("no rebound")
+HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
+MOMENTUM = (Term("momentum kept over the mechanism"),)
+ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
+NO_REBOUND = (Term("no rebound"),)
+GIVEN = (Term("given"),)
+WORST_OF_THREE = Term("histories take the worst of 0.5, 1 and 1.5 times it")
 NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
 REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
 SAME = 5e-4  # coefficients this close are printed alike
@@ -70,10 +72,10 @@ def single_block_rule(ending: Chain, starting: Chain) -> Restitution:
 def sorrentino_rebound(chain: Chain) -> Restitution:
     """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
     signed = sorrentino(plain_block(chain))
-    value: dict[str, Value] = {"value": Quantity(signed, figures=3)}
+    source = message("restitution-3-45", {"value": Quantity(signed, "ratio", 3)})
     if signed >= 0:
-        return Restitution(0.0, message("restitution-sorrentino", value), warning("restitution-no-rebound", **value))
-    return Restitution(-signed, message("restitution-sorrentino-range", value), range=REBOUNDS)
+        return Restitution(0.0, (source,), warning("restitution-no-rebound", **source.values))
+    return Restitution(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
 
 
 def no_rebound(chain: Chain) -> Restitution:
@@ -133,7 +135,7 @@ def find_restitution(
     rule = choice or default_rule(ending, starting, kind=kind)
     kept = TWO_SIDED[kind][rule](ending, starting)
     _refuse_gain(kept, ending=ending, starting=starting, name=name)
-    told = replace(kept, source=compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
+    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
     return _stopped(told) if told.value < 0.0 else _noticed(told, ending=ending, starting=starting)
 
 
@@ -154,26 +156,25 @@ def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
     return "momentum" if _gains(kept, ending=ending, starting=starting) else "thesis"
 
 
-def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> Term | Message:
-    """Return the source of a coefficient with what the other rule would give, and loads that slide on their seats."""
+def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> tuple[Message, ...]:
+    """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
     other: Named = "thesis" if rule == "momentum" else "momentum"
     value = TWO_SIDED[kind][other](ending, starting).value
-    source = kept.source
+    said: tuple[Message, ...] = ()
     if abs(value - kept.value) > SAME:
-        values: dict[str, Value] = {"source": source, "rule": other, "value": Quantity(value, figures=3)}
-        source = message("restitution-other-rule", values)
+        said = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
     if rule != "momentum" or not moving_masses(ending, starting):
-        return source
+        return said
     new = velocity_field(starting, sliding=True)
     slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
     if abs(slid - kept.value) <= NOTABLE:
-        return source
-    return message("restitution-sliding-loads", {"source": source, "value": Quantity(slid, figures=3)})
+        return said
+    return (*said, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
 
 
 def _stopped(kept: Restitution) -> Restitution:
     """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
-    notice = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source)
+    notice = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
     return replace(kept, value=0.0, notice=notice, stopped=kept.value)
 
 
@@ -218,6 +219,6 @@ def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str
     """Raise MechanismError for a coefficient that would add energy."""
     if _gains(kept, ending=ending, starting=starting):
         raise MechanismError(
-            f'mechanism "{name}": restitution {kept.value:.3g} ({kept.source}) would add energy at the '
+            f'mechanism "{name}": restitution {kept.value:.3g} ({source_text(kept.source)}) would add energy at the '
             'impact, for the two hinges differ; use "momentum" or a number'
         )

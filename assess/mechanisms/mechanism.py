@@ -33,7 +33,7 @@ class Mechanism:
     sides : "one" (positive rotation only) or "two"
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
     restitution : of the impacts that end the positive and the negative branch [-]
-    restitution_source : its formula, or GIVEN
+    restitution_source : its formula, or "given", the English of `restitution_said`
     rebounds : factors on the restitution in histories, 1 first; the worst result counts [-]
     stopped : the negative restitution by the rule, if an impact brings the mechanism to rest; else None [-]
     elevation : of the base hinge above the origin of the project [m]
@@ -55,7 +55,7 @@ class Mechanism:
     positive: Chain
     negative: Chain | None
     restitution: tuple[float, float]
-    restitution_source: Term | Message
+    restitution_source: str
     elevation: float
     outlines: tuple[Outline, ...]
     warnings: tuple[Message, ...] = ()
@@ -67,6 +67,7 @@ class Mechanism:
     candidates: tuple[Candidate, ...] = ()
     beside: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
+    restitution_said: tuple[Term | Message, ...] = ()
 
     def __repr__(self) -> str:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"

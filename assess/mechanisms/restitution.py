@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import cos, sin
 
 from assess.messages.message import Message, Term
 from assess.oscillator import SingleBlock
 
-GIVEN = Term("given")
-
 
 @dataclass(frozen=True)
 class Restitution:
     """A coefficient [-], at least 0, its source, and a warning if the rule does not apply (else None).
 
+    source : the parts of a phrase: the rule, and what other rules would give
     stopped : the negative value by the rule, if the impact brings the mechanism to rest; else None
     range : factors on an uncertain value in histories, of which the worst counts
     """
 
     value: float
-    source: Term | Message
+    source: tuple[Term | Message, ...]
     notice: Message | None = None
     stopped: float | None = None
     range: tuple[float, ...] = (1.0,)
+
+
+def source_text(source: Iterable[Term | Message]) -> str:
+    """Return the parts of a source in one English phrase."""
+    return "; ".join(map(str, source))
 
 
 def housner(block: SingleBlock) -> float:

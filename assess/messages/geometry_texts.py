@@ -146,14 +146,4 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "restitution-above-one": "restitution {value} is above 1 though energy is lost: the hinges of the two directions "
     "differ, and the branch that begins is the faster one, its inertia being {share} of that of the one that ends; the "
     "impact keeps {kept} of the energy",
-    # sources of restitution
-    "restitution-sorrentino": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
-    "restitution-sorrentino-range": "Sorrentino et al. 2011, thesis eq. 3.45: {value}; histories take the worst of "
-    "0.5, 1 and 1.5 times it",
-    "restitution-other-rule": '{source}; "{rule}" would give {value}',
-    "restitution-sliding-loads": "{source}; {value} if the loads slide on their seats and pass on no horizontal "
-    "momentum",
-    "restitution-of-sides": "positive: {positive}; negative: {negative}",
-    "restitution-about-inner-hinges": "{source}, about hinges a_SF inside the edges",
-    "restitution-about-crushed": "{source}, about the resultants of the crushed joints",
 }

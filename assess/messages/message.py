@@ -70,8 +70,8 @@ class Quantity:
         return text + (f" {unit}" if unit != "-" else "")
 
 
-@dataclass(frozen=True)
-class Term:
+@dataclass(frozen=True, repr=False)
+class Term(ShortRepr):
     """Fixed English words, a literal of the program, that a language looks up as they are."""
 
     english: str

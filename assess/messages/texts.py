@@ -70,6 +70,18 @@ TEXTS: Mapping[str, str] = {
     "period-of": "{symbol} = {period}",
     "period-or-building": "{symbol} = {period}, or T1 of the building,",
     "period-or-floor": "b T1' = {period}",
+    # sources of restitution
+    "restitution-3-45": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
+    "restitution-other": '"{rule}" would give {value}',
+    "restitution-sliding": "{value} if the loads slide on their seats and pass on no horizontal momentum",
+    "restitution-positive": "positive: {source}",
+    "restitution-negative": "negative: {source}",
+    # remarks on requirements and on variables
+    "further-factor": "a further factor of {factor} on every record would do",
+    "target-known": "the target is known from {low} to {high} only",
+    "not-varied": "not varied: {why}",
+    "not-assessed-low": "not assessed at the low value, {value}: {why}",
+    "not-assessed-high": "not assessed at the high value, {value}: {why}",
     # outcomes, indices, actions and margins
     "outcome-pass": "pass",
     "outcome-pass-near": "pass at the limit",
@@ -145,6 +157,11 @@ TEXTS: Mapping[str, str] = {
     "above, uncracked, on stiff ground; bending and shear; G = 0.4 E, shear area 5/6 of the section; floors and what "
     "stands beside it left out",
     # suites of records
+    "remedy-keys": "give {keys}",
+    "remedy-records": "give {number} more records",
+    "remedy-longer": "records must last {duration}",
+    "remedy-finer": "give artificial records at {step} or less",
+    "remedy-factor": "scale every record by {factor}",
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records may decide only if [verdict] procedures lists {procedure}: {remedy}",
     "suite-count": "{code} requires {limit} records, {found} are available: {remedy}",

@@ -11,6 +11,7 @@ from assess.mechanisms.face import Face
 from assess.mechanisms.joint import PAIRS
 from assess.mechanisms.jointed_chain import JointedChain
 from assess.mechanisms.mechanism import Mechanism
+from assess.messages.message import Message, Term, message
 from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
 from assess.model.joint_planes import DOWN, UP, Vector, View, normal_at
@@ -55,7 +56,7 @@ def normal_of(
     return (upright, False) if ground and found[1] * upright[1] < STEEP else (found, True)
 
 
-def friction_at(number: int, definition: Chained, bodies: Bodies) -> tuple[float | None, str]:
+def friction_at(number: int, definition: Chained, bodies: Bodies) -> tuple[float | None, Term | Message]:
     """Return the least friction of the blocks that meet at a hinge, None if one has none, with the remedy."""
     least: float | None = None
     for block in PAIRS[definition.moving][number]:
@@ -64,10 +65,11 @@ def friction_at(number: int, definition: Chained, bodies: Bodies) -> tuple[float
         materials = dict.fromkeys(materials_of(definition.blocks[min(block, len(definition.blocks) - 1)], bodies))
         given = [mu for material in materials if (mu := material.friction) is not None]
         if not given:
-            keys = " or ".join(f"materials.{material.name}.friction" for material in materials)
-            return None, f"give {keys}" if keys else "give its bodies geometry and a material with friction"
+            keys = " / ".join(f"materials.{material.name}.friction" for material in materials)
+            none = Term("give its bodies geometry and a material with friction")
+            return None, message("remedy-keys", {"keys": keys}) if keys else none
         least = min(given) if least is None else min(least, *given)
-    return least, ""
+    return least, Term("")
 
 
 def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:

@@ -83,6 +83,7 @@ def _decode(data: bytes, where: str) -> tuple[Image, Kind]:
             warnings.simplefilter("ignore")  # of many pixels, which are counted here, and of metadata, which is dropped
             opened = Image.open(io.BytesIO(data), formats=[kind])
             _check_pixels(opened.size, where)
+            opened.draft("RGB", (2 * LONGEST_SIDE, 2 * LONGEST_SIDE))  # a JPEG is decoded at a half, quarter or eighth
             image = _plain_colours(ImageOps.exif_transpose(opened))
     except ProjectError:
         raise

@@ -199,9 +199,7 @@ def vary_between(at_base: Variable, change: sections.Change) -> Variable | Unvar
     base = at_base.base
     by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
     if by >= abs(base):
-        unit = "" if at_base.unit == "-" else f" {at_base.unit}"
-        why = f"it is {base:.4g}{unit}, of which a change of {by:.4g}{unit} leaves nothing"
-        return Unvaried(at_base.mechanism, at_base.parameter, why)
+        return Unvaried(at_base.mechanism, at_base.parameter, "a change as large as the value itself leaves nothing")
     return replace(at_base, low=base - by, high=base + by)
 
 

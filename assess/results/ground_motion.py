@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from assess.messages.message import Message, Term
 from assess.results.values import Floats
 from assess.short_repr import ShortRepr
 
@@ -44,7 +45,8 @@ class SelectionResult(ShortRepr):
 class RequirementResult(ShortRepr):
     """A requirement of a code on the suite, the value found, and the verdict; from_s, to_s: range of periods.
 
-    caveat: why the clause was not checked against the printed standard; empty if it was.
+    caveat: why the clause was not checked against the printed standard; empty if it was. remark: the English of
+    `remarks`.
     """
 
     code: str
@@ -59,6 +61,7 @@ class RequirementResult(ShortRepr):
     to_s: float | None
     remark: str
     caveat: str
+    remarks: tuple[Term | Message, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

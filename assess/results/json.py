@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any, NoReturn
@@ -25,6 +26,7 @@ from assess.results import (
 )
 from assess.results.shape import faults
 
+_NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
 REMEDY = "give a results.json that `assess run` wrote"
 
 
@@ -84,7 +86,7 @@ def loads(text: str, *, source: str = "results") -> Results:
 
 def _validate_at_once(text: str) -> Results | None:
     """Return the results in a third of the time; None if something may be wrong, which going step by step finds."""
-    if "NaN" in text or "Infinity" in text:  # in words, or as numbers, which are not JSON but would be read
+    if _NOT_FINITE.search(text):  # in words, or as numbers, which are not JSON but would be read
         return None
     try:
         found = _results_type().validate_json(text)

@@ -31,7 +31,7 @@ class MechanismResult(ShortRepr):
     weakest was found, or with which a given one was compared. base_elevation_m: of its base above the ground;
     input_height_m: of its support, the mean of base and far support if it has both; above_ground: whether that counts
     as above the ground; ground_known_from: source of the level of the ground. restitution_source: the English of
-    restitution_found.
+    restitution_said.
     """
 
     name: str
@@ -63,4 +63,4 @@ class MechanismResult(ShortRepr):
     input_height_m: float | None = None
     above_ground: bool | None = None
     ground_known_from: str = ""
-    restitution_found: Term | Message | None = None
+    restitution_said: tuple[Term | Message, ...] = ()

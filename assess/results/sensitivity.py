@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from assess.codes.check import Outcome, Role
+from assess.messages.message import Message, Term
 from assess.short_repr import ShortRepr
 
 
@@ -14,7 +15,8 @@ class SensitivityResult(ShortRepr):
     """One answer of a mechanism with one number at its low and at its high value, all others unchanged.
 
     parameter : thickness, density, …; key : its key in the project, or the bodies it belongs to
-    base, low, high : of the parameter [unit], None if it is not varied, for the reason in `remark`
+    base, low, high : of the parameter [unit], None if it is not varied, for the reason in `remarks`
+    remark : the English of `remarks`
     role : whether the procedure decides the limit state at this level
     quantity : "demand_capacity" at level_pga_g, None where the body overturns or there is no answer; "index" of the
         check that decides, named by `index`; "capacity_pga_g", of all levels, which procedures by histories do not have
@@ -41,3 +43,4 @@ class SensitivityResult(ShortRepr):
     verdict_high: Outcome | None = None
     role: Role = "comparison"
     index: str = ""
+    remarks: tuple[Term | Message, ...] = ()

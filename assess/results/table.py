@@ -132,7 +132,7 @@ def _parameters(results: Results) -> Iterator[Row]:
                 yield {"mechanism": mechanism.name, "branch": branch, **_cells(oscillator, PARAMETERS), **linearised}
 
 
-CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score"))}
+CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score", "caveats"))}
 
 
 def _checks(results: Results) -> Iterator[Row]:
@@ -223,7 +223,7 @@ def _sweeps(results: Results) -> Iterator[Row]:
         yield from ({**own, **row} for row in _values(sweep, {name: "" for name in SWEEPS if name not in own}))
 
 
-SENSITIVITY = _columns(SensitivityResult)
+SENSITIVITY = _columns(SensitivityResult, without=("remarks",))
 
 
 def _sensitivity(results: Results) -> Iterator[Row]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
 from scipy.constants import g
 
+from assess.messages.message import Message, Quantity, Term, message
 from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
 from assess.study.motions import ScaledRecord
 from assess.study.oscillator_results import floats
@@ -153,7 +154,19 @@ def requirement_result(one: Requirement) -> RequirementResult:
         to_s=high,
         remark=one.remark,
         caveat=one.caveat,
+        remarks=tuple(_remarks(one)),
     )
+
+
+def _remarks(one: Requirement) -> Iterator[Term | Message]:
+    """Yield the factor that would do, the range of the target, and the note of a requirement."""
+    if one.factor is not None:
+        yield message("further-factor", {"factor": Quantity(one.factor)})
+    if one.known is not None:
+        low, high = one.known
+        yield message("target-known", {"low": Quantity(low, "time", 3), "high": Quantity(high, "time")})
+    if one.note:
+        yield Term(one.note)
 
 
 def selection_result(found: Selection) -> SelectionResult:

@@ -9,6 +9,7 @@ from assess.codes.basis import Basis
 from assess.codes.check import Check
 from assess.codes.families import uses_histories
 from assess.codes.verdict.answer import index_of
+from assess.messages.message import Message, Term, message
 from assess.results import SensitivityResult
 from assess.study.study import Unvaried, Variable
 
@@ -36,6 +37,7 @@ def rows_of(
     variable: Variable, deciding: Sequence[Check], low: CaseAnswers, high: CaseAnswers, *, basis: Basis | None
 ) -> Iterator[SensitivityResult]:
     """Yield the index that decides, demand over capacity of each check, and PGA at capacity of each limit state."""
+    said = tuple(remarks_on(variable, low, high))
     row = SensitivityResult(
         mechanism=variable.mechanism,
         parameter=variable.parameter,
@@ -44,7 +46,8 @@ def rows_of(
         base=variable.base,
         low=variable.low,
         high=variable.high,
-        remark=remark_of(variable, low, high),
+        remark="; ".join(map(str, said)),
+        remarks=said,
     )
     with_capacities: set[tuple[str, str]] = set()
     for key, check in by_answer(deciding).items():
@@ -101,15 +104,19 @@ def with_ratio(row: SensitivityResult, check: Check, low: Check | None, high: Ch
     )
 
 
-def remark_of(variable: Variable, low: CaseAnswers, high: CaseAnswers) -> str:
-    """Return the remark on a variable, and why a case of it could not be assessed."""
-    failed = (("low", variable.low, low.error), ("high", variable.high, high.error))
-    whys = (f"not assessed at the {side} value, {value:.6g}: {why}" for side, value, why in failed if why)
-    return "; ".join(text for text in (variable.remark, *whys) if text)
+def remarks_on(variable: Variable, low: CaseAnswers, high: CaseAnswers) -> Iterator[Term | Message]:
+    """Yield the remark on a variable, and why a case of it could not be assessed; that is an error, in English."""
+    if variable.remark:
+        yield Term(variable.remark)
+    if low.error:
+        yield message("not-assessed-low", {"value": f"{variable.low:.6g}", "why": low.error})
+    if high.error:
+        yield message("not-assessed-high", {"value": f"{variable.high:.6g}", "why": high.error})
 
 
 def unvaried_row(unvaried: Unvaried) -> SensitivityResult:
     """Return the row of a number that is not varied."""
+    said = message("not-varied", {"why": Term(unvaried.why)})
     return SensitivityResult(
-        mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=f"not varied: {unvaried.why}"
+        mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=said.text, remarks=(said,)
     )

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.families import SUITE_CODES
 from assess.codes.verdict import methods_of
-from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
+from assess.messages.message import Message, Quantity, Severity, Term, Value, message, whole_number
 from assess.study.motions import ScaledRecord
 from assess.study.study import Study
 from assess.study.suite_remedies import FILES, REMEDIES, Remedy, SuiteReview
@@ -45,7 +45,7 @@ def suite_faults(
 
 def _faults(code: str, study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord]) -> Iterator[Message]:
     if not motions:
-        yield _message("suite-empty", {}, Remedy("records.files", "give records", FILES))
+        yield _message("suite-empty", {}, Remedy("records.files", Term("give records"), FILES))
         return
     rules, target = RULES[code], spectrum_of_rules(code, study, spectrum)
     suite = suite_on(motions, spectrum, target)
@@ -69,7 +69,8 @@ def _not_named(code: str, review: SuiteReview) -> Iterator[Message]:
     silent = [name for name in deciding if name not in (question.procedures or ())]
     if review.suite.artificial.any() and silent:
         line = f'procedures = ["{silent[0]}"]'
-        yield _message("suite-not-named", {"procedure": silent[0]}, Remedy("verdict.procedures", "name it there", line))
+        remedy = Remedy("verdict.procedures", Term("name it there"), line)
+        yield _message("suite-not-named", {"procedure": silent[0]}, remedy)
 
 
 def _unmet_message(one: Requirement, remedy: Remedy) -> Message:
@@ -92,11 +93,11 @@ def _out_of_reach(one: Requirement, review: SuiteReview) -> Message:
     low, high = (Quantity(period, "time", 3) for period in one.periods)
     ends = Quantity(review.suite.period_range[1], "time", 3)
     values: dict[str, Value] = {"code": one.code, "clause": one.clause, "low": low, "high": high, "end": ends}
-    return _message("suite-out-of-reach", values, Remedy("site.spectrum", "extend its table"))
+    return _message("suite-out-of-reach", values, Remedy("site.spectrum", Term("extend its table")))
 
 
 def _message(key: str, values: Mapping[str, Value], remedy: Remedy) -> Message:
-    said = {**values, "remedy": remedy.text, "toml": remedy.toml}
+    said: dict[str, Value] = {**values, "remedy": remedy.text, "toml": remedy.toml}
     return message(key, said, severity=Severity.WARNING, where=remedy.key)
 
 

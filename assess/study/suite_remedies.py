@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from math import ceil, floor
 
+from assess.messages.message import Message, Quantity, Term, message, whole_number
 from assess.study.study import Artificial, Study
 from assess.study.suite_rules import HELD
 from records.compliance.requirement import Requirement, Rule, factor_that_does
@@ -16,12 +17,15 @@ DIGITS = 1000.0  # a factor is proposed to three decimals, rounded to the side t
 FILES = 'files = ["records/*.AT2"]'
 
 
+NO_FACTOR = Term("no one factor does: choose records whose mean has the shape of the target")
+
+
 @dataclass(frozen=True)
 class Remedy:
     """A change of the project: its key, in words, and as a line of TOML, empty if there is none."""
 
     key: str
-    text: str
+    text: Term | Message
     toml: str = ""
 
 
@@ -42,24 +46,25 @@ class SuiteReview:
 def more_records(one: Requirement, review: SuiteReview) -> Remedy:
     """Propose as many more records as are missing."""
     missing = round(one.limit - (one.value or 0.0))
-    text = f"give {missing} more record{'s' if missing > 1 else ''}"
+    number = {"number": whole_number(missing)}
+    text = message("remedy-records", number) if missing > 1 else Term("give 1 more record")
     return _remake(text, review) or Remedy("records.files", text, FILES)
 
 
 def longer_records(one: Requirement, review: SuiteReview) -> Remedy:
     """Propose artificial records of a longer duration."""
-    text = f"records must last {_duration(one, review):g} s"
+    text = message("remedy-longer", {"duration": Quantity(_duration(one, review), "time", 6)})
     return _remake(text, review) or Remedy("records.files", text)
 
 
 def finer_records(one: Requirement, review: SuiteReview) -> Remedy:
     """Propose records of a smaller time step."""
-    return Remedy("records.files", f"give artificial records at {one.limit:g} s or less")
+    return Remedy("records.files", message("remedy-finer", {"step": Quantity(one.limit, "time", 6)}))
 
 
 def other_records(one: Requirement, review: SuiteReview) -> Remedy:
     """Propose records that contain longer periods."""
-    return Remedy("records.files", "give records whose processing kept longer periods")
+    return Remedy("records.files", Term("give records whose processing kept longer periods"))
 
 
 def another_factor(one: Requirement, review: SuiteReview) -> Remedy:
@@ -71,10 +76,11 @@ def another_factor(one: Requirement, review: SuiteReview) -> Remedy:
         return longer_records(one, review)
     factor = factor_that_does(review.found)
     if factor is None:
-        return Remedy("records.files", "no one factor does: choose records whose mean has the shape of the target")
+        return Remedy("records.files", NO_FACTOR)
     rounded = ceil(factor * DIGITS) / DIGITS if factor > 1.0 else floor(factor * DIGITS) / DIGITS
     whole = review.study.record_factor * rounded
-    return Remedy("records.factor", f"scale every record by {rounded:g}", f"factor = {whole:.6g}")
+    text = message("remedy-factor", {"factor": Quantity(rounded, "ratio", 6)})
+    return Remedy("records.factor", text, f"factor = {whole:.6g}")
 
 
 REMEDIES: Mapping[Rule, Callable[[Requirement, SuiteReview], Remedy]] = {
@@ -89,7 +95,7 @@ REMEDIES: Mapping[Rule, Callable[[Requirement, SuiteReview], Remedy]] = {
 }
 
 
-def _remake(text: str, review: SuiteReview) -> Remedy | None:
+def _remake(text: Term | Message, review: SuiteReview) -> Remedy | None:
     """Return the line that makes artificial records as all rules require; None if records come from files."""
     made = review.study.artificial
     if made is None:

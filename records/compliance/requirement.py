@@ -42,7 +42,10 @@ class Requirement:
     value, limit : in `unit`, None where not answered; sense : how the value has to compare with the limit
     factors : on every record, the least and the largest with which it is met; (0, inf) where no factor changes it
     periods : range that the value was taken over [s], None where it is not of a spectrum
-    remark : a note for the reader; caveat : how far the clause is verified
+    remark : a note for the reader, in English; note : its fixed part
+    factor : the further factor on every record that would do, where it is not met; else None
+    known : the range over which the target is known [s], where it is not answered; else None
+    caveat : how far the clause is verified
     """
 
     code: str
@@ -58,6 +61,9 @@ class Requirement:
     remark: str = ""
     caveat: str = CAVEAT
     factors: tuple[float, float] = (0.0, inf)
+    note: str = ""
+    factor: float | None = None
+    known: tuple[float, float] | None = None
 
 
 def check_limit(
@@ -76,7 +82,9 @@ def check_limit(
     """Compare `value` with `limit`: the requirement is met if the value is in `sense` of it."""
     met = value >= limit * (1 - 1e-12) if sense == ">=" else value <= limit * (1 + 1e-12)
     verdict: Verdict = "met" if met else "not met"
-    return Requirement(code, clause, rule, what, float(value), sense, limit, unit, verdict, periods, remark)
+    return Requirement(
+        code, clause, rule, what, float(value), sense, limit, unit, verdict, periods, remark, note=remark
+    )
 
 
 def no_answer(
@@ -92,7 +100,9 @@ def no_answer(
     """Return a requirement that cannot be checked, as the target or the records do not cover its range of periods."""
     low, high = suite.period_range
     remark = f"the target is known from {low:.3g} to {high:.4g} s only"
-    return Requirement(code, clause, rule, what, None, sense, limit, "-", "not answered", periods, remark)
+    return Requirement(
+        code, clause, rule, what, None, sense, limit, "-", "not answered", periods, remark, known=(low, high)
+    )
 
 
 def mean_at_least(
@@ -137,12 +147,16 @@ def factor_that_does(found: Iterable[Requirement]) -> float | None:
 
 def with_least_factor(one: Requirement, factor: float) -> Requirement:
     """Add the further factor on every record from which on a requirement is met."""
-    return replace(one, factors=(factor, inf), remark=_with(one, factor))
+    return replace(one, factors=(factor, inf), remark=_with(one, factor), factor=_needed(one, factor))
 
 
 def with_largest_factor(one: Requirement, factor: float) -> Requirement:
     """Add the further factor on every record up to which a requirement is met."""
-    return replace(one, factors=(0.0, factor), remark=_with(one, factor))
+    return replace(one, factors=(0.0, factor), remark=_with(one, factor), factor=_needed(one, factor))
+
+
+def _needed(one: Requirement, factor: float) -> float | None:
+    return factor if one.verdict == "not met" else None
 
 
 def _with(one: Requirement, factor: float) -> str:

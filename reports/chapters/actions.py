@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from assess.results import LoadResult, Results
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
-from reports.language.texts import Phrase, Text, Verbatim, names, quantity, say
+from reports.language.texts import Paragraph, Phrase, Text, Verbatim, names, quantity, say
 from reports.titles import mechanism_number
 
 _AS_GIVEN = say(
@@ -22,14 +22,20 @@ COMBINATIONS: Mapping[str, Phrase] = {
     "nzsee2017": say("Combination: G + E_u + ψ_E Q (AS/NZS 1170.0, 4.2.2)."),
 }
 """The seismic combination of the basis of the verdict."""
+AS_THEY_ARE = say("The seismic action is combined with the loads of the project; no load factors are applied.")
 
 
 def section(results: Results) -> Section:
     """Return what acts on the mechanisms, in which combination and directions."""
-    own = () if results.verdict is None else (COMBINATIONS.get(results.verdict.basis),)
-    combination = tuple(each for each in own if each is not None)
+    basis = "" if results.verdict is None else results.verdict.basis
     blocks: tuple[Block, ...] = (
-        Prose((*combination, *_weights(results), *_directions(results))),
+        Prose(
+            (
+                COMBINATIONS.get(basis, AS_THEY_ARE),
+                Paragraph(tuple(_weights(results))),
+                Paragraph(tuple(_directions(results))),
+            )
+        ),
         *nonempty(loads(results)),
     )
     return Section(say("Combination of actions"), 1, blocks)
@@ -37,10 +43,13 @@ def section(results: Results) -> Section:
 
 def _weights(results: Results) -> Iterator[Text]:
     yield say("The weight of the moving masonry acts in every mechanism, as a permanent load and as a mass.")
+    given = [mechanism for mechanism in results.mechanisms if mechanism.kind == "equivalent-block"]
+    if given:
+        yield say("Loads on equivalent blocks are part of their rocking parameters, as the project gives them.")
     if any(mechanism.loads for mechanism in results.mechanisms):
         yield _AS_GIVEN
-    else:
-        yield say("The project gives no other loads: no floor, roof, tie or force acts on any mechanism.")
+    elif len(given) < len(results.mechanisms):
+        yield say("The project gives no other loads: no floor, roof, tie or force.")
 
 
 def _directions(results: Results) -> Iterator[Text]:

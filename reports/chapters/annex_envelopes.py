@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
 
 from assess.results import CriticalResult, EnvelopeResult, MechanismResult, RecordResult, Results
@@ -59,11 +58,10 @@ def critical_blocks(results: Results) -> list[Block]:
         "Least pulse that overturns each mechanism, by frequency, and below it the critical mechanism (as thesis Figs. "
         "3.11 and 8.5). Amplitudes are those of the ground and include amplification up the building."
     )
-    titles = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
-    named = [(titles[mechanism.name], one) for mechanism, one in mechanisms_with_envelope(results)]
-    bands = tuple(replace(band, mechanism=titles.get(band.mechanism or "")) for band in critical.bands)
-    draw = partial(figure.bounds, named, replace(critical, bands=bands))
-    return [Prose((critical_sentence(results, critical),)), Figure("critical", caption, draw)]
+    return [
+        Prose((critical_sentence(results, critical),)),
+        Figure("critical", caption, partial(figure.bounds, results)),
+    ]
 
 
 def critical_sentence(results: Results, critical: CriticalResult) -> Text:

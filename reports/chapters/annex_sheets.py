@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import joint_tables, parameter_tables
 from reports.chapters.cells import BRANCHES, OUTCOMES
-from reports.document import Block, Prose, Section, Sheet, nonempty
+from reports.document import Block, Figure, Prose, Section, Sheet, nonempty
+from reports.figures import view
+from reports.figures.model import model_of_view
 from reports.language.texts import Term, Text, Verbatim, quantity, say
 from reports.titles import check_title, file_stem, mechanism_number, mechanism_title
 
@@ -32,6 +36,7 @@ def sections(results: Results) -> list[Section]:
 def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
     stem = file_stem(mechanism.name, place)
     blocks: list[Block] = [
+        *_view(mechanism, stem),
         parameter_tables.parameters(mechanism, name=f"{stem}-parameters"),
         *nonempty(parameter_tables.loads(mechanism, name=f"{stem}-loads")),
         *joint_tables.blocks(mechanism, stem),
@@ -41,6 +46,19 @@ def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
     return Section(
         Verbatim(mechanism_title(mechanism)), 1, tuple(blocks), mark=mechanism_number(results, mechanism.name)
     )
+
+
+def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
+    """Return the bodies of a mechanism in space, which a reader can turn; none without geometry."""
+    seen = mechanism.view
+    if seen is None:
+        return []
+    positive = len(mechanism.drawing.displaced.hinges)
+    caption = say(
+        "The bodies in space, cracks dashed; axes of rotation of the positive side red, of the negative side blue and "
+        "dashed; the arrow is the direction of motion."
+    )
+    return [Figure(f"{stem}-view", caption, partial(view.draw, seen, positive), model_of_view(seen, positive=positive))]
 
 
 def _sheets(results: Results, mechanism: MechanismResult, stem: str) -> list[Sheet]:

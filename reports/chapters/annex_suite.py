@@ -136,7 +136,7 @@ def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
         say("{sense} {limit}", sense=Verbatim(SENSES[one.sense]), limit=quantity(one.limit, dimension)),
         over,
         MET[one.verdict],
-        Listing(tuple(map(Term, _nonempty((one.remark, one.caveat)))), ""),
+        Listing((*(one.remarks or map(Term, _nonempty((one.remark,)))), *map(Term, _nonempty((one.caveat,)))), ""),
     )
 
 

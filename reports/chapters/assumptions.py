@@ -69,8 +69,8 @@ def _restitution(results: Results) -> list[Block]:
     if not computed:
         return []
     words = say(
-        "The project gives no coefficient of restitution for {mechanisms}; the page of each mechanism states the one "
-        "used and its source.",
+        "The coefficients of restitution of {mechanisms} are not given by the project; the page of each mechanism "
+        "states the one used and its source.",
         mechanisms=mechanism_list(results, computed),
     )
     return [Prose((words,))]

@@ -11,7 +11,7 @@ from reports.language.texts import say
 
 FIGURES = 3
 DEMAND, ALLOWABLE = Column(say("Demand")), Column(say("Allowable"))
-RATIO = Column(say("Demand over capacity"), "ratio", FIGURES)
+RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
 
 

@@ -69,6 +69,8 @@ def _not_examined(item: ChecklistItem, numbers: Text) -> Text:
 
 def not_examined_text(results: Results) -> Text | None:
     """Return the items that are possible and were not examined, the first of many; None where there are none."""
+    if not results.report.checklist:
+        return say("not stated: the project does not say which mechanisms the building can have")
     items = results.report.not_examined
     if not items:
         return None

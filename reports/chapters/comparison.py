@@ -13,9 +13,10 @@ from reports import governing
 from reports.chapters import annex_envelopes, comparison_words
 from reports.chapters.cells import MECHANISM, METHOD, NO_LASTING, NO_ROCKING, OUTCOMES, rotation_cell, unbounded_text
 from reports.chapters.check_cells import CAPACITY_PGA, FIGURES
+from reports.chapters.governing_words import verdict_of
 from reports.document import Block, Cell, Column, Figure, Graded, Prose, Section, Table
 from reports.figures import comparison as figure
-from reports.language.texts import Text, quantity, say
+from reports.language.texts import Phrase, Text, quantity, say
 from reports.titles import numbered_title, procedure_title
 
 MOST = 5
@@ -28,8 +29,9 @@ def sections(results: Results) -> list[Section]:
         return []
     blocks: list[Block] = [
         *_prose(comparison_words.introduction(results)),
-        *_figures(results),
+        *_curves(results),
         table(results),
+        _demands(results),
         *_prose(comparison_words.findings(results)),
         *annex_envelopes.critical_blocks(results),
     ]
@@ -41,33 +43,47 @@ def _prose(sentences: Iterator[Text]) -> list[Block]:
     return [Prose(told)] if told else []
 
 
-def _figures(results: Results) -> Iterator[Figure]:
-    if len(results.mechanisms) > 1:
-        caption = say(
-            "Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings."
-        )
-        yield Figure("capacities", caption, partial(figure.draw_capacities, results))
-        caption = say(
-            "Largest rotation over peak ground acceleration of all mechanisms by the method that decides; mechanisms "
-            "that differ by their joints alone share a colour (solid: rigid, dashed: flexible). Beside it "
-            "their moments over rotation, as a part of what rigid joints give."
-        )
-        yield Figure("curves", caption, partial(figure.draw_curves, results))
+def _curves(results: Results) -> Iterator[Figure]:
+    """Yield the figures of several mechanisms on one axis."""
+    if len(results.mechanisms) < 2:
+        return
+    caption = say("Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings.")
+    yield Figure("capacities", caption, partial(figure.draw_capacities, results))
+    caption = say(
+        "Largest rotation over peak ground acceleration of all mechanisms by {method}; mechanisms that differ by their "
+        "joints alone share a colour (solid: rigid, dashed: flexible). Beside it their moments over rotation, as a "
+        "part of what rigid joints give.",
+        method=procedure_title(figure.curve_procedure(results)),
+    )
+    yield Figure("curves", caption, partial(figure.draw_curves, results))
+
+
+def _demands(results: Results) -> Figure:
     caption = say(
         "Demand over capacity of every mechanism by every method; right of the line the check fails. Hollow: thesis "
         "readings; cross: overturning; arrow: beyond the axis or the end of the spectrum."
     )
-    yield Figure("comparison", caption, partial(figure.draw_demands, results))
+    return Figure("comparison", caption, partial(figure.draw_demands, results))
 
 
 def table(results: Results) -> Table:
     """Tabulate demand over capacity of the methods that may decide: at the site's own action and at other levels."""
     own, others = governing.site_pga(results), _some(governing.other_levels(results))
     levels = others if own is None else (own, *others)
-    ratios = (Column(say("D/C at {pga}", pga=quantity(level, "ground acceleration", FIGURES))) for level in levels)
-    columns = (MECHANISM, METHOD, *ratios, CAPACITY_PGA, Column(say("Over the site’s own")))
+    ratios = (_level_column(level) for level in levels)
+    columns = (
+        MECHANISM,
+        METHOD,
+        *ratios,
+        CAPACITY_PGA,
+        Column(say("PGA at capacity over the site’s"), "ratio", FIGURES),
+    )
     rows = tuple(_row(results, mechanism, levels) for mechanism in results.mechanisms)
-    return Table("levels", _caption(own, others), columns, rows, small=True)
+    return Table("levels", _caption(results, others), columns, rows, small=True)
+
+
+def _level_column(level: float) -> Column:
+    return Column(say("D/C at {pga}", pga=quantity(level, "ground acceleration", FIGURES)), "ratio", FIGURES)
 
 
 def _some(levels: tuple[float, ...]) -> tuple[float, ...]:
@@ -75,8 +91,15 @@ def _some(levels: tuple[float, ...]) -> tuple[float, ...]:
     return levels[:: ceil(len(levels) / MOST)] if levels else ()
 
 
-def _caption(own: float | None, others: tuple[float, ...]) -> Text:
-    if own is not None and others:
+def _has_basis(results: Results) -> bool:
+    """Return whether a code is named that decides."""
+    return results.verdict is not None and bool(results.verdict.basis)
+
+
+def _caption(results: Results, others: tuple[float, ...]) -> Text:
+    if not _has_basis(results):
+        return say("Demand over capacity, the worst of the methods of codes; none of them decides.")
+    if others:
         return say(
             "Demand over capacity of the methods that may decide, the worst of each mechanism. Only the coloured "
             "column, at the site’s own action, counts in the verdict; the other levels are a study."
@@ -86,41 +109,44 @@ def _caption(own: float | None, others: tuple[float, ...]) -> Text:
 
 def _row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]) -> tuple[Cell, ...]:
     own = governing.site_pga(results)
+    found = verdict_of(results, mechanism)
     worst = [governing.worst(_accepted(results, mechanism, level)) for level in levels]
-    verdicts = () if results.verdict is None else results.verdict.mechanisms
-    found = next((one for one in verdicts if one.mechanism == mechanism.name), None)
     known = next((check for check in worst if check is not None), None)
     cells = (
-        _own_cell(check, found) if level == own and found is not None else _ratio(check)
+        _own_cell(check, found) if level == own and found is not None and _has_basis(results) else _ratio(check)
         for level, check in zip(levels, worst, strict=True)
     )
-    margin = None if found is None or found.margin is None else quantity(found.margin, "ratio", FIGURES)
     title = None if known is None else procedure_title(known.procedure)
     capacity = None if known is None else known.capacity_pga_g
-    return (numbered_title(results, mechanism.name), title, *cells, capacity, margin)
+    return (numbered_title(results, mechanism.name), title, *cells, capacity, None if found is None else found.margin)
 
 
 def _accepted(results: Results, mechanism: MechanismResult, level: float) -> tuple[Check, ...]:
-    """Return the checks at a level that may decide: by their method and limit state; without a basis, all of codes."""
+    """Return the checks at a level of the methods that decide the mechanism; without a basis, all of codes.
+
+    Where no method decides, those of all methods that may.
+    """
     checks = governing.code_checks(governing.at_level(mechanism.checks, level))
-    found = results.verdict
-    if found is None or not found.methods:
+    verdict, own = results.verdict, verdict_of(results, mechanism)
+    if verdict is None or own is None or not verdict.methods:
         return checks
-    accepted = tuple(check for check in checks if check.procedure in found.methods)
-    return tuple(check for check in accepted if check.limit_state in found.limit_states) or accepted
+    methods = {answer.procedure for answer in own.answers if answer.procedure} or set(verdict.methods)
+    accepted = tuple(check for check in checks if check.procedure in methods)
+    return tuple(check for check in accepted if check.limit_state in verdict.limit_states) or accepted
 
 
-def _own_cell(check: Check | None, found: MechanismVerdict) -> Cell:
+def _own_cell(check: Check | None, found: MechanismVerdict) -> Graded:
     """Return the ratio at the site's own action in the colour of the mechanism's outcome."""
-    text = None if check is None else _ratio(check)
+    ratio = _ratio(check)
+    text = quantity(ratio, "ratio", FIGURES) if isinstance(ratio, float) else ratio
     return Graded(found.outcome.value, OUTCOMES[found.outcome.value] if text is None else text)
 
 
-def _ratio(check: Check | None) -> Text | None:
-    """Return demand over capacity as text: a number, or why there is none."""
+def _ratio(check: Check | None) -> Phrase | float | None:
+    """Return demand over capacity, or why there is none."""
     if check is None:
         return None
     at_rest = rotation_cell(check) in (NO_ROCKING, NO_LASTING)
     if check.ratio is None or (at_rest and not check.ratio):
         return unbounded_text(check) or (NO_ROCKING if at_rest else OUTCOMES[check.verdict.value])
-    return quantity(check.ratio, "ratio", FIGURES)
+    return check.ratio

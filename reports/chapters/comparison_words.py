@@ -7,7 +7,7 @@ from statistics import median
 
 from assess.codes.check import Check, Family, Outcome
 from assess.codes.families import FAMILIES, uses_histories
-from assess.results import MechanismResult, Results
+from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.chapters.check_cells import FIGURES
 from reports.language.texts import Listing, Paragraph, Phrase, Text, count, listing, names, quantity, say
@@ -78,7 +78,8 @@ def _passes_beyond_capacity(results: Results) -> Iterator[Text]:
 
 def _passes_beyond(check: Check) -> bool:
     capacity = check.capacity_pga_g
-    return check.verdict == Outcome.PASS and capacity is not None and check.level_pga_g > ABOVE * capacity
+    beyond = capacity is not None and check.level_pga_g > ABOVE * capacity
+    return beyond and check.verdict == Outcome.PASS and uses_histories(check.procedure)
 
 
 def _disagreements(results: Results) -> Iterator[Text]:
@@ -94,9 +95,12 @@ def _disagreements(results: Results) -> Iterator[Text]:
         c.procedure for m in apart for c in _own(results, m) if c.verdict in (Outcome.PASS, Outcome.FAIL)
     )
     failed = {procedure: [m.name for m in apart if _fails(results, m, procedure)] for procedure in answering}
+    told: set[Family | None] = set()
     for procedure, mechanisms in failed.items():
         if mechanisms:
-            yield _failing(results, procedure, mechanisms)
+            family = FAMILIES.get(procedure)
+            yield _failing(results, procedure, mechanisms, None if family in told else family)
+            told.add(family)
     passing = [procedure for procedure, mechanisms in failed.items() if not mechanisms]
     if passing:
         yield say("All of these are passed by {methods}.", methods=listing(map(procedure_title, passing)))
@@ -111,10 +115,11 @@ def _fails(results: Results, mechanism: MechanismResult, procedure: str) -> bool
     return any(check.verdict == Outcome.FAIL for check in own)
 
 
-def _failing(results: Results, procedure: str, mechanisms: list[str]) -> Text:
+def _failing(results: Results, procedure: str, mechanisms: list[str], family: Family | None) -> Text:
+    """Return which mechanisms a method fails, and what its family measures, if it was not told before."""
     which = _numbers(results, mechanisms)
     sentence = say("{method} fails {mechanisms}.", method=procedure_title(procedure), mechanisms=which)
-    return Paragraph((sentence, MEASURES[FAMILIES[procedure]])) if procedure in FAMILIES else sentence
+    return sentence if family is None else Paragraph((sentence, MEASURES[family]))
 
 
 def _spread(results: Results) -> Iterator[Text]:
@@ -128,6 +133,14 @@ def _spread(results: Results) -> Iterator[Text]:
     if not spreads:
         return
     largest, mechanism, low, high = max(spreads, key=lambda spread: spread[0])
+    if len(spreads) == 1:
+        yield say(
+            "The PGA at capacity by {high} is {largest} times that by {low}.",
+            high=procedure_title(high),
+            largest=quantity(largest, "ratio", FIGURES),
+            low=procedure_title(low),
+        )
+        return
     yield say(
         "The largest PGA at capacity of a mechanism by a code is {middle} times its least in the median, and at most "
         "{largest} times ({mechanism}: {high} over {low}).",
@@ -143,20 +156,26 @@ def _overturning(results: Results) -> Iterator[Text]:
     """Yield how many records overturn which mechanisms."""
     fallen = [
         say(
-            "{mechanism} at {pga} ({number} of {all})",
+            "{mechanism} at {levels}",
             mechanism=numbered_title(results, mechanism.name),
-            pga=quantity(suite.level_pga_g, "ground acceleration", FIGURES),
-            number=count(suite.overturned),
-            all=count(suite.n),
+            levels=Listing(tuple(_fallen(suite) for suite in mechanism.suites if suite.overturned), ""),
         )
         for mechanism in results.mechanisms
-        for suite in mechanism.suites
-        if suite.overturned
+        if any(suite.overturned for suite in mechanism.suites)
     ]
     if fallen:
         yield say("Records overturn {cases}. No other history overturns a mechanism.", cases=listing(fallen))
     elif any(mechanism.suites for mechanism in results.mechanisms):
         yield _none_overturns(results)
+
+
+def _fallen(suite: SuiteResult) -> Text:
+    return say(
+        "{pga} ({number} of {all})",
+        pga=quantity(suite.level_pga_g, "ground acceleration", FIGURES),
+        number=count(suite.overturned),
+        all=count(suite.n),
+    )
 
 
 def _none_overturns(results: Results) -> Text:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from assess.codes.check import Check
 from assess.results import BranchCurve, ComparisonRow, RecordSpectrum, Results, SensitivityResult, SpectrumResult
 from reports import governing
-from reports.chapters import annex_envelopes, annex_histories, annex_inputs, annex_suite, parameter_tables
+from reports.chapters import annex_envelopes, annex_histories, annex_inputs, annex_suite, controls, parameter_tables
 from reports.chapters.cells import (
     BRANCHES,
     INPUTS,
@@ -31,6 +31,7 @@ from reports.document import Cell, Column, Table
 from reports.language.texts import Listing, Phrase, Term, Verbatim, quantity, say
 from reports.titles import file_stem, mechanism_title, procedure_title
 
+PROCEDURE = Column(say("Procedure"))
 ROTATION = Column(say("Rotation φ/φₒᵥ"), "ratio")
 RATIO = Column(say("Demand / capacity"), "ratio")
 QUANTITIES = {
@@ -51,6 +52,7 @@ def tables(results: Results) -> Iterator[Table]:
         capacity_curves(results),
         pga_curves(results),
         sensitivity(results),
+        controls.control_rows(results),
         *annex_envelopes.data(results),
         annex_envelopes.primary_pulses(results.records),
         *_of_mechanisms(results),
@@ -85,6 +87,7 @@ def verdicts(results: Results) -> Table:
     columns = (
         MECHANISM,
         LEVEL,
+        PROCEDURE,
         METHOD,
         LIMIT_STATE,
         Column(say("Quantity")),
@@ -112,6 +115,7 @@ def verdicts(results: Results) -> Table:
 def _verdict(check: Check) -> tuple[Cell, ...]:
     return (
         check.level_pga_g,
+        Verbatim(check.procedure),
         procedure_title(check.procedure),
         Verbatim(check.limit_state),
         Term(check.quantity),
@@ -154,12 +158,18 @@ def rotations(results: Results) -> Table:
     levels = governing.levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
     columns = (
         MECHANISM,
+        PROCEDURE,
         METHOD,
         *(Column(say("At {pga}", pga=quantity(level, "ground acceleration", 3)), "ratio") for level in levels),
         Column(say("Allowable"), "ratio"),
     )
     rows = tuple(
-        (Verbatim(mechanism_title(mechanism)), procedure_title(procedure), *_rotations(checks, levels))
+        (
+            Verbatim(mechanism_title(mechanism)),
+            Verbatim(procedure),
+            procedure_title(procedure),
+            *_rotations(checks, levels),
+        )
         for mechanism in results.mechanisms
         for procedure, checks in governing.group_by_procedure(mechanism.checks).items()
         if any(check.capacity_rotation_ratio is not None for check in checks)
@@ -181,6 +191,7 @@ def comparison(results: Results) -> Table:
     columns = (
         MECHANISM,
         LEVEL,
+        PROCEDURE,
         METHOD,
         ROTATION,
         Column(say("Allowable φ/φₒᵥ"), "ratio"),
@@ -202,6 +213,7 @@ def _compared(row: ComparisonRow, check: Check | None, titles: dict[str, str]) -
     place: tuple[Cell, ...] = (
         Verbatim(titles.get(row.mechanism, row.mechanism)),
         row.level_pga_g,
+        Verbatim(row.procedure),
         procedure_title(row.procedure),
     )
     unbounded: Phrase | None = None if check is None else unbounded_text(check)
@@ -251,13 +263,13 @@ def _points(curve: BranchCurve) -> Iterator[tuple[float, ...]]:
 def pga_curves(results: Results) -> Table:
     """Tabulate the PGA-rotation curves of every mechanism and procedure, point by point."""
     rows = tuple(
-        (Verbatim(mechanism.name), procedure_title(check.procedure), Verbatim(check.limit_state), ratio, pga)
+        (Verbatim(mechanism.name), Verbatim(check.procedure), Verbatim(check.limit_state), ratio, pga)
         for mechanism in results.mechanisms
         for check in _one_for_each_curve(mechanism.checks)
         for ratio, pga in zip(check.pga_curve.rotation_ratio, check.pga_curve.pga_g, strict=True)
     )
     caption = say("Peak ground acceleration over rotation, by each procedure.")
-    return Table("pga-rotation-curves", caption, (MECHANISM, METHOD, LIMIT_STATE, ROTATION, LEVEL), rows)
+    return Table("pga-rotation-curves", caption, (MECHANISM, PROCEDURE, LIMIT_STATE, ROTATION, LEVEL), rows)
 
 
 def _one_for_each_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:
@@ -276,7 +288,7 @@ def sensitivity(results: Results) -> Table:
         Column(say("Key")),
         Column(say("Unit")),
         *(Column(label, "ratio") for label in (say("Base"), say("Low"), say("High"))),
-        METHOD,
+        PROCEDURE,
         LIMIT_STATE,
         Column(say("Role")),
         LEVEL,
@@ -299,12 +311,12 @@ def _varied(row: SensitivityResult) -> tuple[Cell, ...]:
         Verbatim(row.key),
         Verbatim(row.unit),
         *(row.base, row.low, row.high),
-        procedure_title(row.procedure),
+        Verbatim(row.procedure),
         Verbatim(row.limit_state),
         ROLES[row.role],
         row.level_pga_g,
         QUANTITIES.get(row.quantity),
         *(row.at_base, row.at_low, row.at_high),
         *(None if outcome is None else OUTCOMES[outcome.value] for outcome in outcomes),
-        Term(row.remark),
+        Listing(row.remarks or (Term(row.remark),), ""),
     )

@@ -5,21 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.codes.basis import IndexKind
-from assess.codes.check import Check
+from assess.codes.check import Check, Outcome
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters.check_cells import FIGURES, clause
-from reports.language.texts import Term, Text, Verbatim, names, quantity, say
+from reports.chapters.index_text import index_text, outcome_text
+from reports.document import Facts
+from reports.language.texts import Term, Text, Verbatim, listing, names, quantity, say
 from reports.titles import procedure_title
 
 
 def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     """Yield what governs, up to which action the mechanism holds, and what would make it pass or complete."""
-    found = results.verdict
-    own = None if found is None else next((one for one in found.mechanisms if one.mechanism == mechanism.name), None)
+    found, own = results.verdict, verdict_of(results, mechanism)
     if found is None or own is None:
+        return
+    if not found.basis:
+        yield say("No code is named that decides: the results of all methods are for comparison only.")
         return
     for answer in own.answers:
         yield _governing(governing.at_site(results, mechanism), answer)
@@ -27,7 +31,39 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     if own.at_the_limit:
         yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
     if own.conditions:
-        yield say("It depends on the conditions listed with the verdict.")
+        yield say("The answer depends on the conditions listed with the verdict.")
+
+
+def verdict_of(results: Results, mechanism: MechanismResult) -> MechanismVerdict | None:
+    """Return the verdict of a mechanism; None in results without one."""
+    verdicts = () if results.verdict is None else results.verdict.mechanisms
+    return next((one for one in verdicts if one.mechanism == mechanism.name), None)
+
+
+def summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
+    """Return the verdict of the mechanism with its indices; none without a verdict."""
+    own = verdict_of(results, mechanism)
+    if own is None:
+        return []
+    outcome = outcome_text(own.outcome, near=own.at_the_limit)
+    known = [(answer.limit_state, index_text(answer.index)) for answer in own.answers if answer.index is not None]
+    indices = [
+        say("{index} at {state}", index=index, state=Verbatim(state)) if len(known) > 1 else index
+        for state, index in known
+    ]
+    text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
+    return [Facts(((say("Verdict"), text),))]
+
+
+def silent_methods(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
+    """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
+    own = verdict_of(results, mechanism)
+    governs = () if own is None else tuple(answer.procedure for answer in own.answers)
+    checks = governing.worst_per_procedure(governing.code_checks(governing.at_site(results, mechanism)))
+    silent = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
+    for reason in {check.reason.text: check.reason for check in silent}.values():
+        same = dict.fromkeys(check.procedure for check in silent if check.reason.text == reason.text)
+        yield say("No answer by {methods}: {reason}.", methods=listing(map(procedure_title, same)), reason=reason)
 
 
 def governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
@@ -74,8 +110,6 @@ def _measured(value: float, unit: str) -> Quantity:
 
 def _unanswered(answer: Answer) -> Text:
     """Return why a limit state has no answer, with what it would be."""
-    if not answer.limit_state:
-        return say("No check governs: {reason}.", reason=answer.reason)
     if answer.provisional is None:
         return say(
             "There is no answer for {state}: {reason}.", state=Verbatim(answer.limit_state), reason=answer.reason

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from assess.codes.bases import BASES
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Verdict
 from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
@@ -51,12 +52,19 @@ def target_text(found: Verdict) -> Text | None:
     """Return what the index is compared with; None where that is not known."""
     if found.target is None:
         return None
-    value, name = quantity(found.target, figures=3), "" if found.index is None else found.index.name
+    value, name = quantity(found.target, figures=3), index_name(found)
     if name == SHARE:
         return say("at least {value} %NBS", value=value)
     if name == RATIO:
         return say("{index} of at most {value}", index=symbol(name), value=value)
     return say("{index} of at least {value}", index=symbol(name), value=value) if name else value
+
+
+def index_name(found: Verdict) -> str:
+    """Return the name of the index of a verdict, known from its code where no mechanism has a value; else empty."""
+    if found.index is not None:
+        return found.index.name
+    return BASES[found.basis].index.value if found.basis in BASES else ""
 
 
 def margin_text(one: MechanismVerdict, action: Action) -> Text | None:

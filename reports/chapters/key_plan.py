@@ -7,6 +7,7 @@ from functools import partial
 from assess.results import Results
 from reports.chapters import checklist
 from reports.chapters.front_matter import photograph
+from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
 from reports.language.texts import Verbatim, say
@@ -14,7 +15,7 @@ from reports.language.texts import Verbatim, say
 
 def sections(results: Results) -> list[Section]:
     """Return the page, and after it revisions and photographs where they are given."""
-    blocks = (plan(results), *checklist.blocks(results))
+    blocks = (*plan(results), *checklist.blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -22,12 +23,20 @@ def sections(results: Results) -> list[Section]:
     ]
 
 
-def plan(results: Results) -> Block:
-    """Return the key plan, or why there is none."""
+def plan(results: Results) -> list[Block]:
+    """Return the key plan with the mechanisms that it cannot show, or why there is none."""
     model = key_plan.model_of_key_plan(results)
     if model is None:
-        return Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))
-    return Figure("key-plan", key_plan.caption(results), partial(key_plan.draw, results), model)
+        return [Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))]
+    figure = Figure("key-plan", key_plan.caption(results), partial(key_plan.draw, results), model)
+    undrawn = [each.name for each in results.mechanisms if not key_plan.has_place(each)]
+    if not undrawn:
+        return [figure]
+    mechanisms = mechanism_list(results, undrawn)
+    return [
+        figure,
+        Prose((say("Given by parameters, without geometry, and not drawn: {mechanisms}.", mechanisms=mechanisms),)),
+    ]
 
 
 def _revisions(results: Results) -> list[Section]:

@@ -24,6 +24,7 @@ def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Se
     pairs = _in_pairs([*_shape(results, mechanism, stem), *_curves(mechanism, stem)])
     blocks: list[Block] = [
         Prose((mechanism_words.description(mechanism), *beside)),
+        *governing_words.summary(results, mechanism),
         *pairs[:1],
         mechanism_tables.parameters(results, mechanism, name=f"{stem}-page-parameters"),
         *pairs[1:],
@@ -31,7 +32,7 @@ def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Se
         Prose(tuple(_findings(results, mechanism))),
     ]
     if warnings:
-        blocks.append(Items(warnings))
+        blocks += [Prose((say("Warnings on this mechanism:"),)), Items(warnings)]
     title, mark = Verbatim(mechanism_title(mechanism)), mechanism_number(results, mechanism.name)
     return [Section(title, 0, tuple(block for block in blocks if block != Prose(())), starts_page=True, mark=mark)]
 
@@ -53,10 +54,10 @@ def sketch_caption(mechanism: MechanismResult) -> Text:
     """Return the caption of the drawing of a mechanism."""
     turned = quantity(mechanism.drawing.displaced.rotation_rad, "rotation", 2)
     if mechanism.drawing.displaced_negative is None:
-        return say("At rest and turned by φ = {rotation}; hinges: circles, centroids: crosses.", rotation=turned)
+        return say("At rest, and turned by φ = {rotation}. Circles: hinges; crosses: centroids.", rotation=turned)
     return say(
-        "At rest and turned by φ = {rotation} to its positive side, and to its negative side; hinges: circles, "
-        "centroids: crosses.",
+        "At rest, and turned by φ = {rotation} to its positive side (dashed: to its negative side). Circles: hinges; "
+        "crosses: centroids.",
         rotation=turned,
     )
 
@@ -73,6 +74,7 @@ def _findings(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     yield from governing_words.sentences(results, mechanism)
     worst = governing.worst_per_procedure(governing.at_site(results, mechanism))
     silent = [check.procedure for check in worst if check.verdict == Outcome.NOT_APPLICABLE]
+    yield from governing_words.silent_methods(results, mechanism)
     if silent:
         methods = listing(procedure_title(name) for name in dict.fromkeys(silent))
         yield say("Methods that do not apply to this mechanism: {methods}.", methods=methods)

@@ -111,8 +111,10 @@ def answers(results: Results, mechanism: MechanismResult, *, name: str) -> Table
 
 def _caption(results: Results) -> Text:
     if governing.site_pga(results) is None:
-        return say("The worst answer of each method.")
-    return say("Answers at the site’s own action. Only a method that decides counts in the verdict.")
+        return say("The worst answer of each method; D/C: demand over capacity.")
+    return say(
+        "Answers at the site’s own action; D/C: demand over capacity. Only a method that decides counts in the verdict."
+    )
 
 
 def _row(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:

@@ -8,7 +8,7 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
+from reports.language.texts import Listing, Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
 
 KINDS: Mapping[str, Phrase] = {
     "single-block": say("A single block"),
@@ -76,17 +76,12 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
         )
 
 
-def restitution_source(mechanism: MechanismResult) -> Text:
-    """Return where the coefficient of restitution is from; older results hold its English alone."""
-    return mechanism.restitution_found or Term(mechanism.restitution_source)
-
-
 def _joints(mechanism: MechanismResult) -> Text:
     model = joints.model_name(mechanism)
     return say(
         "Joints: {model}; coefficient of restitution: {source}.",
         model=MODELS.get(model, Verbatim(model)),
-        source=restitution_source(mechanism),
+        source=Listing(mechanism.restitution_said or (Term(mechanism.restitution_source),), ""),
     )
 
 

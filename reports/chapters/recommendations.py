@@ -2,34 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
-from assess.messages.message import DIMENSIONS
 from assess.results import Results, SensitivityResult
-from reports.chapters import checklist, verdict
+from reports.chapters import checklist, missing_inputs
 from reports.chapters.governing_words import lacking_factor
-from reports.chapters.index_text import SHARE, symbol
+from reports.chapters.index_text import symbol
 from reports.chapters.mechanism_list import mechanism_list
+from reports.chapters.sensitivity_ranking import SIDES, flips, is_negligible, span
+from reports.chapters.varied_values import answer_text, input_name, value_text
 from reports.document import Block, Cell, Column, Items, Prose, Section, Table, nonempty
-from reports.language.texts import Phrase, Text, Verbatim, listing, quantity, say
+from reports.language.texts import Text, Verbatim, listing, say
 from reports.titles import numbered_title
-
-PARAMETERS: Mapping[str, Phrase] = {
-    "thickness": say("thickness"),
-    "density": say("density"),
-    "restitution": say("coefficient of restitution"),
-    "stiffness": say("stiffness of the joints"),
-    "strength": say("strength of the joints"),
-    "friction": say("friction"),
-    "compressive_strength": say("compressive strength"),
-    "tie_force": say("force of the tie"),
-    "loads": say("loads"),
-    "uplift": say("multiplier at uplift"),
-    "p": say("frequency parameter p"),
-}
-UNITS: Mapping[str, str] = {"kg/m^3": "density", "Pa/m": "stiffness", "1/s": "angular frequency"}
-NEGLIGIBLE = 0.01  # relative change of an answer that is no reason to survey
 
 
 def sections(results: Results) -> list[Section]:
@@ -39,7 +24,7 @@ def sections(results: Results) -> list[Section]:
         return []
     blocks: list[Block] = [
         *_failing(results, found),
-        *_titled(say("To complete the verdict:"), [verdict.missing_text(each) for each in found.missing]),
+        *_missing(results, found),
         *_titled(say("To be shown, since a pass depends on it:"), list(found.conditions)),
         *_titled(say("To survey first:"), list(survey(results, found))),
         *_titled(say("To examine next:"), list(next_checks(results))),
@@ -52,6 +37,14 @@ def sections(results: Results) -> list[Section]:
 
 def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
     return [Prose((title,)), Items(tuple(points))] if points else []
+
+
+def _missing(results: Results, found: Verdict) -> list[Block]:
+    """Return what is missing where page 1 does not show all of it, or nothing of it in a verdict that is not open."""
+    if found.outcome != Decision.INCOMPLETE:
+        texts = missing_inputs.missing_texts(results, found)
+        return [*_titled(say("To be given for the mechanisms without an answer:"), texts)]
+    return [] if missing_inputs.fits_page_1(results, found) else missing_inputs.paste(results, found)
 
 
 def _failing(results: Results, found: Verdict) -> list[Block]:
@@ -101,57 +94,39 @@ def survey(results: Results, found: Verdict) -> Iterator[Text]:
 
 
 def _of_sensitivity(results: Results) -> Iterator[Text]:
-    """Yield the values that change a deciding answer; where none does, those that move the answers most."""
-    decisive = [row for row in results.sensitivity if row.quantity == "index" and _moves(row) > NEGLIGIBLE]
+    """Yield the values that change a deciding answer; of other mechanisms those that move the answer most."""
+    decisive = [row for row in results.sensitivity if row.quantity == "index" and not is_negligible(row)]
     changing = [row for row in decisive if _changes(row)]
     yield from (_change(results, row) for row in changing)
-    strongest: dict[str, list[str]] = {}
-    for mechanism in results.mechanisms:
-        rows = [row for row in decisive if row.mechanism == mechanism.name]
-        if rows and not any(map(_changes, rows)):
-            strongest.setdefault(max(rows, key=_moves).parameter, []).append(mechanism.name)
+    settled = {row.mechanism for row in changing}
+    strongest: dict[Text, list[str]] = {}
+    for mechanism in (each.name for each in results.mechanisms if each.name not in settled):
+        rows = [row for row in decisive if row.mechanism == mechanism]
+        if rows:
+            strongest.setdefault(input_name(max(rows, key=span)), []).append(mechanism)
     for parameter, owners in strongest.items():
         yield say(
             "{parameter} of {mechanisms}, which moves the deciding answer most, without changing it within its range",
-            parameter=PARAMETERS.get(parameter, Verbatim(parameter)),
+            parameter=parameter,
             mechanisms=mechanism_list(results, owners),
         )
 
 
 def _changes(row: SensitivityResult) -> bool:
-    known = {end for end in (row.verdict_low, row.verdict_high) if end is not None}
-    return bool(known - {row.verdict_base})
-
-
-def _moves(row: SensitivityResult) -> float:
-    """Return how far the answer moves within the range, relative to its value."""
-    ends = [end for end in (row.at_low, row.at_high) if end is not None]
-    if row.at_base is None or not ends or row.at_base == 0.0:
-        return 0.0
-    return max(abs(end - row.at_base) for end in ends) / abs(row.at_base)
+    return any(flips(row, side) for side in SIDES)
 
 
 def _change(results: Results, row: SensitivityResult) -> Text:
     return say(
         "{parameter} of {mechanism}, which changes the answer: {index} is {at_low} at {low} and {at_high} at {high}",
-        parameter=PARAMETERS.get(row.parameter, Verbatim(row.parameter)),
+        parameter=input_name(row),
         mechanism=numbered_title(results, row.mechanism),
-        index=Verbatim(SHARE) if row.index == SHARE else symbol(row.index),
-        low=_value(row, row.low),
-        high=_value(row, row.high),
-        at_low=_answer(row.at_low),
-        at_high=_answer(row.at_high),
+        index=symbol(row.index),
+        low=value_text(row, row.low),
+        high=value_text(row, row.high),
+        at_low=answer_text(row, "low"),
+        at_high=answer_text(row, "high"),
     )
-
-
-def _value(row: SensitivityResult, value: float | None) -> Text:
-    if value is None:
-        return say("the end that was not assessed")
-    return quantity(value, DIMENSIONS.get(row.unit, UNITS.get(row.unit, "ratio")), 3)
-
-
-def _answer(value: float | None) -> Text:
-    return say("not known") if value is None else quantity(value, figures=3)
 
 
 def next_checks(results: Results) -> Iterator[Text]:

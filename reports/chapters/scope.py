@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.codes.check import Check, Outcome, Reason
+from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.chapters import methods, references, verdict
+from reports.chapters import methods, missing_inputs, references, verdict
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Items, Prose, Section, nonempty
 from reports.language.texts import Paragraph, Term, Text, listing, say, say_count
@@ -163,7 +164,7 @@ def _left_over(results: Results) -> Iterator[Block]:
         return
     lists: tuple[tuple[Text, list[Text]], ...] = (
         (say("All conditions of the verdict:"), list(found.conditions)),
-        (say("All that is missing:"), [verdict.missing_text(each) for each in found.missing]),
+        (say("All that is missing:"), missing_inputs.missing_texts(results, found)),
         (say("All warnings that bear on the verdict:"), verdict.warnings(results)),
     )
     for title, points in lists:
@@ -173,17 +174,14 @@ def _left_over(results: Results) -> Iterator[Block]:
 
 def _uncompared(results: Results) -> Iterator[Block]:
     """Yield what could not be compared with the printed standards, each sentence once."""
-    caveats: dict[str, list[str]] = {}
+    caveats: dict[str, tuple[Text, list[str]]] = {}
     for check in _answered(results):
-        if check.caveat and check.reading == "letter":
-            caveats.setdefault(check.caveat, []).append(check.procedure)
+        if check.reading == "letter":
+            for caveat in caveats_of(check):
+                caveats.setdefault(str(caveat), (caveat, []))[1].append(check.procedure)
     points: list[Text] = [
-        say(
-            "{procedures}: {caveat}",
-            procedures=listing(map(procedure_title, dict.fromkeys(used)), ""),
-            caveat=Term(caveat),
-        )
-        for caveat, used in caveats.items()
+        say("{procedures}: {caveat}", procedures=listing(map(procedure_title, dict.fromkeys(used)), ""), caveat=caveat)
+        for caveat, used in caveats.values()
     ]
     found = results.verdict
     points = [*(Term(each) for each in (() if found is None else found.uncompared)), *points]
@@ -195,3 +193,8 @@ def _uncompared(results: Results) -> Iterator[Block]:
 def _answered(results: Results) -> list[Check]:
     every = (check for mechanism in results.mechanisms for check in mechanism.checks)
     return [check for check in every if check.verdict in (Outcome.PASS, Outcome.FAIL)]
+
+
+def caveats_of(check: Check) -> tuple[Term | Message, ...]:
+    """Return what could not be compared of a check; in results of older versions one text."""
+    return check.caveats or ((Term(check.caveat),) if check.caveat else ())

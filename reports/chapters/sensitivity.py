@@ -169,27 +169,30 @@ def _row(results: Results, each: Influence) -> tuple[Cell, ...]:
 def _figures(results: Results) -> Iterator[tuple[Figure, int]]:
     """Yield the tornado of each mechanism with its number of bars, the most critical mechanism first."""
     places = {mechanism.name: place for place, mechanism in enumerate(results.mechanisms, start=1)}
+    target = None if results.verdict is None else results.verdict.target
     for name, ranked in _by_mechanism(results):
         caption = say(
             "{mechanism}: effect of each value, varied one at a time. The dashed line separates pass from fail; an "
             "arrow marks a body that overturns.",
             mechanism=numbered_title(results, name),
         )
-        figure = Figure(f"{file_stem(name, places[name])}-sensitivity", caption, partial(tornado.draw, panels(ranked)))
+        figure = Figure(
+            f"{file_stem(name, places[name])}-sensitivity", caption, partial(tornado.draw, panels(ranked, target))
+        )
         yield figure, len(ranked)
 
 
-def panels(ranked: tuple[VariedInput, ...]) -> tuple[tornado.Panel, ...]:
-    """Return the panels of a tornado, one for each answer that is shown."""
-    return tuple(_panel(ranked, place) for place in range(len(ranked[0].shown)))
+def panels(ranked: tuple[VariedInput, ...], target: float | None = None) -> tuple[tornado.Panel, ...]:
+    """Return the panels of a tornado, one for each answer that is shown. target : of the index of the basis."""
+    return tuple(_panel(ranked, place, target) for place in range(len(ranked[0].shown)))
 
 
-def _panel(ranked: tuple[VariedInput, ...], place: int) -> tornado.Panel:
+def _panel(ranked: tuple[VariedInput, ...], place: int, target: float | None) -> tornado.Panel:
     first = ranked[0].shown[place]
     bars = tuple(_bar(each, each.shown[place]) for each in ranked)
     dimension = "ground acceleration" if first.quantity == "capacity_pga_g" else "ratio"
     name = (answer_name(first), procedure_title(first.procedure))
-    return tornado.Panel(name, dimension, answer_value(first, "base"), _limit(ranked, first), bars)
+    return tornado.Panel(name, dimension, answer_value(first, "base"), _limit(ranked, first, target), bars)
 
 
 def _bar(each: VariedInput, row: SensitivityResult) -> tornado.Bar:
@@ -198,12 +201,14 @@ def _bar(each: VariedInput, row: SensitivityResult) -> tornado.Bar:
     return tornado.Bar(lines, answer_value(row, "low"), answer_value(row, "high"), verdicts)
 
 
-def _limit(ranked: tuple[VariedInput, ...], first: SensitivityResult) -> tuple[float, Text] | None:
+def _limit(
+    ranked: tuple[VariedInput, ...], first: SensitivityResult, target: float | None
+) -> tuple[float, Text] | None:
     """Return the limit between pass and fail with its name; None where it is not known."""
     if first.quantity == "demand_capacity" or (first.quantity == "index" and first.index == RATIO):
         return 1.0, say("limit")
     if first.quantity == "index":
-        return None
+        return None if target is None else (target, say("target"))
     beside = next((row for row in ranked[0].shown if row.level_pga_g), None)
     level = None if beside is None else beside.level_pga_g
     return None if level is None else (level, quantity(level, "ground acceleration", 3))
@@ -222,7 +227,7 @@ def _unvaried(results: Results) -> list[Block]:
             "{mechanism}, {input}: {remark}.",
             mechanism=Verbatim(mechanism_number(results, row.mechanism)),
             input=input_name(row) if row.parameter else say("all inputs"),
-            remark=Term(row.remark),
+            remark=listing(row.remarks, "") if row.remarks else Term(row.remark),
         )
         for row in results.sensitivity
         if not row.quantity

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assess.results import Results
-from reports.chapters.front_matter import author, checker, client, credentials, engineer, reference
+from reports.chapters.front_matter import author, checker, client, engineer, reference
 from reports.document import Block, Facts, Prose, Section, Signatures
 from reports.language.texts import Text, Verbatim, say
 
@@ -11,7 +11,7 @@ from reports.language.texts import Text, Verbatim, say
 def sections(results: Results) -> list[Section]:
     """Return the statement with the places to sign."""
     leader = engineer(results) or author(results)
-    places: list[tuple[Text, Text]] = [(say("Engineer"), credentials(results, leader) or Verbatim(""))]
+    places: list[tuple[Text, Text]] = [(say("Engineer"), Verbatim(leader))]
     if author(results) not in ("", leader):
         places.insert(0, (say("Author"), Verbatim(author(results))))
     places.append((say("Checked by"), Verbatim(checker(results))))
@@ -33,6 +33,8 @@ def _identity(results: Results) -> tuple[Facts, ...]:
     """Return what identifies the issue that is signed."""
     matter = results.report
     said = (
+        (say("Office"), matter.office),
+        (say("Licence number"), matter.licence_number),
         (say("Reference"), reference(results)),
         (say("Revision"), matter.revisions[-1].number if matter.revisions else ""),
         (say("Stamp of the results"), results.stamp),

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from scipy.constants import g
+
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
 from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
 from reports.language.spectrum_parameters import parameter_rows
-from reports.language.texts import Term, Text, Verbatim, quantity, say
+from reports.language.texts import Term, Text, Verbatim, listing, quantity, say
 from reports.project_text import project_text
 
 SPECTRUM = "site.spectrum"
+CALCULATED = say("calculated")
 
 
 def sections(results: Results) -> list[Section]:
@@ -31,6 +34,10 @@ def _hazard(results: Results) -> Iterator[Block]:
         return
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
+    yield from nonempty(hazard(results))
+    derived = calculated(results, results.spectrum)
+    if derived:
+        yield Prose(derived)
     figures = tuple(_figures(results, results.spectrum))
     yield Row(figures) if len(figures) > 1 else figures[0]
 
@@ -73,25 +80,48 @@ def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:
 
 
 def parameters(results: Results, spectrum: SpectrumResult) -> Table:
-    """Tabulate the parameters of the spectrum with their sources."""
-    rows: list[tuple[Cell, ...]] = [
-        (say("Spectrum"), Term(spectrum.clause), _origin(results, "code")),
-        *(
-            (name, value, _origin(results, key))
-            for key, (name, value) in zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True)
-        ),
-        (say("Damping ratio"), quantity(spectrum.damping), _origin(results, "damping")),
-        (
-            say("Peak ground acceleration, Sₐ(0)"),
-            quantity(spectrum.pga_g, "ground acceleration"),
-            _origin(results, "pga"),
-        ),
-    ]
+    """Tabulate the parameters of the spectrum that are given or defaults, with their sources."""
+    told = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
     columns = (Column(say("Parameter")), Column(say("Value")), Column(say("Source")))
-    return Table("site", say("The elastic response spectrum of the site."), columns, tuple(_once(rows)), small=True)
+    return Table("site", say("The elastic response spectrum of the site."), columns, tuple(_once(told)), small=True)
 
 
-def _once(rows: list[tuple[Cell, ...]]) -> Iterator[tuple[Cell, ...]]:
+def hazard(results: Results) -> Table:
+    """Tabulate the hazard over return periods; no rows where the project gives one spectrum."""
+    found = results.project.get(f"{SPECTRUM}.hazard")
+    given = found.value if found is not None and isinstance(found.value, list | tuple) else ()
+    columns = (
+        Column(say("Return period"), "return period"),
+        Column(say("a_g on rock"), "ground acceleration"),
+        Column(say("F_0"), "ratio"),
+        Column(say("T_C*"), "time"),
+    )
+    rows = tuple((row["return_period"], row["a_g"] / g, row["f_0"], row["t_c_star"]) for row in given)
+    return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
+
+
+def calculated(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
+    """Return the parameters that follow from the others, in one sentence; none where all are given."""
+    found = [
+        say("{name}: {value}", name=name, value=value)
+        for name, value, source in _parameters(results, spectrum)
+        if source == CALCULATED
+    ]
+    return (say("Calculated from these: {values}.", values=listing(found, "")),) if found else ()
+
+
+def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:
+    """Yield name, value and source of everything that makes the spectrum."""
+    code = _origin(results, "code")
+    yield say("Spectrum"), Term(spectrum.clause), say("given") if code == CALCULATED else code
+    for key, (name, value) in zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True):
+        yield name, value, _origin(results, key)
+    yield say("Damping ratio"), quantity(spectrum.damping), _origin(results, "damping")
+    pga = quantity(spectrum.pga_g, "ground acceleration")
+    yield say("Peak ground acceleration, Sₐ(0)"), pga, _origin(results, "pga")
+
+
+def _once(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
     """Yield the rows, with a source that is repeated said once."""
     before: Cell = None
     for name, value, source in rows:
@@ -106,7 +136,7 @@ def _origin(results: Results, name: str) -> Text:
     found = results.project.get(key)
     if found is None or not found.given or found.value is None:
         default = found is not None and found.value is not None
-        return say("default") if default else say("calculated")
+        return say("default") if default else CALCULATED
     for place in (key, SPECTRUM, "site"):
         stated = project_text(results, f"report.sources.{place}")
         if stated:
@@ -119,4 +149,5 @@ def _records(results: Results) -> Iterator[Block]:
     told = tuple(suite.sentences(results))
     if told:
         yield Prose(told)
-    yield from nonempty(suite.requirements(results))
+    if not suite.complies(results):
+        yield from nonempty(suite.requirements(results))

@@ -68,6 +68,11 @@ def of_basis(results: Results) -> tuple[RequirementResult, ...]:
     return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
 
 
+def complies(results: Results) -> bool:
+    """Return whether the suite meets every requirement of the code that belongs to the basis."""
+    return all(rule.verdict == "met" for rule in of_basis(results))
+
+
 def sentences(results: Results) -> Iterator[Text]:
     """Yield over which periods the suite was fitted, and whether it meets the rules of the basis."""
     motion, rules = results.ground_motion, of_basis(results)
@@ -80,21 +85,25 @@ def sentences(results: Results) -> Iterator[Text]:
             misfit=quantity(motion.misfit, "ratio", FIGURES),
         )
     if rules:
-        yield _compliance(rules)
+        yield from _compliance(rules)
 
 
-def _compliance(rules: tuple[RequirementResult, ...]) -> Text:
-    open_ones = [rule for rule in rules if rule.verdict != "met"]
+def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
     code = Verbatim(rules[0].code)
-    if not open_ones:
-        return say_count(
+    missed, silent = (
+        listing(Term(rule.what) for rule in rules if rule.verdict == verdict) for verdict in ("not met", "not answered")
+    )
+    if missed.texts:
+        yield say("The suite does not meet these requirements of {code}: {which}.", code=code, which=missed)
+    if silent.texts:
+        yield say("These requirements of {code} could not be checked: {which}.", code=code, which=silent)
+    if not missed.texts and not silent.texts:
+        yield say_count(
             "The suite meets the one requirement of {code} on suites.",
             "The suite meets all {number} requirements of {code} on suites.",
             len(rules),
             code=code,
         )
-    which = listing(Term(rule.what) for rule in open_ones)
-    return say("The suite does not meet every requirement of {code} on suites: {which}.", code=code, which=which)
 
 
 def requirements(results: Results) -> Table:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from assess.codes.verdict import Decision, Missing, Verdict
-from assess.codes.verdict_text import relevant_warnings, toml_lines
+from assess.codes.verdict import Decision, Verdict
+from assess.codes.verdict_text import relevant_warnings
 from assess.messages.message import Message
 from assess.results import Results
-from reports.chapters import verdict_matrix
+from reports.chapters import missing_inputs, verdict_matrix
 from reports.chapters.checklist import not_examined_text
 from reports.chapters.front_matter import use_class_of
 from reports.chapters.index_text import building_index_text, target_text
 from reports.chapters.mechanism_list import mechanism_list
-from reports.document import Banner, Block, Code, Facts, Items, Prose, Section
+from reports.document import Banner, Block, Facts, Items, Prose, Section
 from reports.language.texts import (
     Phrase,
     Term,
@@ -151,27 +151,12 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
-    blocks = short_list(say("What is missing:"), [missing_text(each) for each in found.missing])
-    given = [key for key, each in results.project.items() if each.given]
-    lines = toml_lines(found.missing, given)
-    if lines:
-        text = say("To complete the verdict, add these lines to the project file with your own values:")
-        blocks += [Prose((text,)), Code(lines)]
-    return [*blocks, *_provisional(found)]
-
-
-def _provisional(found: Verdict) -> list[Block]:
-    if found.provisional == Decision.PASS:
-        return [Prose((say("With the safe value of all that is missing, the verdict would be: pass."),))]
-    if found.provisional == Decision.FAIL:
-        return [Prose((say("With the safe value of all that is missing, the verdict would be: fail."),))]
-    return []
-
-
-def missing_text(missing: Missing) -> Text:
-    """Return the key of an input that is missing, and why it is needed."""
-    why = listing(missing.reasons, "") if missing.reasons else Term(missing.text)
-    return say("{key}: {why}", key=Verbatim(missing.key), why=why)
+    blocks = short_list(say("What is missing:"), missing_inputs.missing_texts(results, found))
+    if missing_inputs.fits_page_1(results, found):
+        blocks += missing_inputs.paste(results, found)
+    else:
+        blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
+    return [*blocks, *missing_inputs.provisional(found)]
 
 
 def warnings(results: Results) -> list[Text]:
@@ -199,10 +184,9 @@ def _placed(results: Results, same: Sequence[Message]) -> Text:
 
 
 def _owner(results: Results, where: str) -> str:
-    """Return the mechanism that a key of the project file belongs to; empty for none."""
-    rest = where.removeprefix("mechanisms.")
-    known = [one.name for one in results.mechanisms if rest == one.name or rest.startswith(f"{one.name}.")]
-    return max(known, key=len, default="") if where.startswith("mechanisms.") or where in known else ""
+    """Return the mechanism that a message is about, by its name or its key; empty for none."""
+    named = any(where == each.name for each in results.mechanisms)
+    return where if named else missing_inputs.owner_and_key(results, where)[0]
 
 
 def is_shortened(points: Sequence[Text]) -> bool:

@@ -8,20 +8,19 @@ from itertools import combinations
 from typing import Literal
 
 import numpy as np
-import shapely
 
 from assess.codes.verdict.outcome import Decision, worst
+from assess.geometry.simplify import simplify
 from assess.results import MechanismResult, Results, View
+from reports.figures.common_ground import are_one_in_the_other
 from reports.figures.projection import eye_of
-from reports.figures.solids import Plane, Surface, coarsen, connected, cut, plane_of, weld
+from reports.figures.region import NEAR, Region, cuts, middle_of, region_of
+from reports.figures.solids import Surface, box_of, connected, cut, weld
 from reports.titles import mechanism_number
-from spectra.arrays import BoolArray, FloatArray, IntArray
+from spectra.arrays import FloatArray, IntArray
 
 Outcome = Literal["pass", "fail", "incomplete"]
-NEAR = 1e-2  # of a body's size: boxes nearer are one
-SHARED = 0.3  # of the smaller: bodies that share more of their ground and height cannot both stand there
-SAMPLES = 15  # points along the ground of a body, in either direction
-FINE, CELLS = 4000, 40  # triangles of a body from which on it is drawn coarser, and cells along it then
+MOST_TRIANGLES = 1000  # of a body
 BESIDE, MOST = 0.3, 8  # bodies drawn apart: the gap, of the widest, and how many stand in a row
 
 
@@ -32,6 +31,7 @@ class Moving:
     names : of the mechanisms; title : their numbers, "M1, M2"
     group : of bodies that hang together by shared ones, from 0
     triangles : of the surface, all that move; middle : of the part that no smaller one has [3] [m]
+    direction : horizontal, of its motion [3]
     hinges : ends of the axes of rotation [2, 3] [m]; cracks : closed rings [k, 3] [m]
     """
 
@@ -41,6 +41,7 @@ class Moving:
     outcome: Outcome
     triangles: IntArray
     middle: FloatArray
+    direction: FloatArray
     hinges: tuple[FloatArray, ...]
     cracks: tuple[FloatArray, ...]
 
@@ -52,7 +53,6 @@ class Building:
     owner : place in `moving` of the part that each triangle [m] belongs to, -1 for what no mechanism moves
     group : of bodies that each triangle [m] belongs to
     apart : whether bodies that the project places one in the other are drawn side by side
-    missing : mechanisms without geometry
     direction : horizontal, of motion, towards which the picture looks best [3]
     """
 
@@ -61,7 +61,6 @@ class Building:
     group: IntArray
     moving: tuple[Moving, ...]
     apart: bool
-    missing: tuple[str, ...]
     direction: FloatArray
 
 
@@ -95,13 +94,12 @@ def building_of(results: Results) -> Building | None:
     groups = [_group(results, mechanisms, place) for place, mechanisms in enumerate(_sharing(results, seen))]
     directions = [np.array(each.view.direction) for each in seen if each.view is not None]
     direction = max(directions, key=lambda one: sum(abs(float(one @ other)) for other in directions))
-    apart = any(_collide(one, other) for one, other in combinations(groups, 2))
+    apart = any(are_one_in_the_other(one.surface, other.surface) for one, other in combinations(groups, 2))
     placed = list(_side_by_side(groups, direction)) if apart else groups
-    missing = tuple(each.name for each in results.mechanisms if each not in seen)
-    return _joined(placed, apart=apart, missing=missing, direction=direction)
+    return _joined(placed, apart=apart, direction=direction)
 
 
-def _joined(groups: Sequence[_Group], *, apart: bool, missing: tuple[str, ...], direction: FloatArray) -> Building:
+def _joined(groups: Sequence[_Group], *, apart: bool, direction: FloatArray) -> Building:
     triangles, owners, moving, start, first, before = [], [], [], 0, 0, 0
     for group in groups:
         moving += [replace(each, triangles=each.triangles + before) for each in group.moving]
@@ -111,7 +109,7 @@ def _joined(groups: Sequence[_Group], *, apart: bool, missing: tuple[str, ...], 
         start, first = start + len(group.surface.vertices), first + len(group.moving)
     surface = Surface(np.concatenate([group.surface.vertices for group in groups]), np.concatenate(triangles))
     kept = np.repeat(np.arange(len(groups)), [len(group.owner) for group in groups])
-    return Building(surface, np.concatenate(owners), kept, tuple(moving), apart, missing, direction)
+    return Building(surface, np.concatenate(owners), kept, tuple(moving), apart, direction)
 
 
 def moved_by(building: Building, place: int) -> Building:
@@ -158,11 +156,11 @@ def _group(results: Results, mechanisms: Sequence[MechanismResult], number: int)
     """Return the bodies of the mechanisms, each once, cut where they crack, with the parts that move."""
     views = [(each, each.view) for each in mechanisms if each.view is not None]
     corners = np.concatenate(list(_distinct([view for _, view in views])))
-    regions = sorted((_region(each, view) for each, view in views), key=lambda region: region.volume)
-    for plane in _cuts(regions):
+    regions = sorted((region_of(each, view) for each, view in views), key=lambda region: region.volume)
+    for plane in cuts(regions):
         corners = cut(corners, plane)
     surface = weld(corners)
-    alike: list[list[_Region]] = []
+    alike: list[list[Region]] = []
     for region in regions:
         same = next((group for group in alike if group[0].is_like(region)), None)
         if same is None:
@@ -176,33 +174,12 @@ def _group(results: Results, mechanisms: Sequence[MechanismResult], number: int)
     moving = tuple(
         replace(
             _moving(results, group, number),
-            middle=_middle(surface.corners[owner == place], group[0].box),
+            middle=middle_of(surface.corners[owner == place], group[0].box),
             triangles=np.flatnonzero(group[0].holds(middles)),
         )
         for place, group in enumerate(alike)
     )
     return _Group(surface, owner, moving)
-
-
-def _middle(corners: FloatArray, box: FloatArray) -> FloatArray:
-    """Return a point [3] of the surface of a part, near its middle; the middle of its box where it has none."""
-    middle = box.mean(axis=0)
-    if not len(corners):
-        return np.asarray(middle)
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    mean = np.average(corners.mean(axis=1), axis=0, weights=area)
-    if (np.abs(mean - middle) < 0.25 * (box[1] - box[0])).all() and len(corners) <= 12:
-        return np.asarray(mean)
-    points = corners.mean(axis=1)
-    return np.asarray(points[np.linalg.norm(points - mean, axis=1).argmin()])
-
-
-def _cuts(regions: Sequence[_Region]) -> list[Plane]:
-    """Return the planes by which parts that move are divided from the rest: of cracks, or level below a part."""
-    upright, lowest = np.array([0.0, 0.0, 1.0]), min(float(region.box[0, 2]) for region in regions)
-    rings = dict.fromkeys(ring for region in regions for ring in region.view.sections)
-    whole = [region.box[0] for region in regions if not region.view.sections and region.box[0, 2] > lowest + NEAR]
-    return [*(plane_of(np.array(ring)) for ring in rings), *(Plane(corner, upright) for corner in whole)]
 
 
 def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
@@ -213,7 +190,7 @@ def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
         before = tuple(boxes)
         for body in range(int((found := connected(surface)).max()) + 1):
             part = surface.corners[found == body]
-            box, slack = _box(part.reshape(-1, 3)), NEAR * float(max(view.size))
+            box, slack = box_of(part.reshape(-1, 3)), NEAR * float(max(view.size))
             if any((box[0] >= other[0] - slack).all() and (box[1] <= other[1] + slack).all() for other in before):
                 continue
             boxes.append(box)
@@ -222,66 +199,12 @@ def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
 
 def _coarse(corners: FloatArray) -> FloatArray:
     """Return the triangles of a body, fewer where it is a scan: the picture is small."""
-    if len(corners) <= FINE:
-        return corners
-    return coarsen(weld(corners), float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / CELLS).corners
+    surface = weld(corners)
+    vertices, triangles = simplify(surface.vertices, surface.triangles, limit=MOST_TRIANGLES)
+    return np.asarray(vertices[triangles])
 
 
-def _box(points: FloatArray) -> FloatArray:
-    return np.array([points.min(axis=0), points.max(axis=0)])
-
-
-@dataclass(frozen=True)
-class _Region:
-    """Where a mechanism moves: a box [2, 3] [m], and its sections, each with the side on which all of it lies."""
-
-    mechanism: MechanismResult
-    view: View
-    box: FloatArray
-    sides: tuple[tuple[Plane, float], ...]
-
-    @property
-    def size(self) -> float:
-        """The largest size of its bodies [m]."""
-        return float(max(self.view.size))
-
-    @property
-    def volume(self) -> float:
-        """The volume of its box [m3]."""
-        return float(np.prod(np.maximum(self.box[1] - self.box[0], NEAR)))
-
-    def holds(self, points: FloatArray) -> BoolArray:
-        """Return whether points [m, 3] lie in it."""
-        slack = NEAR * self.size
-        inside = ((points >= self.box[0] - slack) & (points <= self.box[1] + slack)).all(axis=1)
-        for plane, side in self.sides:
-            inside &= side * plane.heights(points) > -1e-6
-        return np.asarray(inside)
-
-    def is_like(self, other: _Region) -> bool:
-        """Return whether two mechanisms move the same part about the same axes."""
-        if len(self.view.axes) != len(other.view.axes) or np.abs(self.box - other.box).max() > NEAR * self.size:
-            return False
-        mine, its = (np.array([axis.ends for axis in region.view.axes]) for region in (self, other))
-        return not mine.size or float(np.abs(mine - its).max()) <= NEAR * self.size
-
-
-def _region(mechanism: MechanismResult, view: View) -> _Region:
-    triangles, moves = np.array(view.triangles), np.array(view.block_of) >= 0
-    points = np.array(view.vertices)[np.unique(triangles[moves] if moves.any() else triangles)]
-    planes, slack = (plane_of(np.array(ring)) for ring in view.sections), 0.2 * NEAR * float(max(view.size))
-    return _Region(mechanism, view, _box(points), tuple(_sides(points, planes, slack)))
-
-
-def _sides(points: FloatArray, planes: Iterable[Plane], slack: float) -> Iterator[tuple[Plane, float]]:
-    """Yield the planes that have all points on one side, and which: 1 for that of the normal, else -1."""
-    for plane in planes:
-        heights = plane.heights(points)
-        if heights.min() >= -slack or heights.max() <= slack:
-            yield plane, 1.0 if heights.min() >= -slack else -1.0
-
-
-def _moving(results: Results, alike: Sequence[_Region], group: int) -> Moving:
+def _moving(results: Results, alike: Sequence[Region], group: int) -> Moving:
     names = tuple(region.mechanism.name for region in alike)
     view = alike[0].view
     return Moving(
@@ -291,6 +214,7 @@ def _moving(results: Results, alike: Sequence[_Region], group: int) -> Moving:
         _outcome(results, names),
         np.arange(0),
         alike[0].box.mean(axis=0),
+        np.array(view.direction),
         tuple(np.array(axis.ends) for axis in view.axes),
         tuple(np.array(ring) for ring in view.sections),
     )
@@ -303,40 +227,11 @@ def _outcome(results: Results, names: Sequence[str]) -> Outcome:
     return (worst(found) if found else Decision.INCOMPLETE).value
 
 
-def _collide(one: _Group, other: _Group) -> bool:
-    """Return whether two groups of bodies share so much ground and height that they cannot both stand there."""
-    boxes = _box(one.surface.vertices), _box(other.surface.vertices)
-    low, high = np.maximum(boxes[0][0], boxes[1][0]), np.minimum(boxes[0][1], boxes[1][1])
-    if (high <= low).any():
-        return False
-    tall = min(float(box[1, 2] - box[0, 2]) for box in boxes)
-    if high[2] - low[2] <= SHARED * tall:
-        return False
-    return max(_shared_ground(one.surface, other.surface), _shared_ground(other.surface, one.surface)) > SHARED
-
-
-def _shared_ground(one: Surface, other: Surface) -> float:
-    """Return the part of the ground under a surface that is under another too [-], by points on a grid."""
-    low, high = _box(one.vertices)[:, :2]
-    x, y = (np.linspace(start, end, SAMPLES + 2)[1:-1] for start, end in zip(low, high, strict=True))
-    points = shapely.points(np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2))
-    mine, its = (_are_above(surface, np.asarray(points)) for surface in (one, other))
-    return float((mine & its).sum() / max(int(mine.sum()), 1))
-
-
-def _are_above(surface: Surface, points: np.ndarray) -> BoolArray:
-    """Return whether each point of the ground [k] lies under a surface."""
-    tree = shapely.STRtree(np.asarray(shapely.polygons(surface.corners[:, :, :2])))
-    found = np.zeros(len(points), dtype=np.bool_)
-    found[tree.query(points, predicate="intersects")[0]] = True
-    return found
-
-
 def _side_by_side(groups: Sequence[_Group], direction: FloatArray) -> Iterator[_Group]:
     """Yield the groups moved apart from left to right as they are looked at, in rows one below the other."""
     across, _, towards = eye_of(direction)
     back = towards * [1.0, 1.0, 0.0] / float(np.hypot(*towards[:2]))
-    boxes = [_box(group.surface.vertices) for group in groups]
+    boxes = [box_of(group.surface.vertices) for group in groups]
     reach = [group.surface.vertices @ across for group in groups]
     wide, tall = max(float(np.ptp(each)) for each in reach), max(float(box[1, 2] - box[0, 2]) for box in boxes)
     for place, (group, box, along) in enumerate(zip(groups, boxes, reach, strict=True)):

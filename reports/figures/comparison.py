@@ -14,11 +14,11 @@ from matplotlib.ticker import LogLocator, NullLocator
 from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results
 from reports import governing
+from reports.figures.mechanism_pens import mechanism_pens
 from reports.figures.pga_rotation import one_per_procedure
 from reports.figures.style import (
     FAIL,
     GRID,
-    MECHANISMS,
     WIDTH,
     Pen,
     fold,
@@ -39,8 +39,6 @@ LINE, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows
 FAR = 30.0  # largest over smallest PGA from which on the axis is logarithmic [-]
 PANELS = 4  # levels side by side
 NAME, NAMED = 26, 38  # characters of a line beside a row, of a name in the legend
-DASHES = ("-", "--", ":", "-.")
-WIDTHS = (1.2, 2.2, 0.6)  # of lines [pt], of mechanisms that share a colour by chance
 
 
 @dataclass(frozen=True)
@@ -137,16 +135,6 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
         right.set_ylabel(locale.heading(say("moment / largest of rigid joints"), "ratio"))
         legend_below(figure, columns=3, axes=left)
         return figure
-
-
-def mechanism_pens(results: Results) -> dict[str, Pen]:
-    """Return how each mechanism is drawn: those that differ by their joints alone in one colour, each with a dash."""
-    made = {}
-    for place, group in enumerate(group_variants(results)):
-        colour, width = MECHANISMS[place % len(MECHANISMS)], WIDTHS[place // len(MECHANISMS) % len(WIDTHS)]
-        for number, mechanism in enumerate(group):
-            made[mechanism.name] = Pen(colour, DASHES[number % len(DASHES)], "", width)
-    return made
 
 
 def curve_procedure(results: Results) -> str:

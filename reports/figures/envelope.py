@@ -11,20 +11,20 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
-from assess.results import CriticalResult, EnvelopeResult, RecordResult
-from reports.figures.style import FAIL, GRID, INK, MECHANISMS, MUTED, label, legend_below, report_style, sheet
+from assess.results import EnvelopeResult, RecordResult, Results
+from assess.results.envelopes import CriticalBand
+from reports.figures.mechanism_pens import mechanism_pens
+from reports.figures.style import FAIL, INK, MUTED, Pen, label, legend_below, report_style, sheet
 from reports.figures.ticks import LogTicks
 from reports.language.locale import Locale
 from reports.language.texts import say
+from reports.titles import mechanism_number, numbered_title
 from spectra.arrays import FloatArray
 
 PULSE = say("frequency of the pulse")
 ROCKS, FALLS = "#e7edf3", "#f2c1ad"
-DASHES = ("-", "--", "-.", ":")
 BEYOND = 1.25  # of the highest frequency with a bound, the end of the axis
-WIDE = 0.12  # of the axis: a band that can hold its name
-MOST_NAMES = 36
-"""Lines that the legend of all mechanisms can name; the others are drawn in grey."""
+WIDE = 0.05  # of the axis: a band that can hold its name
 
 
 def draw(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -> Figure:
@@ -91,49 +91,46 @@ def _dots(
         axes.plot(*at, "o", color=INK, markersize=3, label=locale.text(say("primary pulses of the records")))
 
 
-def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResult, locale: Locale) -> Figure:
+def bounds(results: Results, locale: Locale) -> Figure:
     """Draw the least pulse [g] that overturns each mechanism over frequency [Hz], and below it the critical one.
 
-    mapped : the name of each mechanism and its envelope
+    Mechanisms that differ by their joints alone share a colour. Raises ValueError where none were compared.
     """
+    critical = results.critical
+    if critical is None:
+        raise ValueError("these results compare no envelopes")
+    mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
+    pens = mechanism_pens(results)
     frequency = np.array(critical.frequency_hz)
-    pens = {name: (MECHANISMS[k % 9], DASHES[k // 9 % 4]) for k, (name, _) in enumerate(mapped[:MOST_NAMES])}
     with report_style():
-        figure = sheet(3.6, locale)
+        figure = sheet(3.0 + 0.14 * -(-len(mapped) // 3), locale)
         axes, band = figure.subplots(2, 1, sharex=True, height_ratios=(14, 1))
         for name, one in mapped:
-            colour, dash = pens.get(name, (GRID, "-"))
-            named = label(name, 24) if name in pens else None
-            axes.plot(frequency, _numbers(one.lower_bound_g), color=colour, linestyle=dash, label=named)
-        axes.plot(
-            frequency,
-            _numbers(critical.lower_bound_g),
-            color=INK,
-            linewidth=3.0,
-            alpha=0.25,
-            label=locale.text(say("least of all")),
-        )
+            ink, named = pens[name], label(locale.text(numbered_title(results, name)), 38)
+            lowest = _numbers(one.lower_bound_g)
+            axes.plot(frequency, lowest, ink.dash, color=ink.colour, linewidth=ink.width, label=named)
+        least = _numbers(critical.lower_bound_g)
+        axes.plot(frequency, least, color=INK, linewidth=3.0, alpha=0.25, label=locale.text(say("least of all")))
         every = [one for _, one in mapped]
-        top = min(one.amplitude_g[-1] for one in every)
-        _frame(axes, frequency, _reach(every), top, locale)
+        _frame(axes, frequency, _reach(every), min(one.amplitude_g[-1] for one in every), locale)
         axes.set_ylabel(locale.heading(say("least pulse that overturns"), "ground acceleration"))
         for part in critical.bands:
-            colour, dash = pens.get(part.mechanism or "", (GRID, "-"))
-            hatch = None if dash == "-" else "////"
-            band.axvspan(
-                part.from_hz, part.to_hz, color=None, facecolor=colour if part.mechanism else "white",
-                edgecolor="white", hatch=hatch, linewidth=0.4,
-            )  # fmt: skip
-            middle, width = 0.5 * (part.from_hz + part.to_hz), part.to_hz - part.from_hz
-            if part.mechanism and width > WIDE * (axes.get_xlim()[1] - axes.get_xlim()[0]):
-                box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
-                band.text(middle, 0.5, label(part.mechanism, 14), ha="center", va="center", fontsize=6, bbox=box)
+            if part.mechanism is not None:
+                _band(band, part, pens[part.mechanism], mechanism_number(results, part.mechanism), axes.get_xlim())
         band.set_yticks([])
         band.set_ylabel(locale.text(say("critical")), rotation=0, ha="right", va="center")
         band.set_xlabel(locale.heading(PULSE, "frequency"))
         band.grid(visible=False)
-        figure.legend(*axes.get_legend_handles_labels(), loc="outside right upper", ncols=1 + len(pens) // 19)
+        legend_below(figure, columns=3, axes=axes)
         return figure
+
+
+def _band(axes: Axes, part: CriticalBand, ink: Pen, number: str, span: tuple[float, float]) -> None:
+    """Draw the range of frequencies over which a mechanism is critical, numbered where there is room."""
+    axes.axvspan(part.from_hz, part.to_hz, facecolor=ink.colour, edgecolor="white", linewidth=0.4)
+    if part.to_hz - part.from_hz > WIDE * (span[1] - span[0]):
+        box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+        axes.text(0.5 * (part.from_hz + part.to_hz), 0.5, number, ha="center", va="center", fontsize=6, bbox=box)
 
 
 def _reach(mapped: Sequence[EnvelopeResult]) -> float:

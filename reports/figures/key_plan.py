@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from math import atan2, radians
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -26,10 +27,11 @@ from reports.figures.projection import (
     paint_bodies,
 )
 from reports.figures.scale_bar import round_length, write_arm
+from reports.figures.sight import project_faces, split_line, visible_middle
 from reports.figures.style import FIXED, INK, STONE_EDGE, VERDICT, WIDTH, bare_sheet, report_style
 from reports.language.locale import Locale
 from reports.language.texts import Paragraph, Phrase, Text, say
-from spectra.arrays import FloatArray
+from spectra.arrays import FloatArray, IntArray
 
 ROOM = Room(wide=WIDTH, tall=3.6, left=0.55, around=0.2)
 SHARP = radians(40)  # angle between faces from which on their common edge is drawn
@@ -55,9 +57,10 @@ def draw(results: Results, locale: Locale) -> Figure:
         axes.set(xlim=(0.0, wide * INCH), ylim=(0.0, high * INCH))
         axes.set_axis_off()
         paint_building(axes, building, camera, dict(enumerate(building.moving)))
+        faces, owner = project_faces(building.surface, building.owner, camera)
         for moving in building.moving:
-            draw_lines(axes, moving, camera)
-        _tags(axes, building.moving, camera, (wide * INCH, high * INCH))
+            draw_lines(axes, moving, camera, faces)
+        _tags(axes, building, camera, faces, owner)
         arm = round_length(0.35 / camera.scale, locale)
         draw_triad(axes, camera, at=(22.0, 22.0), arm=arm)
         write_arm(axes, arm, at=(2.0, 2.0), locale=locale)
@@ -124,19 +127,29 @@ def paint_building(axes: Axes, building: Building, camera: Camera, shown: Mappin
     paint_bodies(axes, building.surface, building.owner, camera, colours=colours, sharp=SHARP, hatched=hatched)
 
 
-def draw_lines(axes: Axes, moving: Moving, camera: Camera) -> None:
-    """Draw the axes of rotation of a part, thick, and its cracks, dashed."""
+def draw_lines(axes: Axes, moving: Moving, camera: Camera, faces: FloatArray) -> None:
+    """Draw the axes of rotation of a part, thick, and its cracks, dashed; what `faces` hide of them is dotted."""
     for ring in moving.cracks:
-        axes.plot(*camera.project(ring)[:, :2].T, color=INK, linewidth=0.7, linestyle=(0, (2, 1.5)))
+        _draw_line(axes, camera.project(ring), faces, colour=INK, width=0.7, dash=(0, (2, 1.5)))
     for line in moving.hinges:
-        axes.plot(*camera.project(line)[:, :2].T, color=HINGE, linewidth=1.8, solid_capstyle="round")
+        _draw_line(axes, camera.project(line), faces, colour=HINGE, width=1.8, dash="-")
 
 
-def _tags(axes: Axes, moving: Sequence[Moving], camera: Camera, window: tuple[float, float]) -> None:
-    """Number the parts."""
-    at = camera.project(np.array([each.middle for each in moving]))[:, :2]
-    tags = [Label(each.title, (x, y)) for each, (x, y) in zip(moving, at.tolist(), strict=True)]
-    write_tags(axes, tags, window=window)
+def _draw_line(axes: Axes, line: FloatArray, faces: FloatArray, *, colour: str, width: float, dash: Any) -> None:
+    for piece, hidden in split_line(line, faces):
+        look = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
+        axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **look)
+
+
+def _tags(axes: Axes, building: Building, camera: Camera, faces: FloatArray, owner: IntArray) -> None:
+    """Number the parts where they are seen."""
+    tags = []
+    for place, moving in enumerate(building.moving):
+        seen = visible_middle(faces[owner == place], faces)
+        at = camera.project(moving.middle[None])[0] if seen is None else seen
+        tags.append(Label(moving.title, (float(at[0]), float(at[1]))))
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    write_tags(axes, tags, window=(right - left, high - low))
 
 
 def _legend(figure: Figure, building: Building, locale: Locale) -> None:

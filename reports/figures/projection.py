@@ -15,7 +15,7 @@ from matplotlib.colors import to_rgb
 from reports.figures.faces import Faces, front_faces, painting_order, visible_edges
 from reports.figures.solids import Surface
 from reports.figures.style import INK, STONE_EDGE
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 INCH = 72.0  # pt
 TURNED, RAISED = radians(38), radians(22)  # the eye, off the normal of the plane of motion and above the horizon
@@ -112,26 +112,24 @@ def paint_bodies(
 
 
 def paint_faces(
-    corners: FloatArray, drawn: np.ndarray, colours: FloatArray, hatched: Sequence[Hatching | None] = ()
+    corners: FloatArray, drawn: BoolArray, colours: FloatArray, hatched: Sequence[Hatching | None] = ()
 ) -> tuple[FloatArray, FloatArray]:
     """Return triangles [k, 3, 2] and their colours [k, 3]: each face, then its lines as triangles without area.
 
     Shapes of equal length in one array are what matplotlib makes paths of fastest.
     """
-    ends = np.roll(corners, -1, axis=1)
-    which, side = np.nonzero(drawn)
-    stroked = [_line(corners[face, edge], ends[face, edge]) for face, edge in zip(which, side, strict=True)]
-    shapes = [*corners, *stroked]
-    inks = [*colours, *(to_rgb(STONE_EDGE) for _ in stroked)]
-    rank = [*range(len(corners)), *(which + 0.5)]
+    start, end = corners[drawn], np.roll(corners, -1, axis=1)[drawn]
+    shapes = [corners, np.stack([start, end, end], axis=1)]
+    inks = [colours, np.broadcast_to(to_rgb(STONE_EDGE), (len(start), 3))]
+    rank = [np.arange(len(corners)), np.nonzero(drawn)[0] + 0.5]
     for face, lines in enumerate(hatched):
-        if lines is not None:
-            made = hatch(corners[face], lines)
-            shapes += made
-            inks += [to_rgb(lines.colour)] * len(made)
-            rank += [face + 0.25] * len(made)
-    order = np.argsort(rank, kind="stable")
-    return np.array(shapes).reshape(-1, 3, 2)[order], np.array(inks).reshape(-1, 3)[order]
+        made = [] if lines is None else hatch(corners[face], lines)
+        if lines is not None and made:
+            shapes.append(np.array(made))
+            inks.append(np.broadcast_to(to_rgb(lines.colour), (len(made), 3)))
+            rank.append(np.full(len(made), face + 0.25))
+    order = np.argsort(np.concatenate(rank), kind="stable")
+    return np.concatenate(shapes)[order], np.concatenate(inks)[order]
 
 
 def hatch(corners: FloatArray, lines: Hatching) -> list[FloatArray]:
@@ -159,7 +157,8 @@ def shade_faces(faces: Faces, camera: Camera, colours: Mapping[int, str]) -> Flo
     """Return the colour [m, 3] of each face: of its owner, darker the less it looks to the light."""
     light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
     bright = DARKEST + (1.0 - DARKEST) * np.clip(faces.normals @ light, 0.0, 1.0)
-    plain = np.array([to_rgb(colours[int(owner)]) for owner in faces.owner]).reshape(-1, 3)
+    owners, index = np.unique(faces.owner, return_inverse=True)
+    plain = np.array([to_rgb(colours[owner]) for owner in owners.tolist()]).reshape(-1, 3)[index]
     return np.asarray(np.round(plain * bright[:, None], 4))
 
 

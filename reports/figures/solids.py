@@ -1,4 +1,4 @@
-"""Surfaces of triangles: cut by planes, made coarser, and divided into connected bodies."""
+"""Surfaces of triangles: cut by planes, and divided into connected bodies."""
 
 from __future__ import annotations
 
@@ -39,6 +39,11 @@ class Plane:
         return np.asarray((points - self.point) @ self.normal)
 
 
+def box_of(points: FloatArray) -> FloatArray:
+    """Return the least and the largest coordinates [2, 3] of points [k, 3]."""
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
 def plane_of(ring: FloatArray) -> Plane:
     """Return the plane of a ring of points [k, 3], its normal upwards where it is not upright."""
     middle = ring.mean(axis=0)
@@ -51,15 +56,6 @@ def weld(corners: FloatArray) -> Surface:
     vertices, index = np.unique(np.round(corners.reshape(-1, 3), WELD), axis=0, return_inverse=True)
     triangles = index.reshape(-1, 3)
     return Surface(vertices, triangles[_has_area(triangles)])
-
-
-def coarsen(surface: Surface, cell: float) -> Surface:
-    """Return the surface with all vertices of one cell of a grid [m] moved to their mean."""
-    _, index = np.unique(np.floor(surface.vertices / cell), axis=0, return_inverse=True)
-    index = index.ravel()
-    sums = np.column_stack([np.bincount(index, weights=along) for along in surface.vertices.T])
-    triangles = index[surface.triangles]
-    return Surface(sums / np.bincount(index)[:, None], triangles[_has_area(triangles)])
 
 
 def cut(corners: FloatArray, plane: Plane) -> FloatArray:

@@ -13,7 +13,7 @@ from reports.language.numerals import FIGURES, numeral
 from reports.language.texts import Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
 from reports.language.units import UNITS, WORDS, System, Unit
 
-_NARROW = "\u00a0"  # between a number and its unit, so that no line breaks there
+_NARROW = "\u00a0"  # between a number and its unit and within units, so that no line breaks there
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class Locale:
         """Return a number and its unit: 1.234 m, 30°."""
         if not unit.name:
             return number
-        return number + ("" if unit.name == "°" else _NARROW) + self.unit_name(unit)
+        return number + ("" if unit.name == "°" else _NARROW) + self.unit_name(unit).replace(" ", _NARROW)
 
     def heading(self, label: Text, dimension: str) -> str:
         """Return the label of a column or an axis with its unit: "rotation [rad]"."""

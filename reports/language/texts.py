@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from assess.messages.message import Message, Quantity
-from assess.messages.message import Term as Term
+from assess.messages.message import Term as Term  # of the report too
 
 Kind = Literal["Figure", "Table", "Sheet"]
 

@@ -10,9 +10,10 @@ from reportlab.lib.units import mm
 from reportlab.platypus import CondPageBreak, Flowable, KeepTogether
 
 from reports.render.pdf_blocks import Drawing
+from reports.render.pdf_tables import Rows
 
-ROOM = 32 * mm
-"""What a heading, a table or a sheet begins in, or else on the next page."""
+ROOM = 24 * mm
+"""What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
 _LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
 _SMALLEST = 0.75  # reduction of figures
 
@@ -22,7 +23,7 @@ class Part:
     """Flowables that follow each other.
 
     is_whole : on one page
-    needs_room : begins where there is `ROOM`
+    needs_room : begins where there is `ROOM`, and more before a table that starts with a high row
     """
 
     flowables: list[Flowable]
@@ -35,7 +36,8 @@ class Part:
             yield KeepTogether(self.flowables)
             return
         if self.needs_room:
-            yield CondPageBreak(ROOM)
+            starts = (flowable.start for flowable in self.flowables if isinstance(flowable, Rows))
+            yield CondPageBreak(ROOM + max(starts, default=0.0))
         yield from self.flowables
 
 
@@ -51,10 +53,16 @@ class PageStart(CondPageBreak):
         self.flowables = list(chain.from_iterable(part.flowables for part in parts))
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        if aH >= self.height and self._needs_a_page(aW, aH):
+            self.height = self.page
         if self.drawings:
             self._reduce(aW, self.page if aH < self.height else aH)
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
+
+    def _needs_a_page(self, width: float, room: float) -> bool:
+        """Return whether all parts fit on a page of their own and not on what is left of this one."""
+        return room < self._height(width, _SMALLEST, 1.5 * self.page) <= self.page
 
     def _reduce(self, width: float, room: float) -> None:
         whole = self._height(width, 1.0, 1.5 * room)

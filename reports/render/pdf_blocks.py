@@ -43,7 +43,7 @@ _CAPTION = 26 * mm  # left for a caption below a figure as high as the page
 _PHOTOGRAPH = 95 * mm  # height of a photograph at most
 _PIXEL = 72 / 150  # of a photograph [pt]
 _GAP = 8.0  # between figures side by side [pt]
-_LONGEST_CAPTION, _LONGEST_NAME = 500, 60
+_LONGEST_CAPTION, _LONGEST_NAME = 500, 60  # letters
 _LONG = 120  # letters: a longer text is not measured
 _VERDICT_MARGINS = 18.0  # of the left cell of the banner [pt]
 
@@ -157,7 +157,10 @@ class Blocks:
         widths = [0.3 * self.width, 0.7 * self.width]
         size = _fitting(word, widths[0] - _VERDICT_MARGINS)
         style = STYLES["verdict"].clone("banner", textColor=ink, fontSize=size, leading=1.25 * size)
-        cells = [Paragraph(markup(word), style), paragraph(self.text(block.headline), "body")]
+        cells = [
+            Paragraph(markup(word), style),
+            paragraph(truncate(self.text(block.headline), _LONGEST_CAPTION), "body"),
+        ]
         grid = Grid([cells], colWidths=widths, spaceBefore=3, spaceAfter=7)
         grid.setStyle(
             [

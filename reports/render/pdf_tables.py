@@ -8,10 +8,12 @@ from typing import Any
 from reportlab.lib.colors import HexColor
 from reportlab.platypus import LongTable, Paragraph
 
-from reports.document import Cell, Graded, Sheet, Table
+from reports.document import Cell, Column, Graded, Sheet, Table
 from reports.figures.font import printable
 from reports.figures.style import BANNER, GRID, MUTED
+from reports.language.lettering import truncate
 from reports.language.locale import Locale
+from reports.language.texts import Verbatim
 from reports.render.cell_text import cell_text, is_numeric
 from reports.render.frame_words import SHEET_HEADS
 from reports.render.sheet_rows import SheetRow, sheet_rows
@@ -23,6 +25,8 @@ _PADDING = 3.0  # left and right of a cell [pt]
 _WIDEST, _LEAST = 0.5, 62.0  # share of the table that a text may ask for; width up to which words are not broken [pt]
 _LOOSEST = 1.7  # a table is stretched so many times at most to fill its line
 _DIVIDED = 260.0  # a row that has so much room and needs more is divided [pt]
+_NARROWEST = 0.04  # share of the table that is left for a column without one
+_LONGEST_HEAD = 120  # letters
 _LONG = 120  # letters: a longer text is not measured
 _SHEET_SHARES = (0.11, 0.33, 0.39, 0.17)
 _LOOK: tuple[Any, ...] = (
@@ -38,7 +42,12 @@ _LOOK: tuple[Any, ...] = (
 
 
 class Rows(LongTable):
-    """A table that goes on over pages; a row is divided only where it is higher than a good part of a page."""
+    """A table that goes on over pages; a row is divided only where it is higher than a good part of a page.
+
+    start : height of the head and the first row, of which a higher one may be divided [pt]
+    """
+
+    start = 0.0
 
     def split(self, aW: float, aH: float) -> list[Any]:
         self.splitInRow = int(aH > _DIVIDED)
@@ -50,7 +59,7 @@ def table_grid(table: Table, locale: Locale, width: float) -> Rows:
     prefix = "small-" if table.small else ""
     rows = [_letters(table, row, locale) for row in table.rows]
     right = [is_numeric(tuple(row[place] for row in table.rows)) for place in range(len(table.columns))]
-    heads = [printable(locale.heading(column.label, column.dimension)) for column in table.columns]
+    heads = [printable(_head(column, locale)) for column in table.columns]
     widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}head")
     styles = [f"{prefix}{'number' if each else 'cell'}" for each in right]
     made: list[list[Any]] = [
@@ -70,6 +79,12 @@ def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> Rows:
     return _grid([list(heads), *rows], [share * width for share in _SHEET_SHARES], [])
 
 
+def _head(column: Column, locale: Locale) -> str:
+    """Return the head of a column, whose unit is kept where the label is cut."""
+    label = truncate(locale.text(column.label), _LONGEST_HEAD)
+    return locale.heading(Verbatim(label), column.dimension)
+
+
 def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width: float, style: str) -> list[float]:
     """Return the widths of columns [pt]: those with a share of `width` have it, the others what their cells need.
 
@@ -81,7 +96,8 @@ def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width:
     style : of the letters
     """
     free = [place for place, share in enumerate(shares) if not share]
-    given = [share * width / max(1.0, sum(shares)) for share in shares]
+    whole = max(1.0, sum(shares) + _NARROWEST * len(free))
+    given = [share * width / whole for share in shares]
     left = width - sum(given)
     columns = [[row[place] for row in rows] for place in free]
     least = [_padded(max(map(_word_width(style), column))) for column in columns]
@@ -188,11 +204,12 @@ def _tints(table: Table) -> Iterator[tuple[Any, ...]]:
 
 
 def _grid(rows: Sequence[list[Any]], widths: Sequence[float], look: Sequence[Any]) -> Rows:
-    return Rows(
-        rows,
-        colWidths=widths,
-        repeatRows=1,
-        hAlign="LEFT",
-        spaceAfter=8,
-        style=[*_LOOK, *look],
-    )
+    made = Rows(rows, colWidths=widths, repeatRows=1, hAlign="LEFT", spaceAfter=8, style=[*_LOOK, *look])
+    made.start = min(_DIVIDED, sum(_height(row, widths) for row in rows[:2]))
+    return made
+
+
+def _height(row: Sequence[Any], widths: Sequence[float]) -> float:
+    """Return the height of a row [pt]; one of single lines alone is lower than what is anyway left for it."""
+    cells = zip(row, widths, strict=True)
+    return max((cell.wrap(wide - 2 * _PADDING, 0)[1] for cell, wide in cells if isinstance(cell, Paragraph)), default=0)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from assess.codes.calculation_step import Step
 from reports.document import Cell, Column, Sheet, Table
 from reports.language.locale import Locale
-from reports.language.texts import Term, Text, Verbatim, say
+from reports.language.texts import Verbatim, say
 from reports.language.units import UNITS
-from reports.render.sheet_rows import SIGNS
+from reports.render.sheet_rows import SIGNS, SheetRow, sheet_rows
 
 _COLUMNS = (
     say("Symbol"),
@@ -25,13 +25,16 @@ def as_table(sheet: Sheet, locale: Locale) -> Table:
     """Return a calculation sheet as a plain table, worked in SI, with results in US units beside where asked."""
     besides = locale.system == "US"
     columns = tuple(map(Column, (*_COLUMNS, *(_BESIDE if besides else ()))))
-    rows = tuple((*_worked(step, locale), *(_beside(step, locale) if besides else ())) for step in sheet.steps)
+    rows = tuple(
+        (*_worked(step, row, locale), *(_beside(step, locale) if besides else ()))
+        for step, row in zip(sheet.steps, sheet_rows(sheet, locale), strict=True)
+    )
     return Table(sheet.name, sheet.caption, columns, rows)
 
 
-def _worked(step: Step, locale: Locale) -> tuple[Cell, ...]:
-    words = (_term(text) for text in (step.description, step.clause, step.formula, step.substituted))
-    return (Verbatim(step.symbol), *words, _bounded(step, step.value, locale), _term(step.unit))
+def _worked(step: Step, row: SheetRow, locale: Locale) -> tuple[Cell, ...]:
+    texts = map(Verbatim, (row.symbol, row.description, row.clause, row.formula, row.numbers.removeprefix("= ")))
+    return (*texts, _bounded(step, step.value, locale), Verbatim(step.unit))
 
 
 def _beside(step: Step, locale: Locale) -> tuple[Cell, ...]:
@@ -45,8 +48,3 @@ def _beside(step: Step, locale: Locale) -> tuple[Cell, ...]:
 def _bounded(step: Step, value: float | None, locale: Locale) -> Cell:
     """Return a result as a number; as text where it is known only to be no more, or no less."""
     return value if value is None or not step.bound else Verbatim(SIGNS[step.bound] + locale.number(value))
-
-
-def _term(english: str) -> Text:
-    """Return words of a step; no entry of a catalogue is empty."""
-    return Term(english) if english else Verbatim("")

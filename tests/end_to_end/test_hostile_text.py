@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from lxml import html
 from openpyxl import load_workbook
+from PIL import Image
 from pypdf import PdfReader
 
 from assess import cli
@@ -22,10 +23,17 @@ from reports.render.csv import field
 FIELDS = ("title", "engineer", "checker", "reference", "client", "date", "notes", "masonry_quality")
 NAMES = ("stone", "wall", "floor", "topple", "label", "source")
 LONG = "long " + "x" * 10_000
+MATTER = ("address", "author", "office", "licence_number", "status", "coordinates", "seismic_zone", "national_annex")
+PICTURE = "=cmd <b>&amp; $x$.png"
 
 
 def hostile(tag: str) -> str:
     return f"=cmd|'/c calc'!A0 {tag}# <b>&amp;</p> <script>alert(1)</script> ]]> $x$ ../../etc \u202e \x07"
+
+
+def printable_hostile(tag: str) -> str:
+    """Hostile text of what [report] takes: one line, each character of which can be printed."""
+    return hostile(tag).removesuffix(" \u202e \x07")
 
 
 @pytest.fixture(scope="module")
@@ -37,6 +45,7 @@ def folder(tmp_path_factory) -> Path:
     lines = [f"{t:.2f},{a:.6f}" for t, a in zip(time, motion, strict=True)]
     (folder / "=cmd <b>&amp; $x$.csv").write_text("\n".join(["time [s],acceleration [m/s^2]", *lines]))
     (folder / "@sum <i>.csv").write_text("period [s],acceleration [g]\n0,0.1\n0.1,0.25\n0.4,0.25\n4,0.02\n")
+    Image.new("RGB", (8, 6), "red").save(folder / PICTURE)
     (folder / "project.toml").write_text(project(), encoding="utf-8")
     with pytest.raises(SystemExit) as ended:
         cli.main(["run", str(folder), "-o", str(folder / "out")])
@@ -60,9 +69,37 @@ def project() -> str:
             f'[mechanisms.{json.dumps(LONG)}]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8',
             '[records]\nfiles = ["=cmd*.csv"]',
             '[analysis]\nlevels = ["0.1 g"]\nprocedures = ["asce43-05-spectrum", "dmi2008-linear"]',
+            report(),
             f'[report.sources]\n"title" = {json.dumps("measured: " + hostile("source"))}',
         ]
     )
+
+
+def report() -> str:
+    """The front matter, a picture, and the list of possible mechanisms, in hostile words."""
+    said = {name: json.dumps(printable_hostile(name)) for name in (*MATTER, "revision", "caption", "reason")}
+    revision = ", ".join(f"{key} = {said['revision']}" for key in ("number", "date", "description", "author"))
+    return "\n".join(
+        [
+            '[report]\ndetail = "full"',
+            *(f"{key} = {said[key]}" for key in MATTER),
+            f"revisions = [{{ {revision} }}]",
+            f'logo = "{PICTURE}"',
+            f'figures = [{{ file = "{PICTURE}", caption = {said["caption"]} }}]',
+            'building_type = "house"',
+            f"not_examined = {{ corner = {said['reason']} }}",
+        ]
+    )
+
+
+def test_in_results_the_report_s_matter_is_as_it_was_written(folder):
+    matter = json.loads((folder / "out/results.json").read_text(encoding="utf-8"))["report"]
+    assert [matter[name] for name in MATTER] == [printable_hostile(name) for name in MATTER]
+    assert set(matter["revisions"][0].values()) == {printable_hostile("revision")}
+    assert (matter["figures"][0]["name"], matter["figures"][0]["caption"]) == (PICTURE, printable_hostile("caption"))
+    listed = {each["key"]: each for each in matter["checklist"]}
+    assert listed["corner"]["reason"] == printable_hostile("reason")
+    assert listed["simple-overturning"]["mechanisms"] == [hostile("topple")]
 
 
 def test_in_results_it_is_as_it_was_written(folder):
@@ -98,7 +135,7 @@ def test_in_the_pdf(folder):
     text = "".join("".join(page.extract_text().split()) for page in reader.pages)
     for name in (*FIELDS, *NAMES):
         assert "".join(printable(hostile(name)).split()) in text
-    assert len(reader.pages) < 40
+    assert len(reader.pages) < 60  # a name of 10,000 letters among them
     assert reader.metadata is not None
     assert reader.metadata.title == printable(hostile("title"))
 

@@ -6,8 +6,6 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
-from reports.chapters.descriptions import KINDS
-from reports.language.translation import Translator
 
 import assess
 from assess.mechanisms.impact import ONE_SIDED, TWO_SIDED
@@ -17,7 +15,7 @@ from assess.project import sections
 from assess.project.definitions import CHAINED
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
 from assess.study.wall_size import SUPPORTS
-from reports.language.catalogue import catalogue, languages
+from reports.chapters.mechanism_words import KINDS
 from tests.properties.test_mechanisms import CASES
 
 ROOT = Path(__file__).parents[2]
@@ -36,7 +34,7 @@ def test_tables_by_kind(kind: str) -> None:
         ("ONE_SIDED of assess/mechanisms/impact.py", ONE_SIDED),
         ("SUPPORTS of assess/study/wall_size.py", SUPPORTS),
         ("the unions at the end of assess/project/sections/mechanisms.py", SECTIONS),
-        ("KINDS of reports/chapters/descriptions.py", KINDS),
+        ("KINDS of reports/chapters/mechanism_words.py", KINDS),
     )
     missing = [where for where, table in tables if kind not in table]
     assert not missing, f'add "{kind}" to {"; ".join(missing)}'
@@ -76,15 +74,6 @@ def test_python_has_a_verb_for_it(kind: str) -> None:
 def test_every_kind_of_blocks_is_a_case_of_what_must_hold() -> None:
     cases = {case.mechanism().kind for case in CASES.values()}
     assert set(MECHANISMS) - cases == BY_PARAMETERS, "add a Case to tests/properties/test_mechanisms.py"
-
-
-@every_kind
-@pytest.mark.parametrize("language", languages()[1:])
-def test_its_name_and_its_description_are_known_in_every_language(kind: str, language: str) -> None:
-    translator = Translator(catalogue(language), frozenset())
-    for text in (kind, KINDS.get(kind, kind)):
-        assert translator.translate(text) != text, f'add "{text}" to reports/language/catalogues/{language}.toml'
-    assert not translator.unknown
 
 
 @every_kind

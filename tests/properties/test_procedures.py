@@ -352,7 +352,7 @@ def test_the_spectrum_method_says_why_a_body_that_lifts_off_has_no_lasting_rotat
     check = answers("asce43-05-spectrum", rocker, site(levels=(1.02 * lifts * g,)))[0]
     assert (check.demand, check.reason.key) == (0.0, Reason.NO_LASTING)
     resting = next(step for step in check.steps if step.symbol == "θ_dem")
-    asked, least = (float(part.split()[0]) for part in resting.substituted.split("≤"))
+    asked, least = (each.value for each in resting.at)
     assert asked == pytest.approx(1.02 * lifts, rel=1e-3)
     curve = check.pga_curve
     assert asked <= least <= min(curve.pga_g[1:]) * (1 + 1e-3)

@@ -6,7 +6,6 @@ from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
 from assess.results import CriticalResult, EnvelopeResult, Results
 from assess.results.json import dumps_envelopes
-from reports.document import Cell
 from reports.render.csv import csv_lines
 
 SHOWN = 8  # frequencies in the table for reading
@@ -40,7 +39,9 @@ def _bound(one: EnvelopeResult, place: int) -> str:
 def csv_text(results: Results) -> str:
     """Write a line for each frequency: the critical mechanism, then the least pulse of each [g], empty if none."""
     mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
-    rows: list[list[Cell]] = [["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]]
+    rows: list[list[str | float | None]] = [
+        ["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]
+    ]
     if results.critical is not None:
         for k, frequency in enumerate(results.critical.frequency_hz):
             head = [frequency, results.critical.mechanism[k], results.critical.lower_bound_g[k]]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import atan2, degrees
 from typing import Any
 
+from assess.cli.tables.checklist import checklist_lines
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.parameters import table_text, weakest_text
 from assess.mechanisms.chain import format_metres
@@ -27,6 +28,7 @@ def description(
     for mechanism in mechanisms:
         lines += [*_mechanism(mechanism), ""]
     lines += [*map(_sweep, sweeps), *[""] * bool(sweeps)]
+    lines += checklist_lines(project.content)
     return "\n".join(lines) + "\n" + table_text(mechanisms) + messages_text(notices)
 
 

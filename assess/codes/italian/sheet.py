@@ -96,13 +96,9 @@ def curve_steps(case: Case, clause: str, symbol: str, words: str, *, moved: floa
     a = acceleration_at(branch, moved, mass=mass, confidence_factor=FC)
     phi, lam = f"φ({argument})", a * e * FC / g
     at: Given = {argument: (moved, "m"), "M": (mass, "kg"), "e*": e}
-    moment, shaken = (
-        reading_step(name, what, clause, column, rotation * (1.0 - BEFORE), argument=phi)
-        for name, what, column in (
-            ("R", "restoring moment there", moment_column(branch)),
-            ("B", "excitation there", excitation_column(branch)),
-        )
-    )
+    before = rotation * (1.0 - BEFORE)
+    moment = reading_step("R", "restoring moment there", clause, moment_column(branch), before, argument=phi)
+    shaken = reading_step("B", "excitation there", clause, excitation_column(branch), before, argument=phi)
     ratio: Given = {"R": (moment.value or 0.0, "N m"), "B": (shaken.value or 0.0, "kg m")}
     given = {"λ": lam, "e*": e, "FC": FC}
     return (

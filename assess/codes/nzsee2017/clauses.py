@@ -39,7 +39,7 @@ from spectra.floor_spectrum import part_shape
 EDITION = "NZSEE/MBIE Guidelines 2017, C8"
 CAVEAT = "formulas from memory, re-derived, not checked against the printed Guidelines; numbers of clauses unsure"
 CAVEAT_FREE = (
-    "; the usable 0.3 of walls that stand free is unsure (0.6 in 2006); whether this is a wall, the engineer must judge"
+    "the usable 0.3 of walls that stand free is unsure (0.6 in 2006); whether this is a wall, the engineer must judge"
 )
 
 USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i

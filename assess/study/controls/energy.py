@@ -12,14 +12,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from math import ceil, pi
+from math import ceil, pi, sqrt
 
 import numpy as np
 
 from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, trace_with_events
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
-from assess.oscillator import Branch, Oscillator, elastic_frequency
+from assess.oscillator import Oscillator, elastic_frequency
 from assess.results import Control
 from assess.study.controls.governing import GoverningHistory
 from assess.study.controls.outcome import made, not_made
@@ -30,9 +30,9 @@ from spectra.arrays import BoolArray, FloatArray
 
 QUANTITY = "energy balance"
 HALF = 0.5  # of the overturning rotation: where free rocking is released
-PHASE = 0.4  # rad: of a vibration on joints, from one sample to the next
+PHASE = 0.25  # rad: of a vibration on joints, from one sample to the next
 MOST_PARTS = 64  # of a step of the record
-LONG = 20.0  # of 1 / p: a body released at HALF is back after 1.3 of them
+LONG = 20.0  # of the time at the velocity of the first impact: a body released at HALF is back after 2.3 of them
 
 
 @dataclass(frozen=True)
@@ -208,23 +208,24 @@ def _stays(times: FloatArray, impact: BoolArray, path: Trace) -> BoolArray:
 def _free_control(mechanism: Mechanism, *, equation: Equation) -> Control:
     """Compare the kinetic energy at the first impact of free rocking with the potential energy at its release."""
     oscillator = mechanism.variants.deciding
-    branch: Branch = oscillator.positive
-    missing = partial(not_made, "energy", mechanism.name, QUANTITY, dimension="energy")
+    branch = oscillator.positive
     release = HALF * (branch.linearised.overturning if equation == "linearised" else branch.unstable)
-    swung = free_rocking(
-        oscillator, rotation=release, duration=LONG / branch.linearised.p, equation=equation, tolerance=TOLERANCE
-    )
-    if not swung.impact_velocity.size:
-        return missing(why="control-no-impact")
     at = stores_of(mechanism, oscillator, equation)[0](np.array([0.0, release]))
-    potential = float(at.stored[1] - at.stored[0])
+    potential, inertia = float(at.stored[1] - at.stored[0]), float(at.inertia[0])
+    missing = partial(not_made, "energy", mechanism.name, QUANTITY, dimension="energy", why="control-no-impact")
+    if potential <= 0.0:
+        return missing()
+    swing = release / sqrt(2.0 * potential / inertia)
+    swung = free_rocking(oscillator, rotation=release, duration=LONG * swing, equation=equation, tolerance=TOLERANCE)
+    if not swung.impact_velocity.size:
+        return missing()
     return made(
         "energy",
         mechanism.name,
         QUANTITY,
-        value=0.5 * float(at.inertia[0]) * float(swung.impact_velocity[0]) ** 2,
+        value=0.5 * inertia * float(swung.impact_velocity[0]) ** 2,
         reference=potential,
-        scale=abs(potential),
+        scale=potential,
         dimension="energy",
         note=note("control-free-rocking", mechanism.name),
     )

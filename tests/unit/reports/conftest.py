@@ -509,6 +509,16 @@ def results() -> Results:
 
 
 @pytest.fixture(scope="session")
+def alone(results: Results) -> Results:
+    """The results of the first mechanism alone."""
+    assert results.verdict is not None
+    decided = replace(results.verdict, mechanisms=results.verdict.mechanisms[:1])
+    return replace(
+        results, mechanisms=results.mechanisms[:1], verdict=decided, comparison=(), sweeps=(), sensitivity=()
+    )
+
+
+@pytest.fixture(scope="session")
 def judged_at() -> Callable[[Results, float], Results]:
     """The results as they are judged at a site of another PGA [g]."""
     return lambda results, pga_g: decided(results, asked(pga_g))

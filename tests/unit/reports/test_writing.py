@@ -8,6 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from pypdf import PdfReader
 
 from assess.results import Results
 from reports.assessment import assessment
@@ -41,16 +42,21 @@ def test_the_number_of_processes_changes_no_byte(results: Results, written: Path
 
 def test_every_kind_of_file_is_there(written: Path) -> None:
     names = set(digest(written))
-    assert {
-        "report.pdf",
-        "report.html",
-        "tables.xlsx",
-        "tables/verdicts.csv",
-        "figures/spectrum.svg",
-        "figures/comparison.svg",
-    } <= names
-    for what in ("sketch", "capacity", "pga-rotation", "history"):
+    assert {"report.pdf", "report.html", "tables.xlsx", "tables/verdict.csv", "figures/key-plan.svg"} <= names
+    for what in ("sketch", "capacity", "pga-rotation"):
         assert {f"figures/01-wall-6-{what}.svg", f"figures/02-parapet-{what}.svg"} <= names
+
+
+def test_language_and_detail_are_those_asked_for(results: Results, written: Path, tmp_path: Path) -> None:
+    write_all(results, tmp_path, language="it", detail="full")
+    text, main = (
+        "".join(page.extract_text() for page in PdfReader(folder / "report.pdf").pages)
+        for folder in (tmp_path, written)
+    )
+    assert "pagina 1 di" in text
+    assert "page 1 of" in main
+    assert set(digest(tmp_path)) > set(digest(written))
+    assert (tmp_path / "figures" / "01-wall-6-history.svg").exists()
 
 
 def test_figures_are_whole_svg_without_dates(written: Path) -> None:
@@ -59,11 +65,10 @@ def test_figures_are_whole_svg_without_dates(written: Path) -> None:
         assert "<dc:date>" not in path.read_text(encoding="utf-8")
 
 
-def test_figures_are_pictures_too_where_that_is_asked(results: Results, tmp_path: Path) -> None:
-    one = replace(results, mechanisms=results.mechanisms[:1], comparison=(), sweeps=())
-    write_all(one, tmp_path, figures=("png",))
+def test_figures_are_pictures_too_where_that_is_asked(alone: Results, tmp_path: Path) -> None:
+    write_all(alone, tmp_path, figures=("png",))
     made = sorted((tmp_path / "figures").iterdir())
-    assert [path.stem for path in made] == sorted(figure.name for figure in assessment(one).figures)
+    assert [path.stem for path in made] == sorted(figure.name for figure in assessment(alone).figures)
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in made)
 
 
@@ -76,4 +81,5 @@ def test_bare_results_can_be_written(results: Results, tmp_path: Path, bare: str
     empty = tuple(replace(m, checks=(), histories=(), suites=()) for m in results.mechanisms)
     mechanisms = () if bare == "no mechanisms" else empty
     thin = replace(results, mechanisms=mechanisms, comparison=(), records=(), spectrum=None, warnings=(), inputs=())
+    thin = replace(thin, verdict=None) if bare == "no mechanisms" else thin
     assert write_all(thin, tmp_path).stat().st_size > 1000

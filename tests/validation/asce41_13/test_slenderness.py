@@ -99,7 +99,7 @@ def test_without_storeys_a_wall_passes_by_the_strictest_row_and_fails_by_the_mil
 def test_a_place_that_nobody_gave_is_said() -> None:
     (check,) = assess(BLOCK, AT, options=Options())
     (step,) = (step for step in check.steps if step.symbol == "max h/t")
-    assert "not known" in step.description
+    assert "not known" in step.remark
 
 
 def test_on_a_spectrum_of_another_family_it_says_so() -> None:

@@ -47,7 +47,7 @@ def standing(rigid, beds, *, stiffness, model):
     if model == "rigid":
         return rigid.oscillator
     joints = tuple(Joint((float(w), 0.0), rectangle(d, n), JointLaw(stiffness, F_M), model) for w, d, n in beds)
-    choice = rigid.restitution if str(rigid.restitution_source) == "given" else ("thesis", "thesis")
+    choice = rigid.restitution if rigid.restitution_source == "given" else ("thesis", "thesis")
     return add_joints(rigid, joints, joints, restitution=choice).oscillator
 
 

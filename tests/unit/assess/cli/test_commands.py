@@ -92,6 +92,7 @@ def small_report(
     folder: Path,
     *,
     language: str | None = None,
+    detail: str | None = None,
     jobs: int = 0,
     figures: Sequence[str] = (),
     progress: Callable[[str], None] | None = None,
@@ -244,6 +245,23 @@ def test_report_again_needs_no_analysis(
     assert {path.name: path.read_bytes() for path in out.iterdir()} == before
     assert ended("report", out / "results.json", "-o", other) == 0
     assert {path.name: path.read_bytes() for path in other.iterdir()} == before
+
+
+def test_report_is_as_detailed_as_asked(project: Path, faked: Callable[..., None], tmp_path: Path) -> None:
+    faked(check(SPECTRUM, "pass", 0.5))
+    out, seen = tmp_path / "out", list[str | None]()
+
+    def write(_: Results, folder: Path, *, detail: str | None, **__: Any) -> Path:
+        seen.append(detail)
+        return folder / "report.pdf"
+
+    assert ended("run", project, "-o", out) == 0
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("reports.writing.write_all", write)
+        for option in ((), ("--detail", "main"), ("--detail", "full")):
+            assert ended("report", out / "results.json", *option) == 0
+    assert seen == [None, "main", "full"]
+    assert ended("report", out / "results.json", "--detail", "most") == 2
 
 
 def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:

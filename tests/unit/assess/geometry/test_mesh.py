@@ -298,13 +298,13 @@ def test_a_shell_inside_another_counts_once_unless_it_is_a_cavity(tmp_path: Path
     repaired(
         tmp_path, *soup(outer, inner), volume=64.0, text="2 closed shells, .* united .*the volume changes by -12.5 %"
     )
-    text = "1 closed shell that faced inwards reversed .the first around .9, 0, 0.5. m"
+    text = "closed shells that faced inwards reversed: 1, the first around x = 9 m, y = 0 m, z = 0.5 m"
     repaired(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), volume=65.0, text=text)
     repaired(
         tmp_path,
         *soup(outer, inwards(block(0.0, 0.0, 4.0))),
         volume=65.0,
-        text="1 closed shell that faced inwards reversed",
+        text="closed shells that faced inwards reversed: 1",
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 import io
 import struct
 import zlib
@@ -15,10 +16,13 @@ from PIL.PngImagePlugin import PngInfo
 
 from assess.errors import ProjectError
 from assess.project import pictures
+from assess.project.build import build
 from assess.project.pictures import read_picture
 from assess.project.report_matter import report_matter_of
 from assess.project.schema import load
 from assess.results import Picture
+from assess.results.json import dumps, loads
+from assess.study.run import run
 
 ORIENTATION = 0x0112
 SPIRE = '[mechanisms.spire]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8\n'
@@ -174,3 +178,19 @@ def test_logo_and_figures_arrive_with_their_captions_and_a_wrong_one_is_named(tm
     (tmp_path / "north.jpg").write_bytes(b"x")
     with pytest.raises(ProjectError, match=r'report\.figures\[1\]\.file: "north\.jpg": not a PNG or JPEG picture'):
         report_matter_of(project.content, project.folder)
+
+
+def test_pictures_are_among_the_inputs_and_in_the_results(tmp_path):
+    written(tmp_path, pixels(4, 4), "logo.png")
+    path = written(tmp_path, pixels(6, 4), "north.jpg")
+    spectrum = '[site.spectrum]\ncode = "ec8"\na_g = "0.1 g"\nground_type = "A"\ntype = 1\n'
+    asked = '[analysis]\nprocedures = ["ec8-element"]\n'
+    table = '[report]\nlogo = "logo.png"\nfigures = [{ file = "north.jpg" }, { file = "north.jpg" }]\n'
+    (tmp_path / "project.toml").write_text(SPIRE + spectrum + asked + table, encoding="utf-8")
+    found = run(build(load(tmp_path)))
+    hashes = {each.path: each.sha256 for each in found.inputs}
+    assert list(hashes) == ["project.toml", "logo.png", "north.jpg"]
+    assert hashes["north.jpg"] == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert len(found.report.figures) == 2
+    assert loads(dumps(found)).report == found.report
+    assert found.project["report.logo"].value == "logo.png"

@@ -73,6 +73,19 @@ def test_limit_states_ask_for_their_own_return_period(tmp_path: Path) -> None:
     assert found == pytest.approx([30.1, 50.3, 474.6, 974.8], abs=0.06)
 
 
+@pytest.mark.parametrize(
+    ("use_class", "C_U", "V_R"), [("I", 0.7, 35.0), ("II", 1.0, 50.0), ("III", 1.5, 75.0), ("IV", 2.0, 100.0)]
+)
+def test_life_class_and_coefficient_of_use_reach_the_results(
+    use_class: str, C_U: float, V_R: float, tmp_path: Path
+) -> None:
+    """NTC 2018, Tab. 2.4.II and (2.4.1); V_R of class I is the least, 35 years."""
+    table = CODES["hazard"].replace('"II"', f'"{use_class}"')
+    found = spectrum_result(spectrum(tmp_path, table)).parameters
+    assert (found["nominal_life"], found["use_class"]) == (50.0, use_class)
+    assert (found["use_coefficient"], found["reference_life"]) == (C_U, V_R)
+
+
 def test_limit_state_of_the_site_s_own_action(tmp_path: Path) -> None:
     """[site] limit_state, its old spelling, [verdict] limit_state, else SLV; each at its own return period."""
     years = {"SLD": 50.3, "SLV": 474.6, "SLC": 974.8}

@@ -160,6 +160,12 @@ def test_the_matter_of_the_report_comes_back_whole_and_is_empty_in_older_files()
     assert loads(json.dumps(older)).report == ReportMatter()
 
 
+def test_letters_within_a_picture_do_not_slow_the_reading() -> None:
+    logo = Picture("logo.png", "", "image/png", 2, 1, "AANaN+NaN/InfinityAA")
+    written = dumps(replace(results(), report=ReportMatter(logo=logo)))
+    assert _validate_at_once(written) == loads(written)
+
+
 def test_an_examined_item_names_mechanisms_of_the_results() -> None:
     wrong = replace(report_matter(), checklist=(ChecklistItem("gable", None, "examined", ("nobody",)),))
     with pytest.raises(ResultsError, match=r"report.checklist\[0\].mechanism: \"nobody\" is none of the mechanisms"):

@@ -23,8 +23,7 @@ def shown(cell: Cell) -> str:
     if isinstance(cell, Graded):
         return f"{cell.outcome}: {EN.text(cell.text)}"
     assert cell is not None
-    assert not isinstance(cell, float | int)
-    return EN.text(cell)
+    return f"{cell:g}" if isinstance(cell, float | int) else EN.text(cell)
 
 
 def test_only_the_sites_own_action_is_coloured(results: Results) -> None:
@@ -46,6 +45,9 @@ def test_the_methods_that_may_decide_stand_in_the_table(
 ) -> None:
     row = comparison.table(judged_at(results, 0.45)).rows[1]
     assert shown(row[2]) == "fail: overturns"
+    assert results.verdict is not None
+    nameless = comparison.table(replace(results, verdict=replace(results.verdict, basis="", methods=())))
+    assert not any(isinstance(cell, Graded) for row in nameless.rows for cell in row)
     without = comparison.table(replace(results, verdict=None))
     assert not any(isinstance(cell, Graded) for row in without.rows for cell in row)
     assert len(without.columns) == len(without.rows[0])
@@ -76,7 +78,7 @@ def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None
     first = results.mechanisms[0]
 
     def said(capacity: float) -> str:
-        passing = replace(first.checks[0], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
+        passing = replace(first.checks[4], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
         return told(comparison_words.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
 
     assert "For M1 a record that overturns" in said(0.28)

@@ -16,6 +16,7 @@ def test_the_plan_is_drawn_where_there_is_geometry(results: Results) -> None:
     assert isinstance(figure, Figure)
     assert figure.name == "key-plan"
     assert figure.model is not None
+    assert "Given by parameters, without geometry, and not drawn: M2." in lines(sections)
     assert [letters(section.title) for section in sections] == ["Key plan and list of mechanisms"]
 
 

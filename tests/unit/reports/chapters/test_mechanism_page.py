@@ -124,6 +124,15 @@ def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judg
     assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said
 
 
+def test_where_no_code_decides_nothing_governs(results: Results) -> None:
+    assert results.verdict is not None
+    nameless = replace(results, verdict=replace(results.verdict, basis=""))
+    assert told(governing_words.sentences(nameless, results.mechanisms[0])) == (
+        "No code is named that decides: the results of all methods are for comparison only."
+    )
+    assert not tuple(governing_words.sentences(replace(results, verdict=None), results.mechanisms[0]))
+
+
 def test_a_failure_says_what_it_lacks(results: Results) -> None:
     assert results.verdict is not None
     one = results.verdict.mechanisms[1]

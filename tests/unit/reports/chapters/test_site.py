@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal
 
+import pytest
+
 from assess.results import GroundMotionResult, RequirementResult, Resolved, Results
 from reports.chapters import actions, site, suite
 from reports.document import Graded, Prose, Table
@@ -47,8 +49,19 @@ def test_parameters_have_their_units_and_sources(results: Results) -> None:
     rows = {told([row[0]]): told(row[1:]) for row in table.rows}  # type: ignore[list-item, arg-type]  all are texts
     assert rows["S_DS, design, at short periods"] == "0.167 g\nliterature: <b>a study</b>"
     assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
-    assert rows["T_L, long-period transition"] == "6 s\ncalculated"
     assert rows["Damping ratio"] == "0.05\ndefault"
+    assert "T_L, long-period transition" not in rows
+    calculated = told(site.calculated(replace(results, project=project), results.spectrum))
+    assert calculated.startswith("Calculated from these: T_L, long-period transition: 6 s; ")
+
+
+def test_a_hazard_over_return_periods_is_tabulated_in_g(results: Results) -> None:
+    assert not site.hazard(results).rows
+    row = {"return_period": 475.0, "a_g": 1.5690640, "f_0": 2.45, "t_c_star": 0.33}
+    project = {**results.project, "site.spectrum.hazard": Resolved([row], True)}
+    assert site.hazard(replace(results, project=project)).rows == ((475.0, pytest.approx(0.16), 2.45, 0.33),)
+    named = {**results.project, "site.spectrum.hazard": Resolved("design", False)}
+    assert not site.hazard(replace(results, project=named)).rows
 
 
 def test_no_spectrum_and_no_records_are_told(results: Results) -> None:
@@ -83,6 +96,9 @@ def test_loads_that_are_alike_share_a_row(results: Results) -> None:
     bare = replace(results, mechanisms=(wall,))
     assert not actions.loads(bare).rows
     assert "The project gives no other loads" in prose(bare)
+    block = replace(bare, mechanisms=(replace(wall, kind="equivalent-block"),))
+    assert "The project gives no other loads" not in prose(block)
+    assert "Loads on equivalent blocks are part of their rocking parameters" in prose(block)
 
 
 def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Results) -> None:
@@ -99,8 +115,10 @@ def test_the_suite_is_judged_by_the_rules_of_the_basis_alone(results: Results) -
     assert told(suite.sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
     missed = with_rules(results, rule("met"), rule("not met"))
     assert told(suite.sentences(missed)).endswith(
-        "does not meet every requirement of ASCE 43-05 on suites: largest time step."
+        "The suite does not meet these requirements of ASCE 43-05: largest time step."
     )
+    silent = with_rules(results, rule("not answered"))
+    assert "These requirements of ASCE 43-05 could not be checked: largest time step." in told(suite.sentences(silent))
     table = suite.requirements(missed)
     assert [row[-1].outcome for row in table.rows if isinstance(row[-1], Graded)] == ["pass", "fail"]
     assert told([table.rows[0][3]]) == "≤ 0.01 s"  # type: ignore[list-item]  a text

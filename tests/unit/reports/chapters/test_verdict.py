@@ -10,7 +10,7 @@ import pytest
 from assess.codes.verdict import Decision, Index, Missing
 from assess.messages.message import Message, Severity, warning
 from assess.results import ChecklistItem, ReportMatter, Resolved, Results
-from reports.chapters import scope, verdict
+from reports.chapters import recommendations, scope, verdict
 from reports.document import Banner, Code
 from tests.support.letters import letters, lines
 
@@ -71,6 +71,12 @@ def test_the_basis_names_titles_action_target_and_index(results: Results) -> Non
     assert "Index of the building: at most ζ_E = 0.831; local mechanisms only" in said
 
 
+def test_the_target_has_its_measure_where_no_index_is_known(results: Results) -> None:
+    said = lines(verdict.sections(with_verdict(results, index=None)))
+    assert "Target: D/C of at most 1" in said
+    assert not any(line.startswith("Index of the building") for line in said)
+
+
 def test_a_ratio_is_bounded_from_below(results: Results) -> None:
     said = lines(verdict.sections(with_verdict(results, index=Index("D/C", 0.5))))
     assert "Index of the building: at least D/C = 0.5; local mechanisms only" in said
@@ -90,6 +96,26 @@ def test_an_incomplete_verdict_lists_what_is_missing_with_lines_to_paste(results
     assert "materials.old stone.disintegration: whether it may disintegrate" in said
     assert Code(('[materials."old stone"]', 'disintegration = "excluded"')) in blocks
     assert "With the safe value of all that is missing, the verdict would be: fail." in said
+
+
+def test_one_key_of_several_mechanisms_is_one_line(results: Results) -> None:
+    why = "whether the masonry may disintegrate"
+    keys = [f"mechanisms.{each.name}.disintegration" for each in results.mechanisms]
+    lacking = tuple(Missing(key, why, 'disintegration = "excluded"') for key in keys)
+    made = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking)
+    assert f"disintegration of all mechanisms: {why}" in lines(verdict.sections(made))
+    other = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking[1:])
+    assert f"mechanisms.parapet.disintegration: {why}" in lines(verdict.sections(other))
+
+
+def test_many_lines_to_paste_stand_with_the_recommendations(results: Results) -> None:
+    lacking = tuple(replace(WEAK, key=f"materials.m{number}.disintegration") for number in range(12))
+    made = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking)
+    assert not any("[materials.m11]" in line for line in lines(verdict.sections(made)))
+    assert any("[materials.m11]" in line for line in lines(recommendations.sections(made)))
+    few = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking[:2])
+    assert any("[materials.m1]" in line for line in lines(verdict.sections(few)))
+    assert not any("[materials.m1]" in line for line in lines(recommendations.sections(few)))
 
 
 def test_what_passes_asks_for_nothing(results: Results) -> None:
@@ -125,6 +151,10 @@ def test_mechanisms_that_are_possible_and_not_examined_are_named(results: Result
     items = (ChecklistItem("gable", None, "not-examined"), ChecklistItem("corner", None, "absent"))
     matter = ReportMatter(building_type="house", checklist=items)
     assert "Possible, not examined: overturning of gables" in lines(verdict.sections(replace(results, report=matter)))
+
+
+def test_page_1_says_where_nobody_listed_what_is_possible(results: Results) -> None:
+    assert any(line.startswith("Possible, not examined: not stated") for line in lines(verdict.sections(results)))
 
 
 def test_results_without_a_verdict_say_so(results: Results) -> None:

@@ -7,7 +7,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from reports.figures.view import NAME, avoid_names, paint_faces
+from reports.figures.projection import paint_faces
+from reports.figures.view import NAME, avoid_names
 
 
 def test_a_name_is_lowered_until_both_can_be_read() -> None:

@@ -24,7 +24,26 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
 
-from reports.document import NOTHING, Document, Figure, Model, Part, Section, Wire
+from reports.document import (
+    NOTHING,
+    Banner,
+    Code,
+    Column,
+    Document,
+    Facts,
+    Figure,
+    Graded,
+    Items,
+    Model,
+    Part,
+    Prose,
+    Row,
+    Section,
+    Signatures,
+    Table,
+    Wire,
+    Writing,
+)
 from reports.language.texts import Verbatim
 from tests.support.sample_document import HOSTILE, box, draw_sample, sample_document
 from tests.support.sample_page import write_page
@@ -318,6 +337,28 @@ def test_the_page_is_no_wider_than_the_window(browser: webdriver.Chrome, page: P
         assert wide(browser) <= 0
         buttons = browser.find_elements(By.CSS_SELECTOR, "dialog button")
         assert all(button.rect["x"] + button.rect["width"] <= width for button in buttons)
+
+
+@pytest.mark.parametrize("width", [PHONE, DESK])
+def test_a_word_without_end_does_not_widen_the_page(browser: webdriver.Chrome, tmp_path: Path, width: int) -> None:
+    word = Verbatim("x" * 3_000)
+    table = Table("t", word, (Column(word), Column(word)), ((word, Graded("fail", word)),))
+    figure = Figure("f", word, partial(draw_sample, "f"))
+    blocks = (
+        Banner("fail", word),
+        Facts(((word, word),)),
+        Prose((word,)),
+        Items((word,)),
+        table,
+        Row((figure, figure)),
+    )
+    more = (Code((word.text,)), Writing(word), Signatures(((word, word),)))
+    section = Section(word, 0, (*blocks, *more), mark="1")
+    document = Document(word, word, "", "p", "A4", ((word, word),), (section, section), running=(word,))
+    with resized(browser, width):
+        browser.get(write_page(document, tmp_path / "page.html").as_uri())
+        laid_out(browser)
+        assert wide(browser) <= 0
 
 
 @pytest.mark.parametrize("width", [PHONE, DESK])

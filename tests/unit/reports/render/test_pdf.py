@@ -37,8 +37,8 @@ from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity
 from reports.render.frame_words import verdict_word
 from reports.render.pdf import write_pdf
-from reports.render.pdf_tables import INK_OF, TINT
-from reports.render.typeset import BOLD, REGULAR
+from reports.render.pdf_tables import INK_OF, TINT, column_widths
+from reports.render.typeset import BOLD, REGULAR, register_fonts, width_of
 from tests.support.sample_document import HOSTILE, sample_document
 
 WORDS = "the wall rocks about its base and comes to rest again after a few impacts " * 3
@@ -215,8 +215,8 @@ def test_words_of_ten_thousand_letters_stay_on_the_page_and_are_printed_whole(tm
     long = Verbatim("".join(f"{number:05d}" for number in range(2000)))
     columns = (Column(Verbatim("Name")), Column(long), Column(Verbatim("Level"), "length"), Column(Verbatim("Answer")))
     rows = tuple((Verbatim(f"M{place}"), long if place == 3 else None, 0.1, Graded("pass", long)) for place in range(4))
-    blocks = (Prose((long,)), Items((long,)), Facts(((long, long),)), Table("t", long, columns[:1] + columns[2:], ()))
-    table = Table("u", Verbatim("Long cells"), (columns[0], Column(Verbatim("Text")), *columns[2:]), rows)
+    blocks = (Prose((long,)), Items((long,)), Facts(((long, long),)), Banner("fail", long))
+    table = Table("u", long, columns, rows)
     path = write(tmp_path, section(*blocks, title=long.text), section(table))
     reader = PdfReader(path)
     for page in reader.pages:
@@ -226,6 +226,24 @@ def test_words_of_ten_thousand_letters_stay_on_the_page_and_are_printed_whole(tm
             assert 20 < y < float(page.mediabox.top) - 20
     assert long.text[:3000] in squeezed(path)
     assert len(reader.pages) < 40
+
+
+@pytest.mark.parametrize("shares", [(0.0,) * 30, (0.5, 0.5, 0.0, 0.0), (0.9, 0.9, 0.0), (0.2, 0.0, 0.0)])
+def test_columns_have_the_width_of_the_table_together(shares: tuple[float, ...]) -> None:
+    register_fonts()
+    row = [WORDS[place : place + 40] for place in range(len(shares))]
+    widths = column_widths([row, row], shares, 480.0, "head")
+    assert sum(widths) == pytest.approx(480.0)
+    assert min(widths) > 10.0
+
+
+def test_a_narrow_table_is_not_stretched_and_no_word_of_it_is_broken() -> None:
+    register_fonts()
+    widths = column_widths([["Level [g]", "Answer"], ["0.1", "not answered"]], (0.0, 0.0), 480.0, "head")
+    assert sum(widths) < 240.0
+    assert widths[1] > width_of("not answered", "head")
+    rows = [["Name", "Outcome", "Text"], ["M1", "incomplete", WORDS], ["M2", "fail", WORDS]]
+    assert column_widths(rows, (0.0,) * 3, 300.0, "head")[1] > width_of("incomplete", "head")
 
 
 def test_a_figure_higher_than_the_page_is_made_smaller(tmp_path: Path) -> None:
@@ -238,6 +256,16 @@ def test_figures_of_a_row_stand_side_by_side_over_their_captions(tmp_path: Path)
     ((one, low, *_), (two, high, *_)) = [each for each in lettered(PdfReader(path).pages[0]) if "Caption" in each[2]]
     assert low == pytest.approx(high)
     assert two - one > 200
+
+
+def test_the_title_of_a_table_stands_above_its_first_row(tmp_path: Path) -> None:
+    long = Verbatim(WORDS * 3)
+    columns = (Column(long), Column(Verbatim("Height"), "length"), Column(Verbatim("Text")))
+    table = Table("t", Verbatim("Walls"), columns, tuple((Verbatim(f"Wall {n}"), 0.1, long) for n in range(20)))
+    for filled in range(30, 55, 3):
+        pages = pages_of(write(tmp_path, section(Prose((Verbatim("a line"),) * filled), table)))
+        (titled,) = [page for page in pages if "Table 1." in page]
+        assert "Wall 0" in titled
 
 
 def test_a_table_repeats_its_head_on_each_page(tmp_path: Path) -> None:
@@ -266,6 +294,11 @@ def test_a_section_that_asks_for_it_begins_a_page_unless_the_page_is_nearly_empt
     no_head: dict[str, Any] = {"facts": (), "logo": None, "title": Verbatim("t")}
     assert ["Asking" in page for page in pages_of(write(tmp_path, much, asks, **no_head))] == [False, True]
     assert ["Asking" in page for page in pages_of(write(tmp_path, little, asks, **no_head))] == [True]
+    whole = section(
+        Prose((Verbatim("a line"),) * 42), title="Asking", starts_page=True
+    )  # a page, but not the rest of one
+    pages = pages_of(write(tmp_path, little, whole, **no_head))
+    assert [(("Asking" in page), page.count("a line")) for page in pages] == [(False, 2), (True, 42)]
 
 
 def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -> None:

@@ -1,0 +1,109 @@
+"""Every number of a document, as it is kept and as a locale writes it, and the numbers of results that it may be."""
+
+from __future__ import annotations
+
+import bisect
+import dataclasses
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import isfinite, pi
+
+from scipy.constants import g
+
+from assess.messages.message import Quantity
+from assess.results import Results
+from reports.document import Column, Document, Figure, Table
+from reports.language.locale import Locale
+from reports.language.units import UNITS
+from reports.render.cell_text import cell_text
+from tests.support.written_numbers import read_number
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A number of a document. size: of its unit; where: the words around it."""
+
+    value: float
+    size: float
+    text: str
+    where: str
+
+
+def shown_numbers(document: Document, locale: Locale) -> Iterator[Shown]:
+    """Yield the numbers of all texts, tables and captions of a document; figures are drawn from the same results."""
+    for block in (*document.blocks, *document.data):
+        if isinstance(block, Table):
+            yield from _of_table(block, locale)
+        yield from (_of_quantity(each, locale, type(block).__name__) for each in quantities(block))
+    for section in document.sections:
+        yield from (_of_quantity(each, locale, "title") for each in quantities(section.title))
+
+
+def quantities(node: object) -> Iterator[Quantity]:
+    """Yield every quantity below a node of a document."""
+    if isinstance(node, Quantity):
+        yield node
+    elif isinstance(node, Figure):
+        yield from quantities(node.caption)
+    elif dataclasses.is_dataclass(node) and not isinstance(node, type):
+        for field in dataclasses.fields(node):
+            yield from quantities(getattr(node, field.name))
+    elif isinstance(node, Mapping):
+        for each in node.values():
+            yield from quantities(each)
+    elif isinstance(node, list | tuple):
+        for each in node:
+            yield from quantities(each)
+
+
+def _of_quantity(found: Quantity, locale: Locale, where: str) -> Shown:
+    unit = UNITS[locale.system][found.dimension].of(found.value)
+    return Shown(found.value, unit.size, locale.text(found), where)
+
+
+def _of_table(table: Table, locale: Locale) -> Iterator[Shown]:
+    for row in table.rows:
+        for cell, column in zip(row, table.columns, strict=True):
+            if isinstance(cell, int | float) and not isinstance(cell, bool):
+                yield Shown(float(cell), _size(column, locale), cell_text(cell, column, locale), table.name)
+
+
+def _size(column: Column, locale: Locale) -> float:
+    return locale.table_unit(column.dimension).size if column.dimension else 1.0
+
+
+def misread(shown: Shown, *, point: str) -> bool:
+    """Return whether a number as it is written is more than half a unit of its last digit off."""
+    if not isfinite(shown.value):
+        return False
+    read = read_number(shown.text, point=point)
+    return abs(read.value - shown.value / shown.size) > 0.5 * read.last_digit * (1 + 1e-9)
+
+
+def numbers_of(results: Results) -> list[float]:
+    """Return every number of results, as it is and as a report may give it: without sign, in g, in percent, counted."""
+    plain = {abs(each) for each in _numbers(results)}
+    changed = {each * factor for each in plain for factor in (1.0, g, 1.0 / g, 100.0, pi / 180.0)}
+    return sorted(changed | {1.0 - each for each in plain if each < 1.0})
+
+
+def _numbers(node: object) -> Iterator[float]:
+    if isinstance(node, bool):
+        return
+    if isinstance(node, int | float):
+        yield float(node)
+    elif dataclasses.is_dataclass(node) and not isinstance(node, type):
+        for field in dataclasses.fields(node):
+            yield from _numbers(getattr(node, field.name))
+    elif isinstance(node, Mapping):
+        for each in node.values():
+            yield from _numbers(each)
+    elif isinstance(node, list | tuple):
+        for each in node:
+            yield from _numbers(each)
+
+
+def is_known(value: float, known: list[float]) -> bool:
+    """Return whether a number is one of those known, to rounding."""
+    place = bisect.bisect_left(known, abs(value) * (1 - 1e-12) - 1e-300)
+    return not isfinite(value) or (place < len(known) and known[place] <= abs(value) * (1 + 1e-12) + 1e-300)

@@ -1,0 +1,109 @@
+"""Every word of every figure goes through the locale: a language that brackets each entry leaves none without."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from assess.results import Results
+from reports import governing, joints
+from reports.figures import (
+    amplification,
+    capacity,
+    comparison,
+    contact,
+    design_spectrum,
+    directions,
+    envelope,
+    history,
+    key_plan,
+    moment_rotation,
+    pga_rotation,
+    place,
+    sketch,
+    spectrum,
+    suite,
+    sweep,
+    tornado,
+    view,
+)
+from reports.language.locale import Locale
+from reports.language.texts import Verbatim, say
+
+WORD = re.compile(r"[A-Za-z]{4,}")
+
+
+class _Bracketed(Locale):
+    """A language in which each entry stands in brackets."""
+
+    def word(self, english: str) -> str:
+        """Return an entry in brackets."""
+        return f"⟦{english}⟧"
+
+
+def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
+    for each in results.mechanisms:
+        yield from (partial(draw, each) for draw in (sketch.draw, capacity.draw, pga_rotation.draw))
+        if joints.deformable_joints(each):
+            yield from (partial(draw, each) for draw in (contact.draw, moment_rotation.draw))
+        found = governing.history(each)
+        if found is not None:
+            yield partial(history.draw, each, *found, 0.4)
+        if each.envelope is not None:
+            yield partial(envelope.draw, each.envelope, results.records)
+        if each.direction_sweep is not None:
+            yield partial(directions.draw, each.direction_sweep)
+        if each.amplification.motion is not None:
+            yield partial(amplification.draw, each.amplification.motion)
+        if each.view is not None:
+            yield partial(view.draw, each.view, 1)
+            yield partial(place.draw, results, each)
+    yield from (partial(sweep.draw, each) for each in results.sweeps)
+    yield from (partial(draw, results) for draw in (comparison.draw_capacities, comparison.draw_demands))
+    yield partial(comparison.draw_curves, results)
+    yield partial(key_plan.draw, results)
+    if results.critical is not None:
+        yield partial(envelope.bounds, results)
+    if results.ground_motion is not None:
+        yield partial(suite.draw, results)
+    assert results.spectrum is not None
+    yield partial(spectrum.draw, results.spectrum, results.records)
+    yield partial(design_spectrum.draw, results.spectrum)
+    bar = tornado.Bar((say("density"), Verbatim("1 to 2")), 0.1, 0.3, (None, say("fails")))
+    panel = tornado.Panel((say("index"), say("method")), "ratio", 0.2, (0.25, say("limit")), (bar,))
+    yield partial(tornado.draw, [panel])
+
+
+def outside_brackets(text: str) -> str:
+    while "⟦" in text:
+        text = re.sub(r"⟦[^⟦⟧]*⟧", " ", text)
+    return text
+
+
+def test_no_word_of_a_figure_is_fixed_in_english(results: Results) -> None:
+    own = [each.label or each.name for each in results.mechanisms] + [record.id for record in results.records]
+    own += [results.spectrum.clause if results.spectrum else "", *(sweep.key for sweep in results.sweeps)]
+    own += [name for each in results.mechanisms for name in (*(load.name for load in each.drawing.loads),)]
+    allowed = {word for text in own for word in WORD.findall(text)} | {"SRSS"}
+    for draw in every(results):
+        figure = draw(_Bracketed())
+        figure.draw_without_rendering()
+        for text in figure.findobj(Text):
+            words = WORD.findall(outside_brackets(text.get_text())) if text.get_visible() else []
+            assert not set(words) - allowed, f"{draw}: {text.get_text()!r}"
+
+
+@pytest.mark.parametrize("system", ["SI", "US"])
+def test_every_figure_is_drawn_in_both_systems(results: Results, system: str) -> None:
+    feet, metres = 0, 0
+    for draw in every(results):
+        figure = draw(Locale(system=system))  # type: ignore[arg-type]
+        words = [text.get_text() for text in figure.findobj(Text)]
+        feet += any(word.endswith("[ft]") for word in words)
+        metres += any(word.endswith("[m]") for word in words)
+    assert (feet > 0, metres > 0) == ((False, True) if system == "SI" else (True, False))

@@ -242,7 +242,7 @@ def part_of(case: Case, *, bearing: bool) -> Part:
     if case.body is not None and carried is not None and carried.others:
         statics = share_of(carried, centroid=case.body.centroid)
     if case.load.share is not None:
-        return Part(case.load.share, share_given(case.load.share, statics))
+        return Part(case.load.share, given_share(case.load.share, statics))
     if not bearing:
         warnings = (warning("load-weight-not-carried", load=case.load.body),) if statics is None else ()
         return Part(1.0, Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)"), warnings)
@@ -254,7 +254,7 @@ def part_of(case: Case, *, bearing: bool) -> Part:
     return Part(statics, message("share-by-statics", {"share": Quantity(statics, figures=3), "others": names}))
 
 
-def share_given(share: float, statics: float | None) -> Message:
+def given_share(share: float, statics: float | None) -> Message:
     """Say that a share is given, beside that by statics if it is known."""
     given = Quantity(share, figures=3)
     if statics is None:

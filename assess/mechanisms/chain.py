@@ -151,7 +151,12 @@ def format_point(point: Point) -> str:
 
 
 def point_values(point: Point) -> dict[str, Value]:
-    """Return a point in the plane of motion as values x, z of a message."""
+    """Return a point in the plane of motion as values x, z of a message.
+
+    Parameters
+    ----------
+    point : (x, z) [m]
+    """
     return lengths(x=point[0], z=point[1])
 
 

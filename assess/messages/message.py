@@ -127,7 +127,12 @@ def message(
 
 
 def joined_text(parts: Iterable[Said]) -> str:
-    """Return the English of several remarks in one line."""
+    """Return the English of several remarks in one line.
+
+    Parameters
+    ----------
+    parts : terms and messages
+    """
     return "; ".join(map(str, parts))
 
 
@@ -142,17 +147,33 @@ def whole_number(number: int) -> Quantity:
 
 
 def lengths(**values: float) -> dict[str, Value]:
-    """Return lengths and coordinates [m] as values of a message, to a tenth of a millimetre."""
+    """Return lengths and coordinates as values of a message, to a tenth of a millimetre.
+
+    Parameters
+    ----------
+    values : by the names of the gaps that they fill [m]
+    """
     return {name: Quantity(round(float(value), 4) + 0.0, "length", 6) for name, value in values.items()}
 
 
 def distinct(messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Return messages in their order, each sentence once."""
+    """Return messages in their order, each sentence once.
+
+    Parameters
+    ----------
+    messages : some of them perhaps alike
+    """
     return tuple({each.text: each for each in messages}.values())
 
 
-def placed(messages: Iterable[Message], where: str) -> tuple[Message, ...]:
-    """Return messages with the key of the project file that they concern."""
+def locate(messages: Iterable[Message], where: str) -> tuple[Message, ...]:
+    """Return messages with the place that they concern.
+
+    Parameters
+    ----------
+    messages : without a place
+    where : the key of the project file
+    """
     return tuple(replace(each, where=where) for each in messages)
 
 
@@ -162,7 +183,7 @@ def warning(key: str, where: str = "", /, **values: Value) -> Message:
     Parameters
     ----------
     key : of `TEXTS`
-    where : what it concerns; empty: it is placed later
+    where : what it concerns; empty: it is located later
     values : that its sentence names
     """
     return message(key, values, severity=Severity.WARNING, where=where)
@@ -174,7 +195,7 @@ def note(key: str, where: str = "", /, **values: Value) -> Message:
     Parameters
     ----------
     key : of `TEXTS`
-    where : what it concerns; empty: it is placed later
+    where : what it concerns; empty: it is located later
     values : that its sentence names
     """
     return message(key, values, where=where)

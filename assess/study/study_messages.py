@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from assess.messages.message import Message, note, placed, warning
+from assess.messages.message import Message, locate, note, warning
 from assess.study.motions import ScaledRecord
 from assess.study.study import Study
 from assess.study.sweep_cases import MechanismSweep
@@ -15,7 +15,7 @@ from assess.study.verdict import by_motion
 def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
     """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
     swept = [mechanism for mechanism in study.mechanisms if mechanism.name in controlling]
-    replaced = [each for one in swept for each in placed(one.warnings, f"mechanisms.{one.name}")]
+    replaced = [each for one in swept for each in locate(one.warnings, f"mechanisms.{one.name}")]
     kept = [message for message in study.messages if message not in replaced]
     return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
 

@@ -255,8 +255,9 @@ class Document:
 
     @property
     def tables(self) -> tuple[Table, ...]:
-        """Every table, the printed ones first."""
-        return tuple(block for block in self.blocks if isinstance(block, Table)) + self.data
+        """Every table once, the printed ones first."""
+        printed = tuple(block for block in self.blocks if isinstance(block, Table))
+        return (*printed, *(table for table in self.data if table not in printed))
 
     @property
     def figures(self) -> tuple[Figure, ...]:

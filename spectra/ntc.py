@@ -119,7 +119,7 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
             "t_f": T_F,
         },
         damping=0.05,
-        damping_rule=_damping_rule(code),
+        damping_rule=DAMPING_RULES[code],
         ordinates=shape.ordinates,
         clause=clause,
         displacements=partial(shape.displacements, t_e=LONG_PERIODS[place.soil], t_f=T_F),
@@ -151,7 +151,7 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
             "t_d": T_D,
         },
         damping=0.05,
-        damping_rule=_damping_rule(code),
+        damping_rule=DAMPING_RULES[code],
         ordinates=shape.ordinates,
         clause=VERTICAL_CLAUSES[code],
         warnings=plausibility_warnings(a_g=hazard.a_g),
@@ -284,10 +284,6 @@ def _given(hazard: Hazard, place: Place) -> dict[str, float | str]:
         "soil": place.soil,
         "topography": place.topography,
     }
-
-
-def _damping_rule(code: str) -> str:
-    return DAMPING_RULES[code]
 
 
 def _known(key: str, value: str, known: Mapping[str, object]) -> None:

@@ -25,6 +25,10 @@ from spectra.arrays import FloatArray
 SLICES = 100
 SHEAR_MODULUS = 0.4  # of E: EN 1996-1-1:2005, 3.7.3
 SHEAR_AREA = 5.0 / 6.0  # of the section: a rectangle's
+ASSUMPTIONS = (
+    "a cantilever clamped at its foot and free above, uncracked, on stiff ground; bending and shear; "
+    "G = 0.4 E, shear area 5/6 of the section; floors and what stands beside it left out"
+)
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, thrust_of, weight
-from assess.messages.message import Message, Quantity, Said, Term, Value, lengths, message, warning
+from assess.messages.message import Message, Quantity, Term, Value, message, warning
 from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
@@ -79,6 +79,12 @@ class Case:
         return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
 
 
+BEARS_AS_GIVEN = {True: Term("bears (given)"), False: Term("only pushes (given)")}
+PUSHES_WHOLE = Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)")
+HALF = Term("share 0.5 (its other foot is not in the project)")
+ALONE = Term("share 1 (nothing else in the project carries it)")
+
+
 @dataclass(frozen=True)
 class BlockContact:
     """Where a body meets the block and others, None if the user states all of it; and warnings."""
@@ -95,7 +101,7 @@ class Part:
     """The share of a body that the block carries, its source, and warnings."""
 
     share: float
-    source: Said
+    source: Term | Message
     warnings: tuple[Message, ...] = ()
 
 
@@ -161,12 +167,12 @@ def body_loads(
     whole, of = weight(load, body, mass=mass)
     bearing, how = bearing_of(case)
     part = part_of(case, bearing=bearing)
-    source, pushed = [of, part.source, how, *place_text(load, found, along=around.along)], list[Force]()
+    source, pushed = [of, part.source, how, *place_said(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
-        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, (thrust.source,))
+        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))
         pushed += [force] if thrust.size else []
-        source += [] if thrust.size else [thrust.source]
+        source += [] if thrust.size else thrust.source
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
@@ -221,18 +227,18 @@ def beside_the_block(load: BodyLoad, found: Support, *, around: Surroundings) ->
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bearing_of(case: Case) -> tuple[bool, Said]:
+def bearing_of(case: Case) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
     given = case.load.bearing
     if case.found is None:
-        return (True, Term("bears (given)")) if given else (False, Term("only pushes (given)"))
+        return bool(given), BEARS_AS_GIVEN[bool(given)]
     contact = case.found.contact
     shown = carries_weight(contact, axis=case.springs)
-    area: dict[str, Value] = {"area": Quantity(contact.area, "area", 3)}
-    seen = message("bears-on" if shown else "only-pushes-on", area)
+    area = {"area": Quantity(contact.area, "area", 3)}
+    seen = message("load-bears" if shown else "load-pushes", area)
     if given is None:
         return shown, seen
-    return given, message("bears-given" if given else "only-pushes-given", {"seen": seen})
+    return given, message("load-bears-given" if given else "load-pushes-given", {"seen": seen})
 
 
 def part_of(case: Case, *, bearing: bool) -> Part:
@@ -242,34 +248,28 @@ def part_of(case: Case, *, bearing: bool) -> Part:
     if case.body is not None and carried is not None and carried.others:
         statics = share_of(carried, centroid=case.body.centroid)
     if case.load.share is not None:
-        return Part(case.load.share, given_share(case.load.share, statics))
+        share = {"share": Quantity(case.load.share, "ratio", 3)}
+        if statics is None:
+            return Part(case.load.share, message("load-share-given", share))
+        beside = Quantity(statics, "ratio", 3)
+        return Part(case.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:
         warnings = (warning("load-weight-not-carried", load=case.load.body),) if statics is None else ()
-        return Part(1.0, Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)"), warnings)
+        return Part(1.0, PUSHES_WHOLE, warnings)
     if statics is None or carried is None:
         return alone(case)
     if statics == 0.0:
         raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
-    return Part(statics, message("share-by-statics", {"share": Quantity(statics, figures=3), "others": names}))
-
-
-def given_share(share: float, statics: float | None) -> Message:
-    """Say that a share is given, beside that by statics if it is known."""
-    given = Quantity(share, figures=3)
-    if statics is None:
-        return message("share-given", {"share": given})
-    return message("share-given-statics", {"share": given, "statics": Quantity(statics, figures=3)})
+    values: dict[str, Value] = {"share": Quantity(statics, "ratio", 3), "bodies": names}
+    return Part(statics, message("load-share-statics", values))
 
 
 def alone(case: Case) -> Part:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
-    name = case.load.body
     if case.arch is not None and case.one_foot:
-        half = Term("share 0.5 (its other foot is not in the project)")
-        return Part(0.5, half, (warning("load-half-taken", load=name),))
-    whole = Term("share 1 (nothing else in the project carries it)")
-    return Part(1.0, whole, (warning("load-all-taken", load=name),))
+        return Part(0.5, HALF, (warning("load-half-taken", load=case.load.body),))
+    return Part(1.0, ALONE, (warning("load-all-taken", load=case.load.body),))
 
 
 def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
@@ -281,14 +281,14 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
     return point_in_plane(at, along.tolist())
 
 
-def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Said]:
+def place_said(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Term | Message]:
     """Say that the load acts at the given place in place of the contact, if it does."""
     if load.at is None:
         return []
     if found is None:
         return [Term("place given")]
     x, z = point_in_plane(found.contact.centroid.tolist(), along.tolist())
-    return [message("place-given", lengths(x=x, z=z))]
+    return [message("load-place-given", {"x": Quantity(x, "length"), "z": Quantity(z, "length")})]
 
 
 def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
@@ -309,11 +309,10 @@ def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
             'write the thrust as a load of kind = "force"'
         )
     if not given and not bearing_of(case)[0]:
-        return Thrust(0.0, Term("no thrust: it does not stand on the block"))
+        return Thrust(0.0, [Term("no thrust: it does not stand on the block")])
     found = thrust_of(case.load, case.arch, along=along, V=V)
     if not found.size:
         return found
     if not case.one_foot:
-        return Thrust(0.0, Term("no thrust: both its feet stand on the block, or none near its ends"))
-    source = message("thrust-outwards", {"found": found.source})
-    return Thrust(float(np.copysign(found.size, case.side)), source)
+        return Thrust(0.0, [Term("no thrust: both its feet stand on the block, or none near its ends")])
+    return Thrust(float(np.copysign(found.size, case.side)), [*found.source, Term("outwards")])

@@ -1,10 +1,10 @@
 """What a block carries or is pulled by besides itself: point masses, given forces, ties.
 
 Places and forces are in the plane of motion, (distance along the direction, elevation); a load is fixed to its block.
-`source` says how a load was found; it is empty where the user gave its numbers.
+`found` says in parts how a load was found; it is empty where the user gave its numbers.
 
 A force or tie may end before the mechanism collapses. `until` says when: "collapse" where it is still there then, or
-the displacement of its point [m] at which it ends; None where nobody has shown that it lasts.
+the displacement of its point [m] at which it ends; None where it is not shown to last.
 """
 
 from __future__ import annotations
@@ -15,10 +15,16 @@ from typing import Literal
 
 from scipy.constants import g
 
-from assess.messages.message import Said
+from assess.messages.message import Message, Term
 
 Point = tuple[float, float]
 Until = float | Literal["collapse"] | None
+Found = tuple[Term | Message, ...]
+
+
+def found_text(found: Found) -> str:
+    """Return the parts of a source in one English phrase."""
+    return "; ".join(map(str, found))
 
 
 @dataclass(frozen=True)
@@ -27,7 +33,7 @@ class PointMass:
 
     mass [kg]; bearing: the block carries its weight, and it shares all its motion; not bearing: its weight is carried
     elsewhere, and only its horizontal inertia acts on the block (thesis 3.2.2, M_i and M_j).
-    seat : horizontal displacement of its point at which it falls off the block [m]; None where nobody gave it.
+    seat : horizontal displacement of its point at which it falls off the block [m]; None where it is not given.
     """
 
     name: str
@@ -35,8 +41,13 @@ class PointMass:
     at: Point
     bearing: bool
     block: int = 0
-    source: tuple[Said, ...] = ()
+    found: Found = ()
     seat: float | None = None
+
+    @property
+    def source(self) -> str:
+        """How it was found, in English."""
+        return found_text(self.found)
 
 
 @dataclass(frozen=True)
@@ -50,9 +61,14 @@ class Force:
     force: Point
     at: Point
     block: int = 0
-    source: tuple[Said, ...] = ()
+    found: Found = ()
     until: Until = None
     evidence: str = ""
+
+    @property
+    def source(self) -> str:
+        """How it was found, in English."""
+        return found_text(self.found)
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -77,12 +93,17 @@ class Tie:
     anchor: Point | None = None
     both: bool = False
     block: int = 0
-    source: tuple[Said, ...] = ()
+    found: Found = ()
     until: Until = None
     strength: float | None = None
     length: float | None = None
     fracture_strain: float | None = None
     evidence: str = ""
+
+    @property
+    def source(self) -> str:
+        """How it was found, in English."""
+        return found_text(self.found)
 
     @property
     def tension(self) -> float:

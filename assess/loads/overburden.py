@@ -59,11 +59,10 @@ def overburden_of(
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
-    offset = Quantity(x - middle, "length", 3)
-    source = message("weight-on-wall", {"bodies": ", ".join(load.bodies), "offset": offset})
-    if states:
-        source = message("weight-not-shared", {"found": source, "bodies": ", ".join(states)})
-    return Force(name, (0.0, -found.force), (x, elevation), UPPER, (source,), until="collapse", evidence=WEIGHT)
+    aside = Quantity(x - middle, "length", 3)
+    said = [message("load-overburden", {"bodies": ", ".join(load.bodies), "aside": aside})]
+    said += [message("load-not-shared", {"bodies": ", ".join(states)})] if states else []
+    return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(said), until="collapse", evidence=WEIGHT)
 
 
 def weight_of(

@@ -8,12 +8,10 @@ from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, un
 from assess.geometry.solid import Solid
 from assess.loads.definitions import BodyLoad
 from assess.loads.thrust import CONSTRUCTIONS, arch_thrust, uniform_lever_arm
-from assess.messages.message import Message, Quantity, Said, Term, Value, message
+from assess.messages.message import Message, Quantity, Term, Value, message
 from spectra.arrays import FloatArray
 
 SINGLE = 0.5  # one-sidedness above which a roof has a single slope
-STRAIGHT = 0.9999  # cosine: a covering that spans along the motion
-GIVEN, FOUND = Term("given"), Term("found")
 SQUARE = 0.02  # cosine: a covering that spans within a degree of square to the motion has no thrust along it
 
 
@@ -29,7 +27,7 @@ class Arch:
     span: float
     rise: float
     lever: float
-    source: Message
+    source: list[Term | Message]
 
 
 @dataclass(frozen=True)
@@ -37,7 +35,7 @@ class Thrust:
     """The thrust along the motion [N], positive with it, and how it was found; 0, and why there is none."""
 
     size: float
-    source: Said
+    source: list[Term | Message]
 
 
 def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
@@ -57,77 +55,69 @@ def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
     low, high = extent(body, axis=axis)
     span, rise = load.span or high - low, load.rise or height(body)
     own = uniform_lever_arm(span) if load.role == "roof" else _vault_lever(load, body, axis=axis, span=span)
-    measures: dict[str, Value] = {
-        "span": Quantity(span, "length"),
-        "span_from": GIVEN if load.span else FOUND,
-        "rise": Quantity(rise, "length"),
-        "rise_from": GIVEN if load.rise else FOUND,
-    }
-    source = message("arch-measures", measures)
+    measures = (("L", span, load.span), ("f", rise, load.rise))
+    source: list[Term | Message] = [
+        message("load-measure-given" if given else "load-measure", {"symbol": sign, "size": Quantity(size, "length")})
+        for sign, size, given in measures
+    ]
     return Arch(axis, span, rise, own, source)
 
 
-def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, Message]:
+def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, Term | Message]:
     """Return the mass of the whole body [kg] and its source; mass: by its volume or as given for the body [kg]."""
     if load.mass is not None:
-        both: dict[str, Value] = {"mass": Quantity(load.mass, "mass"), "table": Quantity(mass, "mass")}
-        return load.mass, message("mass-given", both)
+        values: dict[str, Value] = {"mass": Quantity(load.mass, "mass"), "table": Quantity(mass, "mass")}
+        return load.mass, message("load-mass-given", values)
     if body is None:
-        return mass, message("mass-of", {"mass": Quantity(mass, "mass"), "found": Term("direct values")})
+        return mass, message("load-mass-direct", {"mass": Quantity(mass, "mass")})
     shell, fill = _vault_masses(load, body)
     area, plan = underside(body)
-    own: Said = Term("its volume") if load.construction is None else _by_construction(load.construction, area)
+    own: Term | Message = Term("its volume")
+    if load.construction is not None:
+        built = CONSTRUCTIONS[load.construction]
+        shelled: dict[str, Value] = {
+            "case": str(load.construction),
+            "name": Term(built.name),
+            "thickness": Quantity(built.thickness, "length", 6),
+            "density": Quantity(built.density, "density", 6),
+            "area": Quantity(area, "area"),
+        }
+        own = message("load-ungewitter", shelled)
     if load.fill is not None:
-        spread: dict[str, Value] = {"fill": Quantity(load.fill, "area density", 6), "plan": Quantity(plan, "area")}
-        own = message("mass-and-fill", {"found": own, **spread})
-    return shell + fill, message("mass-of", {"mass": Quantity(shell + fill, "mass"), "found": own})
-
-
-def _by_construction(number: int, area: float) -> Message:
-    """Say what the mass of a construction is made of; area : of its intrados [m2]."""
-    built = CONSTRUCTIONS[number]
-    values: dict[str, Value] = {
-        "case": str(number),
-        "name": Term(built.name),
-        "thickness": Quantity(built.thickness, "length", 6),
-        "density": Quantity(built.density, "density", 6),
-        "area": Quantity(area, "area"),
-    }
-    return message("mass-by-construction", values)
+        filled = {"fill": Quantity(load.fill, "area density", 6), "plan": Quantity(plan, "area")}
+        own = message("load-with-fill", {"own": own, **filled})
+    return shell + fill, message("load-mass", {"mass": Quantity(shell + fill, "mass"), "own": own})
 
 
 def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float) -> Thrust:
     """Return the thrust along the motion of a roof or vault whose vertical reaction on the block is V [N]."""
     if load.thrust is not None:
-        return Thrust(load.thrust, Term("thrust (given)"))
+        return Thrust(load.thrust, [Term("thrust (given)")])
     if load.tied:
-        return Thrust(0.0, Term("no thrust: tied (given)"))
+        return Thrust(0.0, [Term("no thrust: tied (given)")])
     if arch is None:
-        return Thrust(0.0, Term("no thrust: it is flat or slopes one way only, like a beam"))
+        return Thrust(0.0, [Term("no thrust: it is flat or slopes one way only, like a beam")])
     cosine = float(arch.axis @ along)
     if cosine < SQUARE:
-        return Thrust(0.0, Term("no thrust along the motion: its ridge runs that way, it spans across"))
+        return Thrust(0.0, [Term("no thrust along the motion: its ridge runs that way, it spans across")])
     H = arch_thrust(V, lever=arch.lever, rise=arch.rise)
     values: dict[str, Value] = {
-        "reaction": Quantity(V, "force"),
-        "lever": Quantity(arch.lever, "length"),
-        "rise": Quantity(arch.rise, "length"),
-        "thrust": Quantity(H, "force"),
-        "measures": arch.source,
-        "spread": _spread(load, arch, V=V),
+        "V": Quantity(V, "force"),
+        "x": Quantity(arch.lever, "length"),
+        "f": Quantity(arch.rise, "length"),
+        "H": Quantity(H, "force"),
     }
-    found = message("thrust-of-arch", values)
-    if cosine > STRAIGHT:
-        return Thrust(H * cosine, found)
-    return Thrust(H * cosine, message("thrust-along", {"found": found, "along": Quantity(H * cosine, "force")}))
+    said = [message("load-thrust", values), *arch.source, _spread(load, arch, V=V)]
+    along_motion = message("load-along-motion", {"force": Quantity(H * cosine, "force")})
+    return Thrust(H * cosine, said if cosine > 0.9999 else [*said, along_motion])
 
 
-def _spread(load: BodyLoad, arch: Arch, *, V: float) -> Said:
+def _spread(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:
     """Say how the weight is spread over the span, and the thrust if it were uniform in plan."""
     if load.role == "roof":
         return Term("rafters: x = L / 4")
     even = arch_thrust(V, lever=uniform_lever_arm(arch.span), rise=arch.rise)
-    return message("vault-lever", {"even": Quantity(even, "force")})
+    return message("load-lever-of-vault", {"even": Quantity(even, "force")})
 
 
 def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:

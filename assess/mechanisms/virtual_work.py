@@ -14,7 +14,6 @@ from assess.errors import FallingError, MechanismError
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, trace_point
-from assess.messages.message import joined_text
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
@@ -119,5 +118,5 @@ def _moment(load: Force | Tie, chain: Chain) -> float:
 def _described(load: Force | Tie) -> str:
     """Describe a force or tie by its name, its components at rest, and its source."""
     along, up = load.force if isinstance(load, Force) else pull_at_rest(load)
-    found = f" ({joined_text(load.source)})" if load.source else ""
+    found = f" ({load.source})" if load.source else ""
     return f'load "{load.name}" with H = {abs(along) / 1e3:.4g} kN, V = {up / 1e3:+.4g} kN up{found}'

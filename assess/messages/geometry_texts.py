@@ -111,26 +111,6 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "plane of motion; it moves with the block all the same: check `at`",
     "load-across-crack": 'load "{load}" at x = {x}, z = {z} acts on block {block}, yet the crack is at z = {crack}; '
     "write block = {side} if it moves with that one",
-    # how loads were found
-    "mass-of": "{mass} ({found})",
-    "mass-given": "{mass} (given; by its table {table})",
-    "mass-by-construction": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
-    "mass-and-fill": "{found}, and fill {fill} x plan {plan}",
-    "share-given": "share {share} (given)",
-    "share-given-statics": "share {share} (given; by statics {statics})",
-    "share-by-statics": "share {share} (statics; the rest on {others})",
-    "bears-on": "bears on {area}",
-    "only-pushes-on": "only pushes on {area}",
-    "bears-given": "bears (given; by its contact it {seen})",
-    "only-pushes-given": "only pushes (given; by its contact it {seen})",
-    "place-given": "place given (its contact is at x = {x}, z = {z})",
-    "thrust-of-arch": "H = V x / f = {reaction} x {lever} / {rise} = {thrust}, {measures}, {spread}",
-    "arch-measures": "L = {span} ({span_from}), f = {rise} ({rise_from})",
-    "vault-lever": "x to the weight of half the vault from its springing (L / 4 would give {even})",
-    "thrust-along": "{found}; {along} along the motion",
-    "thrust-outwards": "{found}, outwards",
-    "weight-on-wall": "weight of {bodies} on the wall, {offset} from mid-thickness",
-    "weight-not-shared": "{found}; not shared with {bodies}, which stands where the wall does",
     # restitution
     "restitution-no-rebound": "restitution 0 is used: Sorrentino et al. 2011, thesis eq. 3.45, gives {value}, which is "
     "not negative: there is no rebound",

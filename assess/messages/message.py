@@ -126,16 +126,6 @@ def message(
     return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
 
 
-def joined_text(parts: Iterable[Said]) -> str:
-    """Return the English of several remarks in one line.
-
-    Parameters
-    ----------
-    parts : terms and messages
-    """
-    return "; ".join(map(str, parts))
-
-
 def text_of(said: Said | str) -> str:
     """Return the English sentence of a message; a text is returned unchanged."""
     return str(said)

@@ -70,6 +70,27 @@ TEXTS: Mapping[str, str] = {
     "period-of": "{symbol} = {period}",
     "period-or-building": "{symbol} = {period}, or T1 of the building,",
     "period-or-floor": "b T1' = {period}",
+    # sources of loads
+    "load-overburden": "weight of {bodies} on the wall, {aside} from mid-thickness",
+    "load-not-shared": "not shared with {bodies}, which stands where the wall does",
+    "load-bears": "bears on {area}",
+    "load-pushes": "only pushes on {area}",
+    "load-bears-given": "bears (given; by its contact it {seen})",
+    "load-pushes-given": "only pushes (given; by its contact it {seen})",
+    "load-share-given": "share {share} (given)",
+    "load-share-beside": "share {share} (given; by statics {statics})",
+    "load-share-statics": "share {share} (statics; the rest on {bodies})",
+    "load-place-given": "place given (its contact is at x = {x}, z = {z})",
+    "load-measure": "{symbol} = {size} (found)",
+    "load-measure-given": "{symbol} = {size} (given)",
+    "load-mass-given": "{mass} (given; by its table {table})",
+    "load-mass-direct": "{mass} (direct values)",
+    "load-mass": "{mass} ({own})",
+    "load-ungewitter": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
+    "load-with-fill": "{own}, and fill {fill} x plan {plan}",
+    "load-thrust": "H = V x / f = {V} x {x} / {f} = {H}",
+    "load-along-motion": "{force} along the motion",
+    "load-lever-of-vault": "x to the weight of half the vault from its springing (L / 4 would give {even})",
     # sources of restitution
     "restitution-3-45": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
     "restitution-other": '"{rule}" would give {value}',
@@ -150,12 +171,10 @@ TEXTS: Mapping[str, str] = {
     # amplification
     "by-floor-factor": "every record and pulse is multiplied by {factor}, at h = {height} of H = {building}, "
     "according to {clause}",
+    "clause-3-49": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
+    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: {assumptions}",
     "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
     "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",
-    "floor-factor-printed": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
-    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: a cantilever clamped at its foot and free "
-    "above, uncracked, on stiff ground; bending and shear; G = 0.4 E, shear area 5/6 of the section; floors and what "
-    "stands beside it left out",
     # suites of records
     "remedy-keys": "give {keys}",
     "remedy-records": "give {number} more records",

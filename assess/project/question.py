@@ -23,7 +23,7 @@ from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
 Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
-"""What the pass of a mechanism needs and nobody gave, and what it rests on."""
+"""What the pass of a mechanism needs and is not given, and what it depends on."""
 
 
 def basis_of(content: sections.Content) -> Basis | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.messages.message import Message, Term
+from assess.messages.message import Message
 from assess.results.values import Floats
 from assess.short_repr import ShortRepr
 
@@ -44,5 +44,5 @@ class AmplificationResult(ShortRepr):
     method: str
     factors: tuple[Factor, ...]
     height_m: float | None = None
-    said: tuple[Message | Term | str, ...] = ()
+    said: tuple[Message | str, ...] = ()
     motion: CarriedMotion | None = None

@@ -16,11 +16,11 @@ Lasting = Literal["to collapse", "to its end", "not shown"]
 class LoadResult(ShortRepr):
     """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
 
-    at: distance along the direction, elevation [m]; sources: how it was found, or "given"; source: the English of them.
-    lasting: how long a force or tie that resists on some branch is shown to last: to collapse, to an earlier end (at
-    end_rad, where its point has moved by end_m), or not at all, because the keys `missing` are not given; None if it
-    only drives. A tie that lasts also has an end if its fracture strain is reached beyond collapse. seat_m: length of
-    seat of a bearing mass.
+    at: distance along the direction, elevation [m]; source: how it was found, or "given", the English of `found`.
+    lasting: how long a force or tie that resists on some branch is shown to last: to collapse, to an earlier end
+    (at end_rad, where its point has moved by end_m), or not at all, because the keys `missing` are not given; None
+    if it only drives. A tie that lasts also has an end if its fracture strain is reached beyond collapse. seat_m:
+    length of seat of a bearing mass.
     """
 
     name: str
@@ -36,4 +36,4 @@ class LoadResult(ShortRepr):
     end_rad: float | None = None
     end_m: float | None = None
     seat_m: float | None = None
-    sources: tuple[Term | Message, ...] = ()
+    found: tuple[Term | Message, ...] = ()

@@ -14,10 +14,10 @@ from assess.amplification.floor_motion import (
     Unamplified,
     first_mode,
 )
-from assess.amplification.natural_frequency import SLICES, Rayleigh, rayleigh_mode, slice_cantilever
+from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.limits import height_of_support
-from assess.messages.message import Message, Quantity, Said, Term, message, note, warning, whole_number
+from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
 from assess.model.assembly import Built
 from assess.model.body import Bodies
 from assess.model.definitions import Definition, SingleBlock
@@ -28,9 +28,7 @@ from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_resonance, nzs117
 
 NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
 DAMPING = 0.05  # of the first mode where there is no [building]
-RAYLEIGH = Term("Rayleigh's method")
-GIVEN, OF_BUILDING = Term("given"), Term("given for the building")
-UNCHECKED = Term("not checked against the printed standard")
+RAYLEIGH = "Rayleigh's method"
 PRINTED = "ec8-printed"
 AS_IT_IS = Amplified("none", None, Unamplified(), ())
 
@@ -154,14 +152,13 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
         raise ProjectError(
             f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
         )
-    clause: Said
     try:
         if asked.method == PRINTED:
             factor = ec8_at_resonance_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
-            clause = message("floor-factor-printed", {"soil": Quantity(asked.soil_factor)})
+            said_clause: Term | Message = message("clause-3-49", {"soil": Quantity(asked.soil_factor)})
         else:
-            rule, words = FLOORS[asked.method]
-            clause = Term(words)
+            rule, clause = FLOORS[asked.method]
+            said_clause = Term(clause)
             factor = rule(height, building_height=building)
     except SpectrumError as error:
         raise ProjectError(f"{standing.where}.height: {error}") from None
@@ -171,9 +168,11 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
         factor=Quantity(factor),
         height=Quantity(height, "length"),
         building=Quantity(building, "length"),
-        clause=clause,
+        clause=said_clause,
     )
-    return Amplified(asked.method, height, FloorFactor(factor, str(clause)), (said, UNCHECKED))
+    return Amplified(
+        asked.method, height, FloorFactor(factor, str(said_clause)), (said, "not checked against the printed standard")
+    )
 
 
 def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> Amplified:
@@ -185,41 +184,42 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
         found = rayleigh_mode_of(standing)
         frequency = frequency or (found.frequency, RAYLEIGH)
         effective = effective or (found.effective_height, RAYLEIGH)
-        assumed = (warning("by-rayleigh", slices=whole_number(SLICES)),)
+        values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
+        assumed = (warning("by-rayleigh", standing.where, **values),)
     damping = structure.damping
     mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
     said = note(
         "by-first-mode",
         standing.where,
         frequency=Quantity(frequency[0], "frequency"),
-        frequency_from=frequency[1],
+        frequency_from=Term(frequency[1]),
         effective=Quantity(effective[0], "length"),
-        effective_from=effective[1],
+        effective_from=Term(effective[1]),
         damping=Quantity(damping, "ratio", 3),
         height=Quantity(height, "length"),
         shape=Quantity(mode.shape(height)),
     )
     make, how = FIRST_MODES[asked.method]
-    return Amplified(asked.method, height, make(mode, height), (Term(how), said), assumed, by_stiffness=bool(assumed))
+    return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))
 
 
-def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, Term] | None:
+def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
     """Return the first natural frequency [Hz] that is given, and its source; None if none is."""
     if asked.natural_frequency is not None:
-        return asked.natural_frequency, GIVEN
+        return asked.natural_frequency, "given"
     if structure.natural_frequency is not None:
-        return structure.natural_frequency, OF_BUILDING
+        return structure.natural_frequency, "given for the building"
     if structure.period is not None:
-        return 1.0 / structure.period, Term("1 / period of the building")
+        return 1.0 / structure.period, "1 / period of the building"
     return None
 
 
-def given_effective_height(asked: AmplificationChoice, structure: Structure) -> tuple[float, Term] | None:
+def given_effective_height(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
     """Return the effective height [m] that is given, and its source; None if none is."""
     if asked.effective_height is not None:
-        return asked.effective_height, GIVEN
+        return asked.effective_height, "given"
     if structure.effective_height is not None:
-        return structure.effective_height, OF_BUILDING
+        return structure.effective_height, "given for the building"
     return None
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
+from typing import Literal
 
-from assess.loads.load import Force, Load, PointMass, pull_at_rest
+from assess.loads.load import Force, Load, PointMass, found_text, pull_at_rest
 from assess.mechanisms.ends import displacement_at
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
-from assess.messages.message import Message, Severity, Term, joined_text, message
+from assess.messages.message import Message, Severity, Term, message
 from assess.results import Lasting, LoadResult
 
 
@@ -28,13 +29,16 @@ def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
 
 def load_result(load: Load) -> LoadResult:
     """Return a load as used, with its source."""
-    said = load.source or (Term("given"),)
-    found = LoadResult(load.name, "mass", load.block, load.at, None, None, None, joined_text(said), sources=said)
+    found = load.found or (Term("given"),)
+    source = found_text(found)
     if isinstance(load, PointMass):
-        seat = load.seat if load.bearing else None
-        return replace(found, mass_kg=load.mass, bearing=load.bearing, seat_m=seat)
+        seat, mass = load.seat if load.bearing else None, load.mass
+        made = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
+        return replace(made, found=found)
+    at, missing = load.at, load.missing
+    kind: Literal["force", "tie"] = "force" if isinstance(load, Force) else "tie"
     force = load.force if isinstance(load, Force) else pull_at_rest(load)
-    return replace(found, kind="force" if isinstance(load, Force) else "tie", force_n=force, missing=load.missing)
+    return LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, found=found)
 
 
 def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:

@@ -31,6 +31,8 @@ PERIODS = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building,
 MOST_DAMPING = 0.99  # of an oscillator that still swings
 SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
 CIRCULAR = "Circolare 7/2019, C7.2.5, first mode"
+OF_MOTIONS = "response of the motions themselves at that damping"
+OF_CIRCULAR = "Circolare 7/2019, C7.2.6, with the rule for damping of the spectrum of the ground"
 
 
 def floor_spectrum(
@@ -86,9 +88,10 @@ def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMo
         T = np.asarray(period, dtype=np.float64)
         return np.maximum(np.interp(T, periods, broadened(damping)), ground.acceleration(T, damping=damping))
 
-    rule = "response of the motions themselves at that damping"
     parameters = {"records": float(len(records)), "first mode": 1.0 / mode.frequency}
-    return Spectrum("floor", parameters, ground.damping, rule, ordinates, SUITE, longest_period=ground.longest_period)
+    return Spectrum(
+        "floor", parameters, ground.damping, OF_MOTIONS, ordinates, SUITE, longest_period=ground.longest_period
+    )
 
 
 def circular_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
@@ -103,9 +106,8 @@ def circular_spectrum(ground: Spectrum, *, height: float, building: Building, st
         return largest
 
     parameters = {"T_1": building.period, "share of the mode": share}
-    rule = f"C7.2.6, {ground.damping_rule}"
     return Spectrum(
-        "floor", parameters, ground.damping, rule, ordinates, CIRCULAR, longest_period=ground.longest_period
+        "floor", parameters, ground.damping, OF_CIRCULAR, ordinates, CIRCULAR, longest_period=ground.longest_period
     )
 
 

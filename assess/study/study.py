@@ -12,7 +12,7 @@ from assess.codes.registry import CodeOptions
 from assess.codes.verdict import Missing, Question
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Said
+from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.study.grounding import Grounded
 from records.band import Band
@@ -72,7 +72,7 @@ class Amplified:
     method: str
     height: float | None
     amplification: Amplification
-    description: tuple[Said, ...]
+    description: tuple[Message | str, ...]
     assumptions: tuple[Message, ...] = ()
     by_stiffness: bool = False
 

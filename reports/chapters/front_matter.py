@@ -9,7 +9,6 @@ from assess.results import Picture, Results
 from reports.document import NOTHING, Photograph
 from reports.language.texts import Text, Verbatim, listing, quantity, say
 from reports.project_text import project_text
-from spectra.ntc import USE_FACTORS, reference_life
 
 Fact = tuple[Text, Text]
 
@@ -102,20 +101,16 @@ def _latest_revision(results: Results) -> Iterator[tuple[Text, Text | str]]:
 
 
 def _life(results: Results) -> Iterator[tuple[Text, Text | str]]:
-    """Yield class of use, nominal life and reference life (NTC 2018 2.4) where the project gives them."""
-    use_class, nominal = use_class_of(results), _nominal_life(results)
-    italian = results.spectrum is not None and results.spectrum.code.startswith("ntc")
-    if use_class in USE_FACTORS and italian:
-        factor = quantity(USE_FACTORS[use_class])
-        yield say("Class of use"), say("{name}, C_U = {factor}", name=Verbatim(use_class), factor=factor)
+    """Yield class of use, nominal life and reference life (NTC 2018 2.4) where the results hold them."""
+    use_class, factor = use_class_of(results), _parameter(results, "use_coefficient")
+    if use_class and factor is not None:
+        yield say("Class of use"), say("{name}, C_U = {factor}", name=Verbatim(use_class), factor=quantity(factor))
     else:
         yield say("Class of use"), use_class
-    if nominal is None:
-        return
-    yield say("Nominal life V_N"), quantity(nominal, "return period")
-    if use_class in USE_FACTORS:
-        years = reference_life(nominal, use_class=use_class)
-        yield say("Reference life V_R"), quantity(years, "return period")
+    for label, key in ((say("Nominal life V_N"), "nominal_life"), (say("Reference life V_R"), "reference_life")):
+        years = _parameter(results, key)
+        if years is not None:
+            yield label, quantity(years, "return period")
 
 
 def use_class_of(results: Results) -> str:
@@ -123,9 +118,9 @@ def use_class_of(results: Results) -> str:
     return project_text(results, "site.spectrum.use_class") or project_text(results, "building.use_class")
 
 
-def _nominal_life(results: Results) -> float | None:
-    """Return V_N [years], where the site gives a hazard over return periods."""
-    found = None if results.spectrum is None else results.spectrum.parameters.get("nominal_life")
+def _parameter(results: Results, key: str) -> float | None:
+    """Return a number among the parameters of the site's spectrum."""
+    found = None if results.spectrum is None else results.spectrum.parameters.get(key)
     return found if isinstance(found, float) else None
 
 

@@ -83,7 +83,7 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
             load.mass_kg,
             load.bearing,
             *(load.force_n or (None, None)),
-            Listing(load.sources or (Term(load.source),), join=""),
+            Listing(load.found or (Term(load.source),), ""),
         )
         for load in mechanism.loads
     )

@@ -33,7 +33,7 @@ from reports.language.locale import Locale
 from reports.language.texts import Paragraph, Phrase, Text, say
 from spectra.arrays import FloatArray, IntArray
 
-ROOM = Room(wide=WIDTH, tall=3.6, left=0.55, around=0.2)
+ROOM = Room(wide=WIDTH, tall=3.6, left=0.8, around=0.2)
 SHARP = radians(40)  # angle between faces from which on their common edge is drawn
 LEGEND = 0.24  # height [in]
 HINGE = "#101820"
@@ -62,7 +62,7 @@ def draw(results: Results, locale: Locale) -> Figure:
             draw_lines(axes, moving, camera, faces)
         _tags(axes, building, camera, faces, owner)
         arm = round_length(0.35 / camera.scale, locale)
-        draw_triad(axes, camera, at=(22.0, 22.0), arm=arm)
+        draw_triad(axes, camera, at=(2.0, 10.0), arm=arm)
         write_arm(axes, arm, at=(2.0, 2.0), locale=locale)
         _legend(figure, building, locale)
         return figure

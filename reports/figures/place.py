@@ -15,7 +15,7 @@ from reports.figures.style import HALF, bare_sheet, report_style
 from reports.figures.view import direction_arrow
 from reports.language.locale import Locale
 
-ROOM = Room(wide=HALF, tall=2.3, left=0.45, around=0.1)
+ROOM = Room(wide=HALF, tall=2.3, left=0.7, around=0.1)
 
 
 def draw(results: Results, mechanism: MechanismResult, locale: Locale) -> Figure:
@@ -47,6 +47,6 @@ def draw(results: Results, mechanism: MechanismResult, locale: Locale) -> Figure
         draw_lines(axes, moving, camera, faces)
         draw_arrow(axes, *camera.project(arrow)[:, :2], width=1.4)
         arm = round_length(0.3 / camera.scale, locale)
-        draw_triad(axes, camera, at=(18.0, 20.0), arm=arm)
+        draw_triad(axes, camera, at=(1.0, 10.0), arm=arm)
         write_arm(axes, arm, at=(1.0, 2.0), locale=locale)
         return figure

@@ -21,6 +21,7 @@ INCH = 72.0  # pt
 TURNED, RAISED = radians(38), radians(22)  # the eye, off the normal of the plane of motion and above the horizon
 LIGHT = (0.35, 0.75, 0.55)  # to the right, up and towards the eye
 DARKEST = 0.68  # of its colour: a face turned away from the light
+NAME = 8.0  # room for the name of an axis [pt]
 LINE = 0.5  # width of the line around a face in its own colour, of a sharp edge, and of hatching [pt]
 
 
@@ -169,10 +170,10 @@ def draw_arrow(axes: Axes, start: FloatArray, end: FloatArray, *, width: float) 
 
 
 def draw_triad(axes: Axes, camera: Camera, *, at: tuple[float, float], arm: float) -> None:
-    """Draw the axes of the project from a point [pt], each of a length `arm` [m] to the scale of the picture."""
-    origin = np.array(at)
-    for place, name in enumerate("xyz"):
-        way = camera.frame[:2, place] * arm * camera.scale * INCH
+    """Draw the axes of the project right of and above a point [pt], each with the length `arm` [m] to scale."""
+    ways = camera.frame[:2].T * arm * camera.scale * INCH
+    origin = np.array(at) - np.minimum(ways.min(axis=0), 0.0) + NAME
+    for way, name in zip(ways, "xyz", strict=True):
         draw_arrow(axes, origin, origin + way, width=0.8)
         out = way / (float(np.linalg.norm(way)) or 1.0)
         axes.annotate(name, tuple(origin + way + 5.0 * out), ha="center", va="center", fontsize=6.5)

@@ -46,7 +46,7 @@ def draw(view: View, positive: int, locale: Locale) -> Figure:
         _axes(axes, view, camera, lines, positive)
         draw_arrow(axes, *camera.project(arrow)[:, :2], width=1.6)
         arm = round_length(0.3 / camera.scale, locale)
-        draw_triad(axes, camera, at=(28.0, 24.0), arm=arm)
+        draw_triad(axes, camera, at=(6.0, 11.0), arm=arm)
         write_arm(axes, arm, at=(6.0, 3.0), locale=locale)
         return figure
 

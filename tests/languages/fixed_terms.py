@@ -14,8 +14,16 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("assess/codes", "assess/study", "assess/project", "assess/mechanisms", "assess/model", "records/compliance",
-           "spectra")  # fmt: skip
+FOLDERS = (
+    "assess/codes",
+    "assess/loads",
+    "assess/mechanisms",
+    "assess/model",
+    "assess/project",
+    "assess/study",
+    "records/compliance",
+    "spectra",
+)
 PLACES: Mapping[str, tuple[int, ...]] = {
     "step": (1, 2, 3),
     "instability_step": (1, 2),
@@ -43,6 +51,8 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "FreePeriod": (1, 3),
     "Unvaried": (2,),
     "LimitState": (1,),
+    "Amplified": (3,),
+    "Construction": (0,),
     "Edition": (0, 1, 2),
     "Ultimate": tuple(range(6)),
 }
@@ -60,7 +70,10 @@ OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("claus
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/grounding.py": ("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
+    "assess/study/floor_input.py": ("SUITE", "CIRCULAR", "OF_MOTIONS", "OF_CIRCULAR"),
+    "spectra/ntc.py": ("CLAUSES",),
     "assess/study/periods.py": ("FITTED_OVER",),
+    "assess/study/amplification.py": ("FLOORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
     "assess/project/variables.py": ("FULL", "SWEPT"),
     "records/compliance/requirement.py": ("CAVEAT",),
     "assess/codes/asce41_13/clauses.py": ("PLACES",),

@@ -25,7 +25,6 @@ DATA = {
     *LETTERS,
     "spectra.arrays",  # the types of arrays
     "assess.geometry.simplify",  # fewer faces for a drawing
-    "spectra.ntc",  # coefficients of use classes, which the front matter prints
     "assess.outputs.signals",  # interruptions end the process that writes
     "assess.outputs.single",  # files whole or not at all
     "assess.workers",  # processes that end with their parent

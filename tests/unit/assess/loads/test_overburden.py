@@ -8,7 +8,6 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
-from assess.messages.message import joined_text
 from assess.project.build import build
 from assess.project.schema import load
 from tests.support.projects import block, project_toml, study_of, wall
@@ -58,7 +57,7 @@ box = { thickness = 0.3, length = 3, height = 4 }
 """
     alone, beside = mechanism(tmp_path, loads), mechanism(tmp_path, loads + eroded)
     assert beside.positive.loads[0].force == pytest.approx(alone.positive.loads[0].force, rel=1e-12)
-    assert "not shared with eroded, which stands where the wall does" in joined_text(beside.positive.loads[0].source)
+    assert "not shared with eroded, which stands where the wall does" in beside.positive.loads[0].source
 
 
 def test_a_mass_on_the_lower_block_does_not_hold_the_crack_down(tmp_path):

@@ -53,7 +53,11 @@ def test_results_of_older_versions_take_it_from_the_project(results: Results) ->
 
 def test_italian_sites_have_class_and_reference_life(results: Results) -> None:
     assert results.spectrum is not None
-    spectrum = replace(results.spectrum, code="ntc2018", parameters={"nominal_life": 50.0})
+    spectrum = replace(
+        results.spectrum,
+        code="ntc2018",
+        parameters={"nominal_life": 50.0, "use_coefficient": 1.5, "reference_life": 75.0},
+    )
     project = {**results.project, "site.spectrum.use_class": Resolved("III", True)}
     said = facts(replace(results, spectrum=spectrum, project=project))
     assert said["Class of use"] == "III, C_U = 1.5"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf, isclose
 
@@ -13,12 +13,13 @@ from assess.codes.calculation_step import Given, Step, step
 from assess.loads.load import Load, PointMass
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.joint_equilibrium import JointEquilibrium, each_contact
+from assess.mechanisms.joint_equilibrium import JointEquilibrium
 from assess.mechanisms.joint_forces import block_forces, hinge_reactions, load_force
 from assess.oscillator import Branch, multiplier
 from assess.results import ContactSheet
 from assess.study.contact_states import Turned, block_steps, state_steps
 from assess.study.contact_steps import rest_steps, threshold_steps
+from assess.study.middle_hinge_steps import middle_hinge_steps, points_at_rest
 from assess.study.section_steps import BALANCE
 from spectra.arrays import ComplexArray, FloatArray
 
@@ -67,7 +68,7 @@ def contact_sheets(
         if joint is None or rest.contacts[number] is None:
             continue
         N = float(rest.normal_force[number, 0])
-        steps = (*_force_steps(flexible, number, N, reactions), *rest_steps(joint, N))
+        steps = (*_force_steps(flexible, number, rest, reactions), *rest_steps(joint, N))
         yield ContactSheet(name, (*steps, *_contact_steps(joint, N), *_state_steps(joint, number, N, rotated)))
 
 
@@ -115,39 +116,35 @@ def _rotation_steps(turned: Turned, rotation: float, relative: float) -> tuple[S
 def _reactions(flexible: FlexibleChain, rest: JointEquilibrium) -> ComplexArray:
     """Return the force of each hinge at rest on the chain beyond it [hinges] [N]."""
     jointed = flexible.jointed
-    inside = each_contact(rest.contacts, "resultant", rest.closure.shape)
-    points = rest.configuration.corner + inside * jointed.faces(rest.configuration)
-    forces = block_forces(jointed, rest.configuration, points, jointed.chain.loads)
-    return np.asarray(hinge_reactions(points, *forces)[:, 0])
+    points = points_at_rest(jointed, rest)
+    forces = block_forces(jointed, rest.configuration, points[:, None], jointed.chain.loads)
+    return np.asarray(hinge_reactions(points[:, None], *forces)[:, 0])
 
 
-def _force_steps(flexible: FlexibleChain, number: int, N: float, reactions: ComplexArray) -> tuple[Step, ...]:
+def _force_steps(
+    flexible: FlexibleChain, number: int, rest: JointEquilibrium, reactions: ComplexArray
+) -> tuple[Step, ...]:
     """Write the normal force of a joint at rest: the sum of what it carries, where its faces are level."""
-    jointed, count = flexible.jointed, len(flexible.jointed.chain.blocks)
-    if number == 2:
-        return _crown_steps(flexible, N)
+    jointed, count, N = flexible.jointed, len(flexible.jointed.chain.blocks), float(rest.normal_force[number, 0])
+    if number == 2 and count == 2:
+        return _top_steps(flexible, N)
     normal = complex(jointed.normal[number]) * (-1.0 if number > 1 else 1.0)
     reaction = complex(reactions[number])
-    carried = [2] if number == 3 else list(range(number, min(count, 2)))
-    lines, parts = _weights(flexible, carried)
+    lines, parts = _weights(flexible, [] if number == 2 else [2] if number == 3 else range(number, min(count, 2)))
     if count == 3:
-        down = complex(reactions[2]).imag * (-1.0 if number == 3 else 1.0)
-        lines.append(step("V_C", "vertical force of the hinge C on these blocks, down", BALANCE, AT_REST, down, "N"))
+        over, down = middle_hinge_steps(flexible, rest, above=number > 1)
+        lines += over
         parts["V_C"] = (down, "N")
     total = sum(value for value, _ in parts.values())
     level = abs(normal.real) <= LEVEL
     name = "N" if level else "V"
     words = "vertical force on the joint at rest: weights and loads that it carries"
-    lines.append(step(name, words, BALANCE, _sum(parts), total, "N", given=parts))
+    lines.append(step(name, words, BALANCE, " + ".join(parts), total, "N", given=parts))
     if level and isclose(total, N, rel_tol=SAME):
         return tuple(lines)
     if level or not isclose(abs(reaction.imag), abs(total), rel_tol=SAME, abs_tol=SAME * abs(N)):
         return (_solved(N),)
     return (*lines, *_inclined_steps(reaction, normal, N))
-
-
-def _sum(parts: Given) -> str:
-    return " + ".join(parts)
 
 
 def _solved(N: float) -> Step:
@@ -165,21 +162,17 @@ def _inclined_steps(reaction: complex, normal: complex, N: float) -> tuple[Step,
     )
 
 
-def _crown_steps(flexible: FlexibleChain, N: float) -> tuple[Step, ...]:
-    """Write the force of a joint at the top of a wall, or of the third hinge of a chain."""
-    lines = list[Step]()
-    parts: Parts = {}
-    if len(flexible.jointed.chain.blocks) == 2:
-        _add_loads(flexible, flexible.jointed.at_top, lines, parts)
-    if not parts or not isclose(sum(value for value, _ in parts.values()), N, rel_tol=SAME):
-        return (_solved(N),)
-    words = "force on the joint at rest: the loads through it"
-    return (*lines, step("N", words, BALANCE, _sum(parts), N, "N", given=parts))
-
-
-def _weights(flexible: FlexibleChain, blocks: Sequence[int]) -> tuple[list[Step], Parts]:
-    """Return the weights of blocks and of what they carry, as lines and as parts of a sum."""
+def _top_steps(flexible: FlexibleChain, N: float) -> tuple[Step, ...]:
+    """Write the force of the joint at the top of a wall: of the loads that act through it."""
     lines, parts = list[Step](), Parts()
+    _add_loads(flexible, flexible.jointed.at_top, lines, parts)
+    words = "force on the joint at rest: the loads through it"
+    return (*lines, step("N", words, BALANCE, " + ".join(parts), N, "N", given=parts))
+
+
+def _weights(flexible: FlexibleChain, blocks: Iterable[int]) -> tuple[list[Step], Parts]:
+    """Return the weights of blocks and of what they carry, as lines and as parts of a sum."""
+    lines, parts, blocks = list[Step](), Parts(), list(blocks)
     for block in blocks:
         mass, name = flexible.jointed.chain.blocks[block].mass, f"W_{block + 1}"
         lines.append(step(name, "weight of a block", BALANCE, "m g", mass * g, "N", given={"m": (mass, "kg")}))

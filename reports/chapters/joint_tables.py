@@ -62,8 +62,8 @@ def _sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:
     first, hinges = alike[0], Listing(tuple(Verbatim(each.hinge) for each in alike))
     name = f"{stem}-contact-{first.hinge.replace(PRIMED, '-negative')}"
     caption = say_count(
-        "Contact of joint {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the stresses "
-        "where the multiplier is largest (m) and at overturning (u).",
+        "Contact of joint {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the "
+        "stresses where the multiplier is largest (m) and at overturning (u).",
         "Contact of joints {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the "
         "stresses where the multiplier is largest (m) and at overturning (u).",
         len(alike),

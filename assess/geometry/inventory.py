@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +15,7 @@ from assess.geometry.mesh import assemble_mesh, solid_of
 from assess.geometry.models import Model
 from assess.geometry.plausibility import size_warning
 from assess.geometry.thickness import extents, thin_direction
+from assess.messages.message import Message
 
 Sizes = tuple[float, float, float]
 
@@ -33,7 +34,7 @@ class Entry:
     volume : enclosed [m3]; None unless closed
     closed : whether it is a closed body, or was made one
     why_not : why it is none; empty where it is one
-    warnings : what was done to close it, and what to look at, sentences
+    warnings : what was done to close it, and what to look at
     thin : horizontal unit vector along the thickness, either way; None where the plan has none
     """
 
@@ -45,7 +46,7 @@ class Entry:
     volume: float | None = None
     closed: bool = False
     why_not: str = ""
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     thin: tuple[float, float] | None = None
 
 
@@ -72,7 +73,7 @@ def inventory(
     parts = mesh_elements(content, places, file=file, where=str(file))
     return tuple(
         _entry(
-            Model(file, (part,), content.unit, content.up, (part.warning,) if part.warning else ()),
+            Model(file, (part,), content.unit, content.up, () if part.warning is None else (part.warning,)),
             part,
             scale=scale,
             up=up,
@@ -95,8 +96,8 @@ def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> E
     middle = (low + high) / 2.0
     try:
         solid = solid_of(model, density=1.0, name="", scale=scale, up=up)
-        found = size_warning(solid, unit=scale or (1.0 if model.unit is None else None))
-        about_size = [] if found is None else [_plain(found, name)]
+        found = size_warning(replace(solid, name=element.shown), unit=scale or (1.0 if model.unit is None else None))
+        about_size = [] if found is None else [found]
         warnings, why, volume = (*solid.history, *about_size), "", solid.mass
     except GeometryError as problem:
         warnings, why, volume = (), _reason(problem, name), None

@@ -19,6 +19,7 @@ from assess.geometry.repair import repair
 from assess.geometry.self_overlap import self_overlap_warnings
 from assess.geometry.solid import Solid, polyhedron
 from assess.geometry.surface import Surface, merge_vertices
+from assess.messages.message import Message, Quantity, note
 from spectra.arrays import FloatArray, IntArray, is_number
 
 FARTHEST = 1e12  # of any unit: no coordinate of a map in any unit is larger
@@ -155,13 +156,13 @@ def _rotate_upright(vertices: FloatArray, *, up: Up) -> FloatArray:
     return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
 
 
-def _axis_warnings(content: Model, *, given: Up | None) -> tuple[str, ...]:
+def _axis_warnings(content: Model, *, given: Up | None) -> tuple[Message, ...]:
     """Warn where a mesh is rotated because its format prescribes y up, which exporters do not always follow."""
     turned = given is None and content.up == "y"
-    return ('read with y up, as glTF prescribes; write mesh_up = "z" if z is up',) if turned else ()
+    return (note("read-with-y-up"),) if turned else ()
 
 
-def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
+def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[Message, ...]]:
     """Return the length of the mesh's unit [m]: the given, the file's own or the metre; warn where they differ."""
     if given is not None and not is_number(given):
         raise GeometryError(f"{where}: its unit is {given!r}; give its length in metres, such as 0.001")
@@ -173,7 +174,8 @@ def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[f
         return content.unit or 1.0, ()
     if content.unit is None or abs(content.unit / given - 1.0) < SAME_UNIT:
         return given, ()
-    return given, (f"read in units of {given:g} m, as the project states, although the file states {content.unit:g} m",)
+    stated = Quantity(content.unit, "length", 6)
+    return given, (note("read-in-units", given=Quantity(given, "length", 6), stated=stated),)
 
 
 def _check_vertices(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArray:

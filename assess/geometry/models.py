@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from assess.errors import GeometryError
-from assess.geometry.formats.element_selection import list_names, select_elements, short_name
+from assess.geometry.formats.element_selection import MAX_LISTED, list_names, select_elements, short_name
 from assess.geometry.formats.mesh_file import Part, Up
 from assess.geometry.formats.readers import mesh_elements, read
+from assess.messages.message import Message, note, whole_number
+from assess.messages.plural import first_names
 
 
 @dataclass(frozen=True)
@@ -22,14 +24,14 @@ class Model:
     parts : the meshes of the elements that it takes
     unit : length of the file's unit [m]; None where the format does not say
     up : which axis points up; None where the format does not say
-    warnings : which elements became one body, and what may be missing, sentences
+    warnings : which elements became one body, and what may be missing
     """
 
     file: Path
     parts: tuple[Part, ...]
     unit: float | None = None
     up: Up | None = None
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
 
 Selection = tuple[
@@ -79,16 +81,21 @@ def _read_one(elements: Mapping[str, str | None], file: Path) -> Models:
     return found
 
 
-def _join_warnings(parts: Sequence[Part]) -> tuple[str, ...]:
+def _join_warnings(parts: Sequence[Part]) -> tuple[Message, ...]:
     """Note where several elements become one body."""
     if len(parts) < 2:
         return ()
-    return (f"{len(parts)} elements joined: {list_names([each.element.shown for each in parts])}",)
+    names = first_names([short_name(each.element.shown) for each in parts], MAX_LISTED)
+    return (note("elements-joined", number=whole_number(len(parts)), names=names),)
 
 
-def _mesh_warnings(parts: Sequence[Part]) -> tuple[str, ...]:
+def _mesh_warnings(parts: Sequence[Part]) -> tuple[Message, ...]:
     """Warn of what may be missing of elements."""
-    return tuple(f'element "{short_name(each.element.shown)}": {each.warning}' for each in parts if each.warning)
+    return tuple(
+        note("element-incomplete", element=short_name(each.element.shown), what=each.warning)
+        for each in parts
+        if each.warning is not None
+    )
 
 
 def _refuse_unmeshed(parts: Sequence[Part], *, where: str) -> None:

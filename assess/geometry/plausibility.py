@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from assess.errors import GeometryError
 from assess.geometry.solid import Solid
 from assess.geometry.surface import area, volume
 from assess.geometry.thickness import extents, thin_direction
+from assess.messages.message import Message, Quantity, Value, warning
 
 LARGEST = 300.0  # m: no masonry body is longer
 SMALLEST = 0.03  # m: none is shorter
@@ -43,10 +46,12 @@ def refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, 
     if size > LARGEST or (size < SMALLEST and not given):
         limit = f"more than {LARGEST:g}" if size > LARGEST else f"less than {SMALLEST:g}"
         remedy = "give another mesh_unit" if given else "give mesh_unit, the unit of its coordinates"
-        hint = _likely_unit(solid, unit=unit)
+        likely = _likely_unit(solid, unit=unit)
+        hint = "No usual unit makes it a wall; check the model"
+        if likely is not None:
+            hint = f'With mesh_unit = "{likely.name}" it would measure {likely.size:.4g} m'
         raise GeometryError(
-            f"{where}: it measures {size:.4g} m at its longest, {limit} m, which no masonry body does; {remedy}."
-            + (hint or " No usual unit makes it a wall; check the model")
+            f"{where}: it measures {size:.4g} m at its longest, {limit} m, which no masonry body does; {remedy}. {hint}"
         )
     resolution = _resolution(solid, unit=unit) if single else 0.0
     if resolution > 0.0 and resolution > TOO_COARSE * (thickness := _thickness(solid)):
@@ -57,7 +62,7 @@ def refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, 
         )
 
 
-def size_warning(solid: Solid, *, unit: float | None = None) -> str | None:
+def size_warning(solid: Solid, *, unit: float | None = None) -> Message | None:
     """Return a warning where size or coordinates of a body suggest a slip, None otherwise.
 
     Parameters
@@ -66,20 +71,19 @@ def size_warning(solid: Solid, *, unit: float | None = None) -> str | None:
     unit : length that the mesh was read in [m]; None for a body that is not a mesh
     """
     size = _size(solid)
-    hint = "" if unit is None else _likely_unit(solid, unit=unit)
+    values: dict[str, Value] = {"body": solid.name, "size": Quantity(size, "length")}
+    likely = None if unit is None else _likely_unit(solid, unit=unit)
+    if likely is not None:
+        values |= {"unit": likely.name, "other": Quantity(likely.size, "length")}
+    behind = "" if likely is None else "-in-unit"
     if not SMALLEST <= size <= LARGEST:
-        return f'body "{solid.name}" measures {size:.4g} m at its longest; is its unit right?{hint}'
+        return warning(f"size{behind}", **values)
     if size > TALL and (thickness := _thickness(solid)) > WALL_THICKNESS[1]:
-        return (
-            f'body "{solid.name}" measures {size:.4g} m at its longest and is about {thickness:.3g} m thick; '
-            f"is its unit right?{hint}"
-        )
+        return warning(f"size-thick{behind}", thickness=Quantity(thickness, "length", 3), **values)
     resolution = _resolution(solid, unit=unit or 1.0)
     if resolution > COARSE * size:
-        return (
-            f'body "{solid.name}" is {np.abs(solid.vertices).max():.4g} m from the origin in single precision, which '
-            f"resolves {resolution:.2g} m there; move the mesh closer to the origin before exporting it"
-        )
+        distance, finest = float(np.abs(solid.vertices).max()), Quantity(resolution, "length", 2)
+        return warning("far-from-origin", body=solid.name, distance=Quantity(distance, "length"), resolution=finest)
     return None
 
 
@@ -112,8 +116,16 @@ def _resolution(solid: Solid, *, unit: float) -> float:
     return spacing * unit if single else 0.0
 
 
-def _likely_unit(solid: Solid, *, unit: float) -> str:
-    """Suggest the unit that makes a body a usual wall, or else gives it the size of one; empty where none does."""
+@dataclass(frozen=True)
+class _LikelyUnit:
+    """The unit that was probably meant, and the longest side of the body in it [m]."""
+
+    name: str
+    size: float
+
+
+def _likely_unit(solid: Solid, *, unit: float) -> _LikelyUnit | None:
+    """Return the unit that makes a body a usual wall, or else gives it the size of one; None where none does."""
     length, thickness = _size(solid) / unit, _thickness(solid) / unit
     walls = [
         name
@@ -124,6 +136,4 @@ def _likely_unit(solid: Solid, *, unit: float) -> str:
     likely = min(walls or UNITS, key=lambda name: abs(np.log(length * UNITS[name] / USUAL)))
     size = length * UNITS[likely]
     same = abs(UNITS[likely] / unit - 1.0) < SAME
-    return (
-        "" if same or not SMALLEST <= size <= LARGEST else f' With mesh_unit = "{likely}" it would measure {size:.4g} m'
-    )
+    return None if same or not SMALLEST <= size <= LARGEST else _LikelyUnit(likely, size)

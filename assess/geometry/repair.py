@@ -17,20 +17,22 @@ from assess.geometry.surface import (
     find_edges,
     neighbours,
     open_edges,
+    place_values,
     point_text,
     volume,
-    volume_change_text,
+    volume_change,
 )
+from assess.messages.message import Message, Quantity, note, whole_number
 from assess.messages.plural import count_noun
 from spectra.arrays import FloatArray, IntArray
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 
-Steps = tuple[str, ...]
+Steps = tuple[Message, ...]
 
 
 def repair(surface: Surface, *, where: str) -> tuple[Surface, Steps]:
-    """Close the surface of a mesh and return it with what was done, in sentences; a good mesh is returned unchanged.
+    """Close the surface of a mesh and return it with what was done; a good mesh is returned unchanged.
 
     Triangles are oriented consistently; double ones removed; open borders joined where they touch; plane holes of at
     most a fifth of the surface closed; inverted shells reversed, overlapping ones united. What remains open is refused.
@@ -79,9 +81,7 @@ def _orient_consistently(surface: Surface) -> tuple[Surface, Steps]:
     if not turn.any():
         return surface, ()
     faces = np.where(turn[:, None], triangles[:, ::-1], triangles)
-    return (vertices, faces), (
-        f"{count_noun(int(turn.sum()), 'triangle')} reversed to match their neighbours (volume +0 %)",
-    )
+    return (vertices, faces), (note("triangles-reversed", number=whole_number(int(turn.sum()))),)
 
 
 def _drop_double_triangles(surface: Surface) -> tuple[Surface, Steps]:
@@ -103,8 +103,8 @@ def _drop_double_triangles(surface: Surface) -> tuple[Surface, Steps]:
     )
     if _count_open_edges(best) > _count_open_edges(surface):  # they belong to different shells
         return surface, ()
-    gone = count_noun(len(triangles) - len(best[1]), "double triangle")
-    return best, (f"{gone} removed ({volume_change_text(volume(*surface), volume(*best))})",)
+    gone, change = whole_number(len(triangles) - len(best[1])), volume_change(volume(*surface), volume(*best))
+    return best, (note("double-triangles-removed", number=gone, change=change),)
 
 
 def _count_open_edges(surface: Surface) -> int:
@@ -125,9 +125,13 @@ def _weld_borders(surface: Surface) -> tuple[Surface, Steps]:
     target = np.arange(len(vertices))
     target[rim] = kept
     new = (vertices, drop_degenerate(target[triangles]))
-    gone = count_noun(int((kept != rim).sum()), "corner")
-    moved = volume_change_text(volume(*surface), volume(*new))
-    return new, (f"{gone} of open borders, at most {1e3 * reach:.2g} mm off, joined ({moved})",)
+    done = note(
+        "border-corners-joined",
+        number=whole_number(int((kept != rim).sum())),
+        reach=Quantity(reach, "short length", 2),
+        change=volume_change(volume(*surface), volume(*new)),
+    )
+    return new, (done,)
 
 
 def _split_edges(surface: Surface) -> tuple[Surface, Steps]:
@@ -139,8 +143,7 @@ def _split_edges(surface: Surface) -> tuple[Surface, Steps]:
         total += number
     if not total:
         return surface, ()
-    done = f"{count_noun(total, 'edge')} split at corners of other triangles that lie on them (volume +0 %)"
-    return (vertices, triangles), (done,)
+    return (vertices, triangles), (note("edges-split", number=whole_number(total)),)
 
 
 def _split_each_once(vertices: FloatArray, triangles: IntArray) -> tuple[IntArray, int]:
@@ -184,14 +187,16 @@ def _fill_holes(surface: Surface) -> tuple[Surface, Steps]:
         return surface, ()
     new = (vertices, np.concatenate([triangles, *(hole.triangles for hole in holes)]))
     closed = sum(hole.area for hole in holes)
-    size = f"{closed:.3g} m2, {100.0 * closed / area(*new):.3g} % of the surface"
-    edges = count_noun(sum(hole.edges for hole in holes), "edge")
-    moved = volume_change_text(volume(*surface), volume(*new))
-    first = f"the first around {point_text(holes[0].centre)} m"
-    return new, (
-        f"{count_noun(len(holes), 'hole')} of {edges}, {size}, closed by planes ({first}; {moved} against the open "
-        "mesh, holes taken as cones to the middle of its box)",
+    done = note(
+        "holes-closed",
+        number=whole_number(len(holes)),
+        edges=whole_number(sum(hole.edges for hole in holes)),
+        area=Quantity(closed, "area", 3),
+        share=Quantity(100.0 * closed / area(*new), "percent", 3),
+        change=volume_change(volume(*surface), volume(*new)),
+        **place_values(holes[0].centre),
     )
+    return new, (done,)
 
 
 def _unclosable(surface: Surface, holes: list[Hole]) -> str:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.errors import GeometryError
-from assess.geometry.surface import Surface, point_text
+from assess.geometry.surface import Surface, place_values, point_text
 from assess.geometry.winding_number import SHEAR
+from assess.messages.message import Message, Quantity, note
 from spectra.arrays import FloatArray, IntArray
 
 RAYS = 48  # across the body, each way
@@ -33,7 +34,7 @@ class SelfOverlap:
     place: FloatArray | None
 
 
-def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[str, ...]:
+def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[Message, ...]:
     """Warn where a closed surface intersects itself a little; which side is meant cannot be known.
 
     Raises
@@ -43,13 +44,13 @@ def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[str, ...]:
     found = measure_self_overlap(surface)
     if found.place is None or found.share < NEGLIGIBLE:
         return ()
-    text = (
-        f"its surface intersects itself near {point_text(found.place)} m, so that about {100.0 * found.share:.2g} % of "
-        "its volume counts twice or not at all"
-    )
+    percent = 100.0 * found.share
     if found.share > LARGEST:
-        raise GeometryError(f"{where}: {text}; repair it where it was made, or split it into bodies")
-    return (f"{text}; left as it is",)
+        raise GeometryError(
+            f"{where}: its surface intersects itself near {point_text(found.place)} m, so that about {percent:.2g} % "
+            "of its volume counts twice or not at all; repair it where it was made, or split it into bodies"
+        )
+    return (note("self-overlap", share=Quantity(percent, "percent", 2), **place_values(found.place)),)
 
 
 def measure_self_overlap(surface: Surface) -> SelfOverlap:

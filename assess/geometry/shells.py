@@ -21,12 +21,12 @@ from assess.geometry.surface import (
     find_edges,
     merge_vertices,
     neighbours,
-    point_text,
+    place_values,
     volume,
-    volume_change_text,
+    volume_change,
 )
 from assess.geometry.winding_number import winding_numbers
-from assess.messages.plural import count_noun
+from assess.messages.message import Message, note, whole_number
 from spectra.arrays import FloatArray, IntArray
 
 SAMPLES = 64  # triangles of a shell beside which the others are looked up
@@ -34,7 +34,7 @@ SAMPLES = 64  # triangles of a shell beside which the others are looked up
 
 def unify_shells(
     surface: Surface, across: NDArray[np.int32] | None = None, *, where: str
-) -> tuple[Surface, tuple[str, ...]]:
+) -> tuple[Surface, tuple[Message, ...]]:
     """Return a closed surface that counts its material once, and what was done; a good one is returned unchanged.
 
     A shell without volume is dropped. A shell that faces inwards is a cavity where it lies in material, else it is
@@ -50,11 +50,11 @@ def unify_shells(
     ------
     GeometryError : shells cannot be united
     """
-    done: tuple[str, ...] = ()
+    done: tuple[Message, ...] = ()
     if volume(*surface) < -THINNEST * float(np.prod(np.ptp(surface[0], axis=0))):  # two shells may be opposite
         surface, done = (
             (surface[0], surface[1][:, ::-1]),
-            ("its triangles faced inwards and were reversed (volume +0 %)",),
+            (note("body-reversed"),),
         )
     shells = separate_shells(surface, across)
     if len(shells) == 1:
@@ -101,12 +101,12 @@ def _rejoin(group: IntArray, edges: Edges) -> IntArray:
     return connected_groups(np.column_stack([ups, downs]), count=int(group.max()) + 1)[group]
 
 
-def _drop_flat(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
+def _drop_flat(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[Message, ...]]:
     """Drop shells that enclose nothing; keep all where none encloses anything."""
     good = [shell for shell in shells if not _flat(shell)]
     if len(good) in (0, len(shells)):
         return shells, ()
-    return good, (f"{count_noun(len(shells) - len(good), 'closed shell')} without volume removed (volume +0 %)",)
+    return good, (note("flat-shells-removed", number=whole_number(len(shells) - len(good))),)
 
 
 def _flat(shell: Surface) -> bool:
@@ -114,18 +114,17 @@ def _flat(shell: Surface) -> bool:
     return abs(volume(*shell)) <= THINNEST * float(np.ptp(corners, axis=(0, 1)).max()) ** 3
 
 
-def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
+def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[Message, ...]]:
     """Reverse the shells that face inwards but lie in no material."""
     solid = [shell for shell in shells if volume(*shell) > 0.0]
     parts, boxes = _parts(solid)
     alone = [k for k, shell in enumerate(shells) if volume(*shell) < 0.0 and not _lies_in_material(shell, parts, boxes)]
     if not alone:
         return shells, ()
-    centre = point_text(shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1)))
+    centre = shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1))
     after = sum(abs(volume(*shell)) if k in alone else volume(*shell) for k, shell in enumerate(shells))
-    moved = volume_change_text(sum(volume(*shell) for shell in shells), after)
-    number = count_noun(len(alone), "closed shell")
-    done = f"{number} that faced inwards reversed (the first around {centre} m; {moved})"
+    change = volume_change(sum(volume(*shell) for shell in shells), after)
+    done = note("shells-reversed", number=whole_number(len(alone)), change=change, **place_values(centre))
     return [(v, t[:, ::-1]) if k in alone else (v, t) for k, (v, t) in enumerate(shells)], (done,)
 
 
@@ -139,17 +138,15 @@ def _lies_in_material(shell: Surface, parts: list[FloatArray], boxes: FloatArray
     return bool(np.mean(winding_numbers(inside, parts, boxes) > 0) > 0.5)
 
 
-def _unite_overlapping(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
+def _unite_overlapping(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[Message, ...]]:
     """Unite the shells where the material of some would count twice."""
     at = _find_overlap(shells)
     if at is None:
         return shells, ()
     whole = unite(shells, where=where)
     before = sum(volume(*shell) for shell in shells)
-    done = (
-        f"its {len(shells)} closed shells, some of which overlap (near {point_text(at)} m), united so that their "
-        f"common volume counts once; a cavity would face inwards ({volume_change_text(before, volume(*whole))})"
-    )
+    change = volume_change(before, volume(*whole))
+    done = note("shells-united", number=whole_number(len(shells)), change=change, **place_values(at))
     return [whole], (done,)
 
 

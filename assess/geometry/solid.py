@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.simple_polygon import find_crossing, remove_repeats
 from assess.geometry.surface import tetrahedra
+from assess.messages.message import Message
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray, is_number
 
@@ -41,7 +42,7 @@ class Solid(ShortRepr):
     inertia : tensor about the centroid, products with their minus sign [3, 3] [kg m2]
     vertices : of the surface [n, 3] [m]
     triangles : vertex indices, anticlockwise seen from outside [m, 3]
-    history : what was done to the mesh it was read from, sentences
+    history : what was done to the mesh it was read from
     """
 
     name: str
@@ -50,7 +51,7 @@ class Solid(ShortRepr):
     inertia: FloatArray
     vertices: FloatArray
     triangles: IntArray
-    history: tuple[str, ...] = ()
+    history: tuple[Message, ...] = ()
 
 
 Solids = Mapping[str, Solid | None]

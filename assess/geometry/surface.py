@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
+from assess.messages.message import Quantity, Value, lengths
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 HASH_WEIGHTS = (1.6180339887, 2.7182818284)  # weights that keep different points apart
@@ -283,6 +284,12 @@ def point_text(point: FloatArray) -> str:
     return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.12g}" for value in point) + ")"
 
 
-def volume_change_text(before: float, after: float) -> str:
-    """Write by how much a repair changed the volume [m3], as a share of the new volume."""
-    return f"volume {100.0 * (after - before) / after:+.3g} %" if after else "no volume left"
+def place_values(point: FloatArray) -> dict[str, Value]:
+    """Return the coordinates of a point [3] [m] as values x, y, z of a message."""
+    x, y, z = point
+    return lengths(x=x, y=y, z=z)
+
+
+def volume_change(before: float, after: float) -> Quantity:
+    """Return by how much a repair changed the volume [m3], as a share of the new volume [%]."""
+    return Quantity(100.0 * (after - before) / after if after else -100.0, "percent", 3)

@@ -17,6 +17,7 @@ from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
 from assess.interfaces.law import JointLaw
 from assess.interfaces.section import Section, mirror
+from assess.messages.message import Message, Quantity, warning
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
@@ -143,21 +144,21 @@ def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float,
     return float(contact(section, any_joint, normal_force=normal_force, rotation=crushing).resultant[0])
 
 
-def out_of_plane_warning(section: Section, found: Contact) -> str:
-    """Return a warning if the resultant leaves the plane of motion by more than a hundredth of the breadth, else "".
+def out_of_plane_warning(section: Section, found: Contact, *, interface: str) -> Message | None:
+    """Return a warning if the resultant leaves the plane of motion by more than a hundredth of the breadth.
 
     Parameters
     ----------
     section : of the joint
     found : its contact at all rotations of interest
+    interface : its letter
     """
     largest = float(np.abs(found.out_of_plane_eccentricity).max())
     if largest <= 0.01 * section.breadth:
-        return ""
-    return (
-        f"the contact is not symmetric about the plane of motion: its resultant moves by up to {largest:.3g} m, "
-        f"{largest / section.breadth:.0%} of the section, along the axis of rotation, which turns the body out of plane"
-    )
+        return None
+    share = Quantity(100.0 * largest / section.breadth, "percent", 2)
+    away = Quantity(largest, "length", 3)
+    return warning("contact-not-symmetric", interface=interface, distance=away, share=share)
 
 
 def _refuse_rotation(turns: FloatArray, *, where: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +18,7 @@ from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, thrust_of, weight
-from assess.messages.message import Message, Quantity, Term, Value, message
+from assess.messages.message import Message, Quantity, Term, Value, message, warning
 from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
@@ -49,7 +49,7 @@ class LoadSet:
     """
 
     loads: tuple[Load, ...]
-    warnings: tuple[str, ...]
+    warnings: tuple[Message, ...]
     follows: tuple[bool, ...] = ()
 
 
@@ -90,7 +90,7 @@ class BlockContact:
     """Where a body meets the block and others, None if the user states all of it; and warnings."""
 
     found: Support | None
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
 
 FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
@@ -102,7 +102,7 @@ class Part:
 
     share: float
     source: Term | Message
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
 
 def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
@@ -125,7 +125,7 @@ def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings)
     given = load.at is not None and load.bearing is not None
     found = find_support(load, body, given=given, around=around)
     if found is not None:
-        return beside_the_block(found, around=around)
+        return beside_the_block(load, found, around=around)
     if body is None or given:
         return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
@@ -176,18 +176,7 @@ def body_loads(
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
-    return LoadSet((carried, *pushed), name_load(load, (*meeting.warnings, *part.warnings)))
-
-
-def name_load(load: BodyLoad, warnings: Iterable[str]) -> tuple[str, ...]:
-    """Put the name of the load in front of each warning.
-
-    Parameters
-    ----------
-    load : the load that they are about
-    warnings : sentences
-    """
-    return tuple(f'load "{load.body}": {text}' for text in warnings)
+    return LoadSet((carried, *pushed), (*meeting.warnings, *part.warnings))
 
 
 def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
@@ -224,16 +213,17 @@ def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance:
     return Support(found.contact, kept)
 
 
-def beside_the_block(found: Support, *, around: Surroundings) -> BlockContact:
+def beside_the_block(load: BodyLoad, found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
-    kept, warnings = dict(found.others), list[str]()
+    kept, warnings = dict(found.others), list[Message]()
     for other in (solid for solid in around.others if solid.name in found.others):
         part, volume = shared_volume(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
-            warnings.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
+            warnings.append(warning("load-stands-in-block", load=load.body, other=other.name))
         elif part > OVERLAP:
-            warnings.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
+            common = Quantity(volume, "volume", 3)
+            warnings.append(warning("load-touches-overlapping", load=load.body, other=other.name, volume=common))
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
@@ -264,7 +254,7 @@ def part_of(case: Case, *, bearing: bool) -> Part:
         beside = Quantity(statics, "ratio", 3)
         return Part(case.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:
-        warnings = ("nothing in the project carries its weight",) if statics is None else ()
+        warnings = (warning("load-weight-not-carried", load=case.load.body),) if statics is None else ()
         return Part(1.0, PUSHES_WHOLE, warnings)
     if statics is None or carried is None:
         return alone(case)
@@ -277,11 +267,9 @@ def part_of(case: Case, *, bearing: bool) -> Part:
 
 def alone(case: Case) -> Part:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
-    nothing = "nothing else in the project carries it"
     if case.arch is not None and case.one_foot:
-        warning = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
-        return Part(0.5, HALF, (warning,))
-    return Part(1.0, ALONE, (f"{nothing}, so its whole weight is on the block: else give share",))
+        return Part(0.5, HALF, (warning("load-half-taken", load=case.load.body),))
+    return Part(1.0, ALONE, (warning("load-all-taken", load=case.load.body),))
 
 
 def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:

@@ -17,6 +17,7 @@ from assess.loads.definitions import BodyLoad
 from assess.loads.load import Point
 from assess.loads.plane import point_in_plane
 from assess.loads.roofs_and_vaults import arch_of
+from assess.messages.message import Message, warning, whole_number
 from spectra.arrays import FloatArray
 
 
@@ -43,7 +44,7 @@ class Loaded:
     contact: int
 
 
-Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and warnings
+Found = tuple[tuple[Loaded, ...], tuple[Message, ...]]  # and warnings
 
 
 def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()) -> Found:
@@ -104,21 +105,18 @@ def as_given(
     """
     if given in contacts:
         cracked = among.parted and at_one_place(contacts, tolerance=load.tolerance)
-        return (Loaded(given, given),), (_left_out(left_out[0]),) if left_out and not cracked else ()
+        return (Loaded(given, given),), (_left_out(load, left_out[0]),) if left_out and not cracked else ()
     if load.at is None:
         raise GeometryError(
             f'{among.where}: load "{load.body}": block = {given}, yet it touches block {touched}; remove block, or '
             "give `at`, the place where it acts on the block given"
         )
-    said = f"block {given} is given, yet it touches block {touched}; it moves with the one given: check `block`"
-    return (Loaded(given, touched),), (said,)
+    numbers = {"given": whole_number(given), "touched": whole_number(touched)}
+    return (Loaded(given, touched),), (warning("load-on-other-block", load=load.body, **numbers),)
 
 
-def _left_out(number: int) -> str:
-    return (
-        f"it bears on block {number} too, and no load puts that part of it there: remove `block`, or add a load with "
-        f"block = {number}"
-    )
+def _left_out(load: BodyLoad, number: int) -> Message:
+    return warning("load-part-left-out", load=load.body, block=whole_number(number))
 
 
 def refuse_ambiguous(

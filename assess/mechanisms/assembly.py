@@ -17,7 +17,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.restitution import Restitution, source_text
 from assess.mechanisms.virtual_work import require_stable, virtual_work
 from assess.mechanisms.warnings import supports_in_tension
-from assess.messages.message import Message, Term, message
+from assess.messages.message import Message, Term, distinct, message
 
 Impacts = tuple[Restitution, Restitution]
 
@@ -34,7 +34,7 @@ def assemble(
     label: str,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
     outlines: tuple[Outline, ...],
-    warnings: Iterable[str] = (),
+    warnings: Iterable[Message] = (),
 ) -> Mechanism:
     """Assemble a mechanism from its chains, with its coefficients of restitution.
 
@@ -46,7 +46,7 @@ def assemble(
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
     outlines : of each block in the plane of motion
-    warnings : sentences on what was given
+    warnings : on what was given
 
     Raises
     ------
@@ -70,7 +70,7 @@ def assemble(
         restitution_said=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        warnings=(*warnings, *pulling, *sorted({kept.notice, back.notice} - {""})),
+        warnings=(*warnings, *pulling, *_notices(kept, back)),
         stopped=_stopped(kept, back),
         rebounds=kept.range,
     )
@@ -108,7 +108,8 @@ def add_joints(
     )
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
     rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
-    others = [notice for notice in mechanism.warnings if notice not in {each.notice for each in rigid}]
+    before = _notices(*rigid)
+    others = [notice for notice in mechanism.warnings if notice not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
     return replace(
@@ -118,7 +119,7 @@ def add_joints(
         restitution=(kept.value, returned.value),
         restitution_source=source_text(_sources(kept, returned, *others_of(kept, about))),
         restitution_said=_sources(kept, returned, *others_of(kept, about)),
-        warnings=(*others, *sorted({kept.notice, returned.notice} - {""})),
+        warnings=(*others, *_notices(kept, returned)),
         stopped=_stopped(kept, returned),
         rebounds=kept.range,
     )
@@ -144,7 +145,7 @@ def _times(kept: Restitution, factor: float) -> Restitution:
     if kept.source == GIVEN:
         return kept
     value = kept.value * factor
-    return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else "")
+    return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else None)
 
 
 def bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
@@ -179,6 +180,11 @@ def _sources(positive: Restitution, negative: Restitution, *about: Term) -> tupl
     ahead = (message("restitution-positive", {"source": each}) for each in positive.source)
     behind = (message("restitution-negative", {"source": each}) for each in negative.source)
     return (*ahead, *behind, *about)
+
+
+def _notices(*found: Restitution) -> tuple[Message, ...]:
+    """Return the warnings on the coefficients, each once."""
+    return distinct(each.notice for each in found if each.notice is not None)
 
 
 def others_of(kept: Restitution, about: Term) -> tuple[Term, ...]:

@@ -10,6 +10,7 @@ from math import hypot
 from assess.errors import MechanismError
 from assess.loads.load import Load, PointMass, mirror_load
 from assess.mechanisms.joint import Joint
+from assess.messages.message import Value, lengths
 
 Point = tuple[float, float]
 
@@ -147,6 +148,16 @@ def require_movable(chain: Chain, *, name: str) -> None:
 def format_point(point: Point) -> str:
     """Return a point as errors print it."""
     return f"({format_metres(point[0])}, {format_metres(point[1])}) m"
+
+
+def point_values(point: Point) -> dict[str, Value]:
+    """Return a point in the plane of motion as values x, z of a message.
+
+    Parameters
+    ----------
+    point : (x, z) [m]
+    """
+    return lengths(x=point[0], z=point[1])
 
 
 def format_metres(length: float) -> str:

@@ -10,6 +10,7 @@ from assess.mechanisms.assembly import assemble
 from assess.mechanisms.chain import Block, Chain, Point
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.messages.message import Quantity, warning
 
 
 def equivalent_block(
@@ -47,7 +48,7 @@ def equivalent_block(
     chain = Chain((block,), ((half, elevation),))
     top = elevation + 2 * height
     k = g / (p**2 * radius)
-    impossible = f"I_O / (M R^2) = g / (p^2 R) = {k:.3g} is less than 1, which no body has; check p and radius"
+    impossible = warning("no-such-body", ratio=Quantity(k, figures=3))
     outline: tuple[Point, ...] = ((-half, elevation), (half, elevation), (half, top), (-half, top))
     return assemble(
         name,

@@ -12,6 +12,7 @@ from assess.mechanisms.chain import Block, Chain, Point, mirror_chain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.warnings import loose_hinges
+from assess.messages.message import Message
 
 Hinges = tuple[Point, Point, Point, Point]
 
@@ -26,7 +27,7 @@ def four_hinge(
     sides: Sides = "two",
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    warnings: tuple[str, ...] = (),
+    warnings: tuple[Message, ...] = (),
 ) -> Mechanism:
     """Make the mechanism of three bodies A-B, B-C and C-D; negative rotation has hinges of its own.
 
@@ -40,7 +41,7 @@ def four_hinge(
     loads : on the blocks
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
-    warnings : sentences on what was given
+    warnings : on what was given
 
     Raises
     ------

@@ -17,7 +17,7 @@ from assess.mechanisms.chain import Chain
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.restitution import Restitution, housner, sorrentino, source_text
 from assess.mechanisms.velocity_field import angular_momentum, inertia_at_rest, kinetic_product, velocity_field
-from assess.messages.message import Message, Quantity, Term, message
+from assess.messages.message import Message, Quantity, Term, Value, message, warning
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None
@@ -74,15 +74,13 @@ def sorrentino_rebound(chain: Chain) -> Restitution:
     signed = sorrentino(plain_block(chain))
     source = message("restitution-3-45", {"value": Quantity(signed, "ratio", 3)})
     if signed >= 0:
-        notice = f"{source.text} is not negative: there is no rebound, restitution 0 is used"
-        return Restitution(0.0, (source,), notice)
+        return Restitution(0.0, (source,), warning("restitution-no-rebound", **source.values))
     return Restitution(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
 
 
 def no_rebound(chain: Chain) -> Restitution:
     """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
-    notice = "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one as a number"
-    return Restitution(0.0, NO_REBOUND, notice)
+    return Restitution(0.0, NO_REBOUND, warning("restitution-chain"))
 
 
 _BLOCK: Mapping[Named, Rule] = {"thesis": single_block_rule, "housner": housner_rule, "momentum": conserve_momentum}
@@ -141,15 +139,13 @@ def find_restitution(
     return _stopped(told) if told.value < 0.0 else _noticed(told, ending=ending, starting=starting)
 
 
-def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
-    """Return a warning if a given restitution takes more energy at each impact than momentum does, else ""."""
+def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
+    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
     by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
     if starting is None or given >= by_momentum - NOTABLE:
-        return ""
-    return (
-        f"restitution {given:.3g} is given, where momentum kept over the mechanism is {by_momentum:.3f}: each impact "
-        "takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that number"
-    )
+        return None
+    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
+    return warning("restitution-takes-more", **values)
 
 
 def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
@@ -178,10 +174,7 @@ def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Ch
 
 def _stopped(kept: Restitution) -> Restitution:
     """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
-    notice = (
-        f"restitution {kept.value:.3g} ({source_text(kept.source)}): a mechanism this squat stops at its first impact; "
-        "0 is taken, and histories are not answered: for those give restitution as a number in [0, 1]"
-    )
+    notice = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
     return replace(kept, value=0.0, notice=notice, stopped=kept.value)
 
 
@@ -195,11 +188,8 @@ def _noticed(kept: Restitution, *, ending: Chain, starting: Chain) -> Restitutio
     plain = conserve_momentum(*(without_masses(chain) for chain in (ending, starting))).value
     if kept.value <= plain + NOTABLE:
         return kept
-    notice = (
-        f"restitution {kept.value:.3f} is above the {plain:.3f} of the same blocks without {', '.join(loads)}: a mass "
-        "high up moves almost horizontally before and after the impact, which therefore takes little of its velocity"
-    )
-    return replace(kept, notice=notice)
+    values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
+    return replace(kept, notice=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
 
 
 def without_masses(chain: Chain) -> Chain:
@@ -207,13 +197,14 @@ def without_masses(chain: Chain) -> Chain:
     return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
 
 
-def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
+def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> Message:
     """Return a warning that explains a coefficient above 1 without a gain of energy."""
     share = inertia_at_rest(velocity_field(starting)) / inertia_at_rest(velocity_field(ending))
-    return (
-        f"restitution {kept.value:.4g} is above 1 though energy is lost: the hinges of the two directions differ, and "
-        f"the branch that begins is the faster one, its inertia being {share:.3g} of that of the one that ends; the "
-        f"impact keeps {100.0 * kept.value**2 * share:.3g} % of the energy"
+    return warning(
+        "restitution-above-one",
+        value=Quantity(kept.value),
+        share=Quantity(share, figures=3),
+        kept=Quantity(100.0 * kept.value**2 * share, "percent", 3),
     )
 
 

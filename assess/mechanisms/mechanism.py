@@ -39,7 +39,7 @@ class Mechanism:
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
-    warnings : sentences the engineer must read, such as a rule that did not hold
+    warnings : what the engineer must read, such as a rule that did not hold
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
     directions : the resistance towards each direction if the weakest of a circle was searched, else None
     direction : of positive rotation, a horizontal vector; None for an equivalent block
@@ -58,7 +58,7 @@ class Mechanism:
     restitution_source: str
     elevation: float
     outlines: tuple[Outline, ...]
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
     stopped: float | None = None

@@ -12,7 +12,7 @@ from assess.oscillator import SingleBlock
 
 @dataclass(frozen=True)
 class Restitution:
-    """A coefficient [-], at least 0, its source, and a warning if the rule does not apply ("" otherwise).
+    """A coefficient [-], at least 0, its source, and a warning if the rule does not apply (else None).
 
     source : the parts of a phrase: the rule, and what other rules would give
     stopped : the negative value by the rule, if the impact brings the mechanism to rest; else None
@@ -21,7 +21,7 @@ class Restitution:
 
     value: float
     source: tuple[Term | Message, ...]
-    notice: str = ""
+    notice: Message | None = None
     stopped: float | None = None
     range: tuple[float, ...] = (1.0,)
 

@@ -9,10 +9,11 @@ from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load
 from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Block, Chain, Point, mirror_chain
+from assess.mechanisms.chain import Block, Chain, Point, mirror_chain, point_values
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.rest import plain_block
+from assess.messages.message import Message, lengths, warning
 
 
 def single_block(
@@ -25,7 +26,7 @@ def single_block(
     hinge_negative: Point | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    warnings: tuple[str, ...] = (),
+    warnings: tuple[Message, ...] = (),
 ) -> Mechanism:
     """Make the mechanism of one body rocking about the edges of its base.
 
@@ -39,7 +40,7 @@ def single_block(
     loads : on the block
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
-    warnings : sentences on what was given
+    warnings : on what was given
 
     Raises
     ------
@@ -83,7 +84,7 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
         )
 
 
-def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
+def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
     """Return a warning if a given hinge does not lie on the base of the body."""
     if hinge is None or body.base is None:
         return []
@@ -93,10 +94,8 @@ def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
     elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
     if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
         return []
-    return [
-        f"hinge {label} at ({hinge[0]:.4g}, {hinge[1]:.4g}) m is not on the base of the body, which reaches from "
-        f"({low[0]:.4g}, {low[1]:.4g}) to ({high[0]:.4g}, {high[1]:.4g}) m; the whole body turns about it all the same"
-    ]
+    ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
+    return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
 
 
 def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:

@@ -14,11 +14,6 @@ from assess.mechanisms.joint import Joint
 from assess.mechanisms.jointed_chain import top_loads
 
 ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle acts through it unless the load says otherwise
-THROUGH_TOP = (
-    "interface C: the load on the middle of the top comes through the joint there, so its resultant moves to the edge "
-    "as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays in its place, "
-    'and so does one with through = "fixed"'
-)
 
 
 def through_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Through]) -> Chain:

@@ -21,6 +21,7 @@ from assess.mechanisms.chain import Block, Chain, Point, format_point, mirror_ch
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.warnings import loads_across_crack, loose_hinges
+from assess.messages.message import Message
 
 Hinges = tuple[Point, Point, Point]
 
@@ -36,7 +37,7 @@ def two_block(
     hinges_negative: Hinges | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
-    warnings: tuple[str, ...] = (),
+    warnings: tuple[Message, ...] = (),
 ) -> Mechanism:
     """Make the mechanism of a wall of two bodies, held at its base and its top.
 
@@ -51,7 +52,7 @@ def two_block(
     loads : on the blocks
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
         default of the kind
-    warnings : sentences on what was given
+    warnings : on what was given
 
     Raises
     ------

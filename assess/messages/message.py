@@ -5,8 +5,8 @@ Nothing is decided by reading the sentence: code compares keys.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from assess.messages.texts import TEXTS
@@ -15,28 +15,35 @@ from assess.short_repr import ShortRepr
 UNITS: Mapping[str, str] = {
     "ratio": "-",
     "length": "m",
+    "short length": "m",
+    "distance": "m",
+    "area": "m2",
     "time": "s",
+    "velocity": "m/s",
     "mass": "kg",
     "density": "kg/m3",
+    "area density": "kg/m2",
     "force": "N",
     "moment": "N m",
     "energy": "J",
     "rotational stiffness": "N m/rad",
     "rotation": "rad",
+    "angle": "rad",
     "acceleration": "m/s2",
     "ground acceleration": "g",
     "frequency": "Hz",
+    "angular frequency": "1/s",
     "inertia": "kg m2",
     "first moment": "kg m",
     "stress": "Pa",
-    "area": "m2",
-    "area density": "kg/m2",
     "volume": "m3",
     "percent": "%",
     "return period": "years",
 }
 """The unit in which values of each dimension are given: SI, but for peak ground accelerations, in g, and years."""
-DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in UNITS.items()}
+DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in reversed(tuple(UNITS.items()))}
+"""The first dimension of `UNITS` that has a unit."""
+PLAIN = 1e9  # numbers below it are written without an exponent
 
 
 class Severity(StrEnum):
@@ -57,7 +64,10 @@ class Quantity:
 
     def __str__(self) -> str:
         unit = UNITS[self.dimension]
-        return f"{self.value:.{self.figures}g}" + (f" {unit}" if unit != "-" else "")
+        text = f"{self.value:.{self.figures}g}"
+        if "e+" in text and abs(self.value) < PLAIN:
+            text = f"{float(text):.0f}"
+        return text + (f" {unit}" if unit != "-" else "")
 
 
 @dataclass(frozen=True, repr=False)
@@ -84,11 +94,16 @@ class Message(ShortRepr):
     text: str
     values: dict[str, Quantity | Term | Message | str] = field(default_factory=dict)
 
+    def __hash__(self) -> int:
+        return hash((self.key, self.where, self.text))
+
     def __str__(self) -> str:
         return self.text
 
 
 Value = Quantity | Term | Message | str
+Said = Term | Message
+"""What is said in English that a language can say otherwise."""
 
 
 def message(
@@ -111,9 +126,9 @@ def message(
     return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
 
 
-def text_of(said: Message | str) -> str:
+def text_of(said: Said | str) -> str:
     """Return the English sentence of a message; a text is returned unchanged."""
-    return said if isinstance(said, str) else said.text
+    return str(said)
 
 
 def whole_number(number: int) -> Quantity:
@@ -121,25 +136,56 @@ def whole_number(number: int) -> Quantity:
     return Quantity(float(number), "ratio", 12)
 
 
-def warning(key: str, where: str, **values: Value) -> Message:
+def lengths(**values: float) -> dict[str, Value]:
+    """Return lengths and coordinates as values of a message, to a tenth of a millimetre.
+
+    Parameters
+    ----------
+    values : by the names of the gaps that they fill [m]
+    """
+    return {name: Quantity(round(float(value), 4) + 0.0, "length", 6) for name, value in values.items()}
+
+
+def distinct(messages: Iterable[Message]) -> tuple[Message, ...]:
+    """Return messages in their order, each sentence once.
+
+    Parameters
+    ----------
+    messages : some of them perhaps alike
+    """
+    return tuple({each.text: each for each in messages}.values())
+
+
+def locate(messages: Iterable[Message], where: str) -> tuple[Message, ...]:
+    """Return messages with the place that they concern.
+
+    Parameters
+    ----------
+    messages : without a place
+    where : the key of the project file
+    """
+    return tuple(replace(each, where=where) for each in messages)
+
+
+def warning(key: str, where: str = "", /, **values: Value) -> Message:
     """Make the warning of a key of `TEXTS`.
 
     Parameters
     ----------
     key : of `TEXTS`
-    where : what it concerns
+    where : what it concerns; empty: it is located later
     values : that its sentence names
     """
     return message(key, values, severity=Severity.WARNING, where=where)
 
 
-def note(key: str, where: str, **values: Value) -> Message:
+def note(key: str, where: str = "", /, **values: Value) -> Message:
     """Make the note of a key of `TEXTS`, which affects no verdict.
 
     Parameters
     ----------
     key : of `TEXTS`
-    where : what it concerns
+    where : what it concerns; empty: it is located later
     values : that its sentence names
     """
     return message(key, values, where=where)

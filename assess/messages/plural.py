@@ -1,6 +1,8 @@
-"""Nouns with their number."""
+"""Nouns with their number, and lists of names."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 
 def count_noun(number: int, noun: str) -> str:
@@ -12,3 +14,14 @@ def count_noun(number: int, noun: str) -> str:
     noun : in the singular, with a plural in -s
     """
     return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def first_names(names: Sequence[str], most: int) -> str:
+    """Write the first of many names with commas, and an ellipsis for the others.
+
+    Parameters
+    ----------
+    names : at least one
+    most : how many are written
+    """
+    return ", ".join(names[:most]) + (", …" if len(names) > most else "")

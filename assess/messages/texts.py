@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from assess.messages.geometry_texts import GEOMETRY_TEXTS
+
 TEXTS: Mapping[str, str] = {
+    **GEOMETRY_TEXTS,
     # remarks on checks
     "fails-below": "the PGA scan already fails just above {pga}: the response does not grow steadily with PGA",
     "rocks-before-sliding": "the body rocks before it slides, a case that A.1 does not cover",
@@ -259,9 +262,6 @@ TEXTS: Mapping[str, str] = {
     "sliding-unbounded": "the spectrum does not fall below c_s before it ends: extend its table, or give a higher "
     "friction",
     # warnings and notes of a project
-    "mesh": "{file}: {trail}",
-    "size": "{text}",
-    "mechanism": "{text}",
     "site-study": "{text}",
     "box-size": "a number without a unit is in m, so this is {given}; if another unit was meant, write {likely}",
     "material-unit": "a number without a unit is in SI, so this is {given}, which is impossible for masonry; write "
@@ -269,15 +269,8 @@ TEXTS: Mapping[str, str] = {
     "weight-density": "{given} is a weight per volume; divided by standard gravity, 9.80665 m/s2, it gives a "
     "density of {density}",
     "unit": '{given} is {as_g}; write "{number} g" if that was meant',
-    "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; the overlap counts in '
-    "the weight of both: cut one back",
-    "gap": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since they form one block, they '
-    "are treated as joined",
-    "gap-at-hinge": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since a hinge connects '
-    "them, they are treated as in contact: close the gap, or check hinges and blocks",
     "equation": '"linearised": it assumes an uplift threshold, which the joints of {mechanisms} do not have: below '
     'it, histories of the linearised equation do not move at all; write "exact"',
-    "amplification": "{text}",
     "not-amplified": "above the ground, but histories and ASCE 43-05 use the ground motion unamplified: "
     "{mechanisms}; the floor clauses of the other codes require the floor motion; set `amplification` to scale the "
     "histories",

@@ -18,6 +18,7 @@ from assess.mechanisms.arch import ArchHinges, Joint, block_of, divide_arch, wea
 from assess.mechanisms.assembly import assemble
 from assess.mechanisms.chain import Chain, Point, format_point, mirror_chain, mirror_point
 from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.messages.message import Message, Quantity, Value, lengths, message, warning, whole_number
 from assess.model.definitions import FourHinge, RadialJoints
 from assess.model.pieces import as_one
 from spectra.arrays import FloatArray
@@ -45,7 +46,7 @@ def arch_mechanism(
         made = arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
     except MechanismError as error:
         start = f'mechanism "{name}": '
-        raise MechanismError(start + "; ".join((*warnings, str(error).removeprefix(start)))) from None
+        raise MechanismError(start + "; ".join((*map(str, warnings), str(error).removeprefix(start)))) from None
     return replace(made, warnings=(*warnings, *made.warnings)), pieces
 
 
@@ -56,34 +57,31 @@ def arch_at_weakest_hinges(
     plain = [block_of(body) for body in voussoirs]
     front = weakest_hinges(plain, joints, name=name)
     _, positive = divide_arch(voussoirs, front)
-    negative, warnings = None, [hinges_text(front, "positive", len(joints), flip=False)]
+    negative, warnings = None, [hinges_message("hinges-found-positive", front, len(joints), flip=False)]
     if sides == "two":
         turned = [replace(block, centroid=mirror_point(block.centroid)) for block in plain[::-1]]
         back = weakest_hinges(turned, [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]], name=name)
         a, b, c, d = (mirror_point(hinge) for hinge in back.hinges)
         negative = mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
-        warnings.append(hinges_text(back, "negative", len(joints), flip=True))
+        warnings.append(hinges_message("hinges-found-negative", back, len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
     return assemble(name, "four-hinge", positive, negative, outlines=outlines, warnings=warnings, **common)
 
 
-def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
+def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[Message]:
     """Warn of joints that hardly belong to this arch: much of it lies beyond them, or they are not square to it."""
     left, whole = (
         sum(solid.mass for solid in solids)
         for solids in (pieces[-1].fixed, [s for piece in pieces for s in (*piece.solids, *piece.fixed)])
     )
     if left > BEYOND * whole:
-        yield (
-            f"{100.0 * left / whole:.3g} % of the arch lies beyond its first and last joint and stands still: check "
-            "centre and angles of `joints` unless it is meant"
-        )
+        yield warning("arch-beyond-joints", share=Quantity(100.0 * left / whole, "percent", 3))
     centres = [np.array(piece.body.centroid) for piece in pieces]
     for number, ((a, b), (one, other)) in enumerate(zip(joints[1:-1], pairwise(centres), strict=True), start=2):
         across, along = np.subtract(b, a), other - one
         off = np.arcsin(min(1.0, abs(across @ along) / (np.hypot(*across) * np.hypot(*along))))
         if off > SKEW:
-            yield f"joint {number} is {np.degrees(off):.3g} deg off square to the arch: check `joints`"
+            yield warning("joint-askew", joint=whole_number(number), angle=Quantity(float(off), "angle", 3))
             return
 
 
@@ -93,16 +91,14 @@ def mirror_chain_back(chain: Chain) -> Chain:
     return replace(mirror_chain(chain.blocks, chain.hinges), parts=parts)
 
 
-def hinges_text(found: ArchHinges, rotation: str, joints: int, *, flip: bool) -> str:
+def hinges_message(key: str, found: ArchHinges, joints: int, *, flip: bool) -> Message:
     """Say which hinges were found, in the axes of the project."""
-    places = ", ".join(
-        f"{letter} {format_point(mirror_point(at) if flip else at)}"
-        for letter, at in zip("ABCD", found.hinges, strict=True)
-    )
-    return (
-        f"hinges of {rotation} rotation found as the least of all mechanisms over {joints} joints, uplift multiplier "
-        f"{found.multiplier:.4g}: {places}"
-    )
+    places: dict[str, Value] = {}
+    for letter, at in zip("abcd", found.hinges, strict=True):
+        x, z = mirror_point(at) if flip else at
+        places |= lengths(**{f"{letter}x": x, f"{letter}z": z})
+    number, multiplier = whole_number(joints), Quantity(found.multiplier)
+    return warning(key, joints=number, multiplier=multiplier, hinges=message("four-hinges", places))
 
 
 def lines_of(definition: FourHinge) -> list[Line]:

@@ -18,6 +18,7 @@ from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from assess.messages.message import distinct
 from assess.model.arches import arch_mechanism
 from assess.model.body import Bodies
 from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
@@ -119,7 +120,7 @@ def of_two_blocks(
     """Build a wall held at its base and its top, of two bodies or of one that cracks."""
     front, back = hinges_of(definition.hinge_points, definition), hinges_of(definition.hinges_negative, definition)
     lower, upper = pieces
-    warnings = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
+    warnings = () if front else [each for piece in pieces for each in hinge_warnings(piece, definition.towards)]
     mechanism = two_block(
         name,
         lower.body,
@@ -127,7 +128,7 @@ def of_two_blocks(
         hinges=front,
         hinges_negative=back,
         loads=loads,
-        warnings=tuple(dict.fromkeys(warnings)),
+        warnings=distinct(warnings),
         **common(definition),
     )
     return mechanism, pieces

@@ -19,6 +19,7 @@ from assess.loads.definitions import BodyLoad
 from assess.mechanisms.directions import Directions, Vector, towards
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
+from assess.messages.message import Message, warning
 from assess.model.assembly import Built, mechanism_of, of_one_block
 from assess.model.body import Bodies
 from assess.model.definitions import BlockMechanism, Chained, CutAngle, SingleBlock
@@ -29,10 +30,6 @@ from spectra.arrays import FloatArray
 
 S = TypeVar("S", bound=Chained)
 
-CORNER = (
-    "the cut slopes, so in most directions the block turns about one corner of it and slides along the crack beyond: "
-    "check that the crack can be as smooth as that"
-)
 STEP = 5.0  # deg between directions, besides those that the edges of the base face
 BESIDE = 0.01  # deg: of the normal of an edge that rises
 SAME = 1e-6  # deg: directions this near are one
@@ -42,11 +39,11 @@ TIE = 1e-9  # multipliers this near the least are as weak
 def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
-    corner: tuple[str, ...] = ()
+    corner: tuple[Message, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
         block = block_above_cut(name, definition, standing)
         found = directions(block_by_direction(name, definition, block, bodies), angles(normals_of(block.foot)))
-        corner = (CORNER,) if has_slope(block.foot) else ()
+        corner = (warning("turns-about-corner"),) if has_slope(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = directions(
@@ -54,7 +51,7 @@ def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> B
             angles(edge_normals(plan)),
         )
     built = mechanism_of(name, turn_towards(definition, towards(found.weakest)), bodies)
-    kept = (text for text in built.mechanism.warnings if text != ASKEW)  # every direction has been looked at
+    kept = (each for each in built.mechanism.warnings if each.key != ASKEW)  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
 

@@ -26,7 +26,8 @@ from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.jointed_chain import JointedChain
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.through_joint import THROUGH_TOP, through_joint, under_loads
+from assess.mechanisms.through_joint import through_joint, under_loads
+from assess.messages.message import Message, Quantity, distinct, warning
 from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
 from assess.model.joint_planes import DOWN, UP, JointPlane, Vector, View, find_joint_plane
@@ -56,7 +57,7 @@ def place_on_joints(
         ]
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
-    warnings = [text for side in found for _, texts in side for text in texts]
+    warnings = [each for side in found for _, told in side for each in told]
     joints = [tuple(joint for joint, _ in side) for side in found]
     through = through_of(definition.loads)
     moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
@@ -65,14 +66,14 @@ def place_on_joints(
     if not any(joint for side in joints for joint in side):
         return loaded
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
-        warnings.append(THROUGH_TOP)
+        warnings.append(warning("load-through-top"))
     warnings += contact_offset_warnings(mechanism, joints)
     made = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
     warnings = [*made.warnings, *warnings, *eccentricity_warnings(made)]
-    return replace(made, warnings=tuple(dict.fromkeys(warnings)))
+    return replace(made, warnings=distinct(warnings))
 
 
-def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
+def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[Message]:
     """Warn if the contacts at the base lie in different places for the two directions."""
     if mechanism.negative is None or mechanism.kind == "four-hinge":
         return
@@ -82,10 +83,8 @@ def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Join
     ahead = mechanism.positive.hinges[0][0] + front.section.centroid * front.inward[0]
     behind = mechanism.negative.hinges[0][0] + back.section.centroid * back.inward[0]
     if abs(ahead + behind) > NEAR * front.section.depth:
-        yield (
-            f"interface A: its contact lies {abs(ahead + behind):.3g} m apart for the two directions, as it is "
-            f"{front.section.depth:.3g} m deep and begins at the hinge of each; give a shape as deep as they are apart"
-        )
+        distance, depth = (Quantity(each, "length", 3) for each in (abs(ahead + behind), front.section.depth))
+        yield warning("contacts-apart", distance=distance, depth=depth)
 
 
 @dataclass(frozen=True)
@@ -104,14 +103,14 @@ class Seat:
     sign: float
 
     @property
-    def label(self) -> str:
+    def letter(self) -> str:
         """The interface, as messages name it."""
-        return f"interface {hinge_names(self.chain)[self.number]}" + "'" * (self.sign < 0)
+        return hinge_names(self.chain)[self.number] + "'" * (self.sign < 0)
 
     @property
     def where(self) -> str:
         """The mechanism and the interface, as errors name them."""
-        return f'mechanism "{self.name}", {self.label}'
+        return f'mechanism "{self.name}", interface {self.letter}'
 
     @property
     def hinge(self) -> tuple[float, float]:
@@ -128,7 +127,7 @@ class Seat:
         return find_joint_plane(self.number, self.hinge, self.definition, self.pieces, self.view, where=self.where)
 
 
-def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]:
+def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
     """Return the joint under a hinge, with warnings; None if it is rigid or carries nothing."""
     interface = seat.interface
     law = law_of(interface, material_of(seat.definition, bodies), where=seat.where)
@@ -136,8 +135,7 @@ def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
     letter = hinge_names(seat.chain)[seat.number]
-    text = f"interface {letter}: no strength is known, so its joint never crushes; give strength"
-    warnings = (text,) if endless else ()
+    warnings = (warning("never-crushes", interface=letter),) if endless else ()
     shape, sense = interface.shape, float(JointedChain(seat.chain, seat.name).sense[seat.number])
     if isinstance(shape, Shape):
         joint, more = shaped_joint(seat, law, shape, sense=sense)
@@ -146,18 +144,18 @@ def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[str, ...]]
     return joint, (*warnings, *more)
 
 
-def shaped_joint(seat: Seat, law: JointLaw, shape: Shape, *, sense: float) -> tuple[Joint, tuple[str, ...]]:
+def shaped_joint(seat: Seat, law: JointLaw, shape: Shape, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
     """Return a joint of given sizes in the plane of the faces that meet, level if there are none."""
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     try:
         normal = seat.plane().normal
     except GeometryError:
         normal = DOWN if at_top(seat.chain, seat.number) else UP
-        warnings = (f"{seat.label}: no faces meet at its hinge, so its joint is taken level",)
+        warnings = (warning("joint-taken-level", interface=seat.letter),)
     return Joint(_inward(normal, sense), section_of_shape(shape, seat.view), law, seat.interface.model), warnings
 
 
-def outlined_joint(seat: Seat, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[str, ...]]:
+def outlined_joint(seat: Seat, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
     """Return the joint of the outline where faces meet; warn if the hinge is not at its edge."""
     bed, view = seat.plane(), seat.view
     inward = _inward(bed.normal, sense)
@@ -167,11 +165,9 @@ def outlined_joint(seat: Seat, law: JointLaw, *, sense: float) -> tuple[Joint, t
     joint = Joint(inward, found, law, seat.interface.model)
     if abs(aside) <= NEAR * found.depth:
         return joint, ()
-    text = (
-        f"{seat.label}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
-        f"contact, which is {found.depth:.3g} m deep; pressure is counted from the hinge on"
-    )
-    return joint, (text,)
+    key = "hinge-inside-contact" if aside > 0.0 else "hinge-outside-contact"
+    distance, depth = (Quantity(each, "length", 3) for each in (abs(aside), found.depth))
+    return joint, (warning(key, interface=seat.letter, distance=distance, depth=depth),)
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
@@ -214,7 +210,7 @@ def _inward(normal: Vector, sense: float) -> Vector:
     return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
 
 
-def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
+def eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
     """Warn of contacts that are not symmetric about the plane of motion."""
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:
@@ -224,6 +220,6 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
             if joint is None:
                 continue
             found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
-            warning = out_of_plane_warning(joint.section, found)
-            if warning:
-                yield f"interface {letter}{mark}: {warning}"
+            told = out_of_plane_warning(joint.section, found, interface=f"{letter}{mark}")
+            if told is not None:
+                yield told

@@ -11,13 +11,14 @@ from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
 from assess.geometry.overlap import overlap_warnings
 from assess.geometry.piece import Piece
-from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact, name_load
+from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact
 from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
 from assess.loads.load import Force, Load, Point, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks
 from assess.loads.overburden import overburden_of
 from assess.loads.plane import point_in_plane, unit_in_plane
-from assess.mechanisms.chain import format_point
+from assess.mechanisms.chain import point_values
+from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 from assess.model.body import Bodies, solids_of
 from assess.model.definitions import Chained, TwoBlock
 
@@ -43,10 +44,10 @@ def loads_of(
     ]
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
-    warnings = [text for part in parts for text in part.warnings] + [each.text for each in overlap_warnings(known)]
+    warnings = [each for part in parts for each in part.warnings] + list(overlap_warnings(known))
     return LoadSet(
         loads=tuple(load for part in parts for load in part.loads),
-        warnings=tuple(dict.fromkeys(warnings)),
+        warnings=distinct(warnings),
         follows=tuple(each for part in parts for each in part.follows),
     )
 
@@ -123,7 +124,7 @@ def of_body(
         for each in found
     ]
     loads = tuple(one for part in parts for one in part.loads)
-    return LoadSet(loads, (*name_load(load, warnings), *(text for part in parts for text in part.warnings)))
+    return LoadSet(loads, (*warnings, *(each for part in parts for each in part.warnings)))
 
 
 def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
@@ -177,20 +178,18 @@ def tie_of(name: str, load: TieLoad, at: Point, way: Point | None, direction: Se
     )
 
 
-def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
+def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[Message]:
     """Warn of each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
     for load in loads:
         if not isinstance(load, Tie) or load.anchor is None:
             continue
         for block, outline in enumerate(outlines):
             if outline and distance(outline, load.anchor) <= TOLERANCE:
-                yield (
-                    f'load "{load.name}": its anchor at {format_point(load.anchor)} lies on block {block}, which '
-                    "moves too, yet it is taken as fixed in space: check `anchor`"
-                )
+                anchor = point_values(load.anchor)
+                yield warning("load-anchor-moves", load=load.name, block=whole_number(block), **anchor)
 
 
-def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
+def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[Message]:
     """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
         whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
@@ -199,7 +198,5 @@ def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[s
         size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
         off = distance(outline, load.at) if corners else 0.0
         if off > IN_THE_AIR * size:
-            yield (
-                f'load "{load.name}" at {format_point(load.at)} is in the air, {off:.3g} m from the '
-                "block as seen in the plane of motion; it moves with the block all the same: check `at`"
-            )
+            away = Quantity(off, "length", 3)
+            yield warning("load-in-the-air", load=load.name, distance=away, **point_values(load.at))

@@ -22,13 +22,11 @@ from assess.geometry.planar import (
 )
 from assess.geometry.scene import Scene
 from assess.geometry.solid import Solid
+from assess.messages.message import Message, Quantity, warning
 from assess.model.body import Bodies
 from assess.model.definitions import Chained, CutAngle, CutPlane
 
-ASKEW = (
-    "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body stands "
-    "askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
-)
+ASKEW = "askew"
 LEVEL = 0.01  # m: an extreme line that rises by less is level
 UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
 
@@ -129,29 +127,24 @@ def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid
     return found
 
 
-def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
+def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message]:
     """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
     if piece.foot is None:
         return
     if turns_about_a_corner(piece.foot, direction=direction):
-        yield ASKEW
+        yield warning(ASKEW)
     rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
     if rise > LEVEL:
-        yield (
-            f"the cut slopes across the direction of motion and its extreme line rises by {rise:.3g} m; the hinge is "
-            "taken level at the middle of that line: turn `direction` to the slope of the crack"
-        )
+        yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
     if not piece.cut:
         yield from uneven_base_warnings(piece.solids, direction)
 
 
-def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[str]:
+def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:
     """Warn of an uneven base: its lowest face is much narrower than the body just above."""
     faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL))
     ends = [base_of_section(face, direction=direction) for face in faces]
     width, wide = (high[0] - low[0] for low, high in ends)
     if width < (1.0 - UNEVEN) * wide:
-        yield (
-            f"the base is the lowest face alone, {width:.3g} m wide, yet within {1e3 * LEVEL:.3g} mm above it the body "
-            f"is {wide:.3g} m wide; if it stands on all of that, make it plane by a cut"
-        )
+        narrow, whole_width = (Quantity(each, "length", 3) for each in (width, wide))
+        yield warning("uneven-base", width=narrow, wide=whole_width, above=Quantity(LEVEL, "short length", 3))

@@ -28,6 +28,7 @@ from assess.mechanisms.mechanism import Sides
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
+from assess.messages.message import Message, Quantity, Value, warning
 from assess.model.as_floats import with_floats
 from assess.model.body import Bodies, Body, Material
 from assess.model.check import check_definition
@@ -41,7 +42,7 @@ class Crack:
     """Where a wall of one body cracks: elevation [m], how it was found, and the loads that it was found with."""
 
     elevation: float
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     loads: tuple[Load, ...] | None = None
 
 
@@ -197,7 +198,7 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     )
 
 
-def by_formula(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, str]:
+def by_formula(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, Message]:
     """Find the crack by eq. 3.27 with the loads above it: elevation [m] and how it was found.
 
     The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
@@ -211,13 +212,13 @@ def by_formula(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strengt
             'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
             "with; give a crack elevation"
         )
-    _, elevation, notice = min(found)
+    _, elevation, notice = min(found, key=lambda each: each[:2])
     return elevation, notice
 
 
 def consistent_cracks(
     definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
-) -> Iterator[tuple[float, float, str]]:
+) -> Iterator[tuple[float, float, Message]]:
     """Find the cracks by eq. 3.27 that agree with the loads above them: uplift multiplier, elevation, and how.
 
     A load within MARGIN of the top stands on it.
@@ -239,7 +240,7 @@ def consistent_cracks(
             yield uplift(definition, whole, panel, loads, elevation), elevation, notice
 
 
-def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
+def of_panel(panel: Panel, *, sides: str) -> tuple[float, Message]:
     """Find the crack by eq. 3.27, or by its general form for an eccentric load: elevation [m] and how it was found.
 
     Where the wall rocks to both sides the load is taken at the face that is worse.
@@ -255,16 +256,18 @@ def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
             "elevation, or hinges"
         ) from None
     elevation = panel.base + ratio * panel.height
-    form = "thesis eq. 3.27"
+    values: dict[str, Value] = {
+        "z": Quantity(elevation, "length"),
+        "share": Quantity(ratio, figures=3),
+        "load": Quantity(n, figures=3),
+        "tension": Quantity(t, figures=3),
+    }
     if abs(place - 0.5) > 1e-9:
-        form = f"the general form of {form}, load at {place:.3g} of the thickness from the edge support"
-    return elevation, (
-        f"crack at z = {elevation:.4g} m, {ratio:.3f} of the height, by {form}: N / W = {n:.3g}, "
-        f"tension f_mt l b / W = {t:.3g}; the formula is for a plain rectangular wall"
-    )
+        return elevation, warning("crack-by-general-formula", place=Quantity(place, figures=3), **values)
+    return elevation, warning("crack-by-formula", **values)
 
 
-def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, str]:
+def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, Message]:
     """Find the crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
@@ -280,11 +283,13 @@ def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength
         multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
     )
     ratio = (elevation - panel.base) / panel.height
-    held = " with the mortar's tension before it opens" if panel.tension else ""
-    return elevation, (
-        f"crack at z = {elevation:.4g} m, {ratio:.3f} of the height, where the uplift multiplier "
-        f"is least, {multiplier(elevation):.4g}{held}"
+    found = warning(
+        "crack-of-least-multiplier-with-tension" if panel.tension else "crack-of-least-multiplier",
+        z=Quantity(elevation, "length"),
+        share=Quantity(ratio, figures=3),
+        multiplier=Quantity(multiplier(elevation)),
     )
+    return elevation, found
 
 
 def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:

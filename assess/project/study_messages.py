@@ -10,7 +10,7 @@ from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.plausibility import size_warning
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Quantity, note, warning
+from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
 from assess.project import sections
@@ -39,8 +39,7 @@ def project_messages(
     yield from overlaps_of(definitions, bodies)
     yield from gaps_of(definitions, bodies)
     for mechanism in mechanisms:
-        for text in mechanism.warnings:
-            yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
+        yield from locate(mechanism.warnings, f"mechanisms.{mechanism.name}")
         yield from load_messages(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
@@ -61,8 +60,7 @@ def _of_amplification(
         bears = warning if by_motion(question) else note
         yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
     for name, one in amplified.items():
-        for text in one.assumptions:
-            yield warning("amplification", f"mechanisms.{name}", text=text)
+        yield from locate(one.assumptions, f"mechanisms.{name}")
 
 
 def _of_two_first_modes(content: sections.Content) -> Iterator[Message]:
@@ -108,10 +106,9 @@ def _of_crushing(
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """Report what was done to the mesh of a body, and an implausible size or place."""
     if isinstance(body, sections.MeshBody) and solid.history:
-        yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.history))
-    text = size_warning(solid, unit=mesh_unit_of(body))
-    if text:
-        yield warning("size", f"bodies.{name}", text=text)
+        yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
+    about_size = size_warning(solid, unit=mesh_unit_of(body))
+    yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
 
 
 def mesh_unit_of(body: sections.Body) -> float | None:

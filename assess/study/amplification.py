@@ -17,7 +17,7 @@ from assess.amplification.floor_motion import (
 from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.limits import height_of_support
-from assess.messages.message import Message, Quantity, Term, Value, message, note, whole_number
+from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
 from assess.model.assembly import Built
 from assess.model.body import Bodies
 from assess.model.definitions import Definition, SingleBlock
@@ -185,7 +185,7 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
         frequency = frequency or (found.frequency, RAYLEIGH)
         effective = effective or (found.effective_height, RAYLEIGH)
         values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
-        assumed = (note("by-rayleigh", standing.where, **values),)
+        assumed = (warning("by-rayleigh", standing.where, **values),)
     damping = structure.damping
     mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
     said = note(

@@ -9,7 +9,7 @@ from functools import cached_property
 from assess.errors import MechanismError
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, warning
+from assess.messages.message import Message, locate
 from assess.model.as_floats import with_floats
 from assess.model.body import Bodies, Body, solids_of
 from assess.model.check import check_definition
@@ -125,7 +125,7 @@ class Block:
         return (
             *overlaps_of(definitions, self.bodies),
             *gaps_of(definitions, self.bodies),
-            *(warning("mechanism", where, text=text) for text in self.mechanism.warnings),
+            *locate(self.mechanism.warnings, where),
             *self.mechanism.messages,
         )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from assess.messages.message import Message, note, warning
+from assess.messages.message import Message, locate, note, warning
 from assess.study.motions import ScaledRecord
 from assess.study.study import Study
 from assess.study.sweep_cases import MechanismSweep
@@ -14,8 +14,9 @@ from assess.study.verdict import by_motion
 
 def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
     """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
-    replaced = {("mechanism", f"mechanisms.{name}") for name in controlling}
-    kept = [message for message in study.messages if (message.key, message.where) not in replaced]
+    swept = [mechanism for mechanism in study.mechanisms if mechanism.name in controlling]
+    replaced = [each for one in swept for each in locate(one.warnings, f"mechanisms.{one.name}")]
+    kept = [message for message in study.messages if message not in replaced]
     return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 
-from assess.messages.message import Message, note, warning, whole_number
+from assess.messages.message import Message, locate, note, whole_number
 from assess.results import SweepResult
 from assess.study.case_severity import deciding_checks, least_capacity, weaker_branch, worst_ratio
 from assess.study.study import Case, Sweep
@@ -51,7 +51,7 @@ def case_messages(found: MechanismSweep) -> Iterator[Message]:
     yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
     for mechanism in found.case.study.mechanisms:
         if mechanism.name == found.mechanism:
-            yield from (warning("mechanism", where, text=text) for text in mechanism.warnings)
+            yield from locate(mechanism.warnings, where)
 
 
 def case_text(sweep: Sweep, case: Case, mechanism: str) -> str:

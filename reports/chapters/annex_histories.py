@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 
 from assess.messages.message import Message
@@ -37,7 +38,7 @@ def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
         *_amplification(mechanism, stem),
         *nonempty(suites(mechanism, name=f"{stem}-suites")),
         *_governing(mechanism, stem),
-        *nonempty(histories(mechanism, name=f"{stem}-histories")),
+        *_responses(mechanism, stem),
         *sweep_tables.blocks(results, mechanism, stem),
     ]
     return Section(
@@ -61,7 +62,7 @@ def _amplification(mechanism: MechanismResult, stem: str) -> list[Block]:
     return blocks
 
 
-def _sentences(said: tuple[Message | str, ...]) -> list[Text]:
+def _sentences(said: tuple[Message | Term | str, ...]) -> list[Text]:
     texts = (Term(each) if isinstance(each, str) else each for each in said)
     return [say("Motion at its base: {text}.", text=each) for each in texts]
 
@@ -107,7 +108,7 @@ def _statistics(suite: SuiteResult) -> tuple[Cell, ...]:
 def _governing(mechanism: MechanismResult, stem: str) -> list[Figure]:
     """Return the figure of the governing history."""
     found = governing.history(mechanism)
-    if found is None:
+    if found is None or not _moves(found[0]):
         return []
     one, trace = found
     caption = say(
@@ -127,6 +128,33 @@ def _end(one: HistoryResult) -> Text:
     if one.overturned:
         return say("it overturns")
     return say("largest φ/φₒᵥ {ratio}", ratio=quantity(abs(one.max_rotation_ratio or 0.0)))
+
+
+def _moves(history: HistoryResult) -> bool:
+    return history.overturned or history.max_rotation_rad != 0.0
+
+
+def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
+    """Return the largest responses to the records that move a mechanism, and how many do not."""
+    moving = [history for history in mechanism.histories if _moves(history)]
+    still = len(mechanism.histories) - len(moving)
+    blocks: list[Block] = []
+    if moving:
+        blocks.append(histories(replace(mechanism, histories=tuple(moving)), name=f"{stem}-responses"))
+    if still:
+        blocks.append(
+            Prose(
+                (
+                    say_count(
+                        "{number} history of {all} does not move the mechanism.",
+                        "{number} histories of {all} do not move the mechanism.",
+                        still,
+                        all=count(len(mechanism.histories)),
+                    ),
+                )
+            )
+        )
+    return blocks
 
 
 def histories(mechanism: MechanismResult, *, name: str) -> Table:
@@ -152,5 +180,5 @@ def _history(history: HistoryResult) -> tuple[Cell, ...]:
     rotation = OVERTURNED if fell else rocking_cell(history.max_rotation_rad)
     ratio = OVERTURNED if fell else rocking_cell(history.max_rotation_ratio)
     scaling = (history.scale_factor, history.amplification)
-    times = (history.time_of_max_s, count(history.impacts), history.overturning_time_s)
+    times = (history.time_of_max_s, history.impacts, history.overturning_time_s)
     return (Verbatim(history.record), history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)

@@ -8,7 +8,7 @@ from assess.messages.message import Quantity
 from assess.results import HingeForceResult, MechanismResult, OscillatorResult
 from reports.chapters.cells import NONE
 from reports.document import Cell, Column, Table
-from reports.language.texts import Phrase, Term, Verbatim, say
+from reports.language.texts import Listing, Phrase, Term, Verbatim, say
 
 LIFTS, NOT_GIVEN, ROCKS_FIRST = say("lifts"), say("not given"), say("rocks first")
 PARAMETERS: tuple[tuple[str, Phrase, str, str], ...] = (
@@ -83,7 +83,7 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
             load.mass_kg,
             load.bearing,
             *(load.force_n or (None, None)),
-            Term(load.source),
+            Listing(load.found or (Term(load.source),), ""),
         )
         for load in mechanism.loads
     )

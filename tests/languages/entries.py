@@ -3,11 +3,12 @@
     python -m tests.languages.entries it      brings it.po up to date with the source, and lists what it lacks
 
 Texts of the report are the literals of `say` and `say_count`; messages are those of `assess.messages.texts`; terms are
-the fixed words that results hold.
+the fixed words that results hold, of `tests.languages.fixed_terms`.
 """
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,12 +22,15 @@ from babel.messages.pofile import read_po, write_po
 from assess.messages.texts import TEXTS
 from reports.language.catalogue import FOLDER
 from reports.language.units import WORDS
+from tests.languages.fixed_terms import fixed_terms
 
 ROOT = Path(__file__).parents[2]
 KEYWORDS = {"say": None, "say_count": (1, 2)}
 HEAD = "# Italian sentences of the report, by the English ones. `make catalogue` keeps the entries up to date."
 DATE = datetime(2026, 11, 22, tzinfo=UTC)
 LOCALE_WORDS = ("Figure", "Table", "Sheet", "{first} and {last}", "{first} or {last}", *WORDS)
+WORD = re.compile(r"\b[A-Za-z][a-z]+\b")
+FUNCTIONS = {"max", "min", "sin", "cos", "tan", "ln", "exp"}
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,12 @@ def english_entries() -> Iterator[Entry]:
         yield Entry(one, several, f"reports/{file}")
     yield from (Entry(text, "", "assess/messages/texts.py") for text in TEXTS.values())
     yield from (Entry(text, "", "reports/language/locale.py") for text in LOCALE_WORDS)
+    yield from (Entry(text, "", "fixed terms of results") for text in fixed_terms() if not is_symbolic(text))
+
+
+def is_symbolic(term: str) -> bool:
+    """Return whether a fixed term has no word of a language: a clause number, a formula, the name of a standard."""
+    return not set(WORD.findall(term)) - FUNCTIONS
 
 
 def catalogue_of(language: str) -> Catalog:

@@ -55,6 +55,7 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "Construction": (0,),
     "Edition": (0, 1, 2),
     "Ultimate": tuple(range(6)),
+    "PossibleMechanism": (2,),
 }
 """By the name of a function, its arguments that are terms."""
 KEYWORDS = frozenset(
@@ -75,6 +76,10 @@ CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/periods.py": ("FITTED_OVER",),
     "assess/study/amplification.py": ("FLOORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
     "assess/project/variables.py": ("FULL", "SWEPT"),
+    "assess/study/controls/convergence.py": ("RATIO", "TIME", "OVERTURNING"),
+    "assess/study/controls/energy.py": ("QUANTITY",),
+    "assess/study/controls/equilibrium.py": ("VERTICAL", "HORIZONTAL"),
+    "assess/study/controls/hand_multiplier.py": ("QUANTITY",),
     "records/compliance/requirement.py": ("CAVEAT",),
     "assess/codes/asce41_13/clauses.py": ("PLACES",),
     "assess/codes/asce41_13/slenderness.py": ("PERMITTED", "SEISMICITY"),

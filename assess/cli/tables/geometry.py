@@ -48,7 +48,7 @@ def _warnings_text(found: Sequence[Entry]) -> str:
     """Write a line for each warning, with the parts that it concerns."""
     parts: dict[str, list[str]] = {}
     for each in found:
-        for text in (each.why_not,) if each.why_not else each.warnings:
+        for text in (each.why_not,) if each.why_not else map(str, each.warnings):
             parts.setdefault(text, []).append(each.element.shown)
     return "".join(f"{_parts_named(names)}: {escape_text(text)}\n" for text, names in parts.items())
 
@@ -97,7 +97,7 @@ def _row(file: Path, entry: Entry) -> dict[str, Any]:
         "place_m": entry.place and list(entry.place),
         "closed": entry.closed,
         "why_not": entry.why_not or None,
-        "remarks": list(entry.warnings),
+        "remarks": [said.text for said in entry.warnings],
         "thin_direction": entry.thin and [*entry.thin, 0.0],
         "thin_direction_deg": None if entry.thin is None else _angle(entry.thin),
     }

@@ -14,6 +14,7 @@ import numpy as np
 from assess.geometry.formats.ifc_numbers import refuse_commas
 from assess.geometry.formats.mesh_file import Element, MeshFile, Part, make_part, part_without_mesh
 from assess.geometry.formats.part21 import refuse_damaged
+from assess.messages.message import note
 
 ANGULAR_DEFLECTION = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 NOT_BUILT = ("IfcSpace", "IfcOpeningElement", "IfcVirtualElement", "IfcAnnotation", "IfcGrid")
@@ -24,7 +25,6 @@ WHOLE_BODIES = (
 )  # fmt: skip
 FAILED = re.compile(r"^\[error\].*Failed to convert:\s*#(\d+)=", re.MULTILINE)
 MISSING = re.compile(r"^\[error\].*Instance reference #\d+ used by instance #(\d+)\b.* not found", re.MULTILINE)
-PARTLY = "not all of it could be built from what the file says, volume and mass may be wrong: {lost}"
 NOT_MEASURED = ("Axis", "FootPrint", "Box", "Annotation", "Profile", "Reference", "Clearance", "CoG", "Lighting")
 UNMESHED = "its body could not be built from what the file says of it; repair or export this element again"
 
@@ -126,7 +126,7 @@ def _mesh_products(
     for place, product in zip(places, wanted, strict=True):
         shape = replace(shapes.get(product.id(), nothing), element=elements[place])
         lost = [] if shape.fault or not failed | missing else _missing_items(model, product, failed, missing)
-        found.append(replace(shape, warning=PARTLY.format(lost=", ".join(lost)) if lost else ""))
+        found.append(replace(shape, warning=note("not-all-built", lost=", ".join(lost)) if lost else None))
     return tuple(found)
 
 

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from assess.messages.message import Message
 from spectra.arrays import FloatArray, IntArray
 
 Up = Literal["y", "z"]
@@ -50,14 +51,14 @@ class Part:
     vertices : [n, 3] in the file's unit
     triangles : indices into vertices [m, 3]
     fault : why there is no mesh, a sentence; empty where there is one
-    warning : why the mesh may be incomplete, a sentence; empty where it is complete
+    warning : why the mesh may be incomplete; None where it is complete
     """
 
     element: Element
     vertices: FloatArray
     triangles: IntArray
     fault: str = ""
-    warning: str = ""
+    warning: Message | None = None
 
 
 @dataclass(frozen=True)

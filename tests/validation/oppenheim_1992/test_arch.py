@@ -114,7 +114,7 @@ def test_profile_of_a_project_file(tmp_path, count, published, digits):
     for one, other in zip(mechanism.positive.hinges, mechanism.negative.hinges, strict=True):
         assert one == pytest.approx(other, abs=1e-9)  # a symmetric arch is alike each way
     assert mechanism.restitution[0] == pytest.approx(mechanism.restitution[1], rel=1e-9)
-    assert f"uplift multiplier {multiplier(rocker.positive)[0]:.4g}" in mechanism.warnings[0]
+    assert f"uplift multiplier {multiplier(rocker.positive)[0]:.4g}" in str(mechanism.warnings[0])
 
 
 def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
@@ -154,10 +154,10 @@ def test_the_weakest_mirrors_with_the_arch():
 def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):
     """Joints that do not point to the centre of the ring leave its feet behind and cut it askew."""
     askew = project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
-    assert "% of the arch lies beyond its first and last joint" in askew.warnings[0]
+    assert "% of the arch lies beyond its first and last joint" in str(askew.warnings[0])
     assert "deg off square" in askew.warnings[1]
-    assert any("stops at its first impact" in text for text in askew.warnings)
+    assert any("stops at its first impact" in text for text in map(str, askew.warnings))
     told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").warnings[0]
     left = asin(2 * cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
     assert float(told.split(" %")[0]) == pytest.approx(100 * left, rel=0.05)
-    assert all(text.startswith("hinges of") for text in project(tmp_path, 8, body=profile_of()).warnings)
+    assert all(text.startswith("hinges of") for text in map(str, project(tmp_path, 8, body=profile_of()).warnings))

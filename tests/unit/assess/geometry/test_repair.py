@@ -8,6 +8,7 @@ from assess.errors import GeometryError
 from assess.geometry.repair import repair
 from assess.geometry.solid import box
 from assess.geometry.surface import Surface, find_edges, merge_vertices, volume
+from assess.messages.message import whole_number
 
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=1.0, name="wall")
 SEED = 12
@@ -43,7 +44,7 @@ def test_missing_triangles_of_a_ball_are_closed(share: float) -> None:
     found, told = repair((vertices, triangles[kept]), where="ball")
     assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=0.01)  # flat faces over neighbouring gaps
-    assert "closed by planes (the first around" in told[0]
+    assert "holes closed by planes" in str(told[0])
 
 
 def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
@@ -52,7 +53,7 @@ def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
     whole = volume(vertices, np.vstack([rest, foot]))
     assert volume(*found) == pytest.approx(whole, rel=1e-12)
     assert find_edges(found[1]).plain
-    assert told[0].startswith("1 hole of 48 edges, 9.32 m2, ")  # pi (4 - 1) less the segments of 24 sides
+    assert "1 with 48 edges and an area of 9.32 m2, " in str(told[0])  # pi (4 - 1) less the segments of 24 sides
 
 
 def test_windings_by_chance_are_made_alike() -> None:
@@ -60,7 +61,7 @@ def test_windings_by_chance_are_made_alike() -> None:
     turned = np.random.default_rng(SEED).random(len(triangles)) < 0.5
     found, told = repair((vertices, np.where(turned[:, None], triangles[:, ::-1], triangles)), where="ball")
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=1e-13)
-    assert "reversed to match their neighbours" in told[0]
+    assert "reversed to match their neighbours" in str(told[0])
 
 
 def test_cracks_between_loose_triangles_are_closed() -> None:
@@ -69,7 +70,8 @@ def test_cracks_between_loose_triangles_are_closed() -> None:
     found, told = repair(merge_vertices(loose, np.arange(len(loose)).reshape(-1, 3)), where="ball")
     assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=1e-5)
-    assert "corners of open borders, at most 0.4 mm off, joined" in told[0]
+    assert told[0].key == "border-corners-joined"
+    assert "at most 0.0004 m apart" in told[0].text
 
 
 def test_an_edge_that_faces_two_is_split() -> None:
@@ -82,7 +84,8 @@ def test_an_edge_that_faces_two_is_split() -> None:
     found, told = repair(merge_vertices(vertices, triangles), where="wall")
     assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(31.875, rel=1e-13)
-    assert told == ("2 edges split at corners of other triangles that lie on them (volume +0 %)",)
+    (split,) = told
+    assert (split.key, split.values) == ("edges-split", {"number": whole_number(2)})
 
 
 def test_a_hole_too_uneven_is_refused() -> None:

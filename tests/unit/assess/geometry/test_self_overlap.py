@@ -35,7 +35,7 @@ def test_bodies_that_touch_or_stand_apart_are_sound(surface: Surface) -> None:
 
 def test_a_little_is_told_and_much_refused() -> None:
     (told,) = self_overlap_warnings(two(0.995), where="pair")
-    assert "intersects itself near (0.49" in told
+    assert "intersects itself near x = 0.49" in told.text
     with pytest.raises(GeometryError, match=r"pair: its surface intersects itself near .* about 33 % of its volume"):
         self_overlap_warnings(two(0.5), where="pair")
 

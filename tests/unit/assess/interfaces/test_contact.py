@@ -330,14 +330,15 @@ def test_result_is_read_only():
 def test_section_askew_is_doubted_with_the_size():
     section = SECTIONS["hollow"]
     found = contact(section, LAW, normal_force=1e6, rotation=0.01)
-    text = out_of_plane_warning(section, found)
+    text = str(out_of_plane_warning(section, found, interface="A"))
     assert f"{abs(found.out_of_plane_eccentricity[0]):.3g} m" in text
     assert "along the axis of rotation" in text
 
 
 @pytest.mark.parametrize("section", [rectangle(1.0, 2.0), rectangle(1.0, 2.0, direction=(0, 1)), circle(1.0)])
 def test_section_symmetric_about_the_plane_of_motion_is_not_doubted(section):
-    assert out_of_plane_warning(section, contact(section, LAW, normal_force=1e5, rotation=[0.0, 0.1])) == ""
+    found = contact(section, LAW, normal_force=1e5, rotation=[0.0, 0.1])
+    assert out_of_plane_warning(section, found, interface="A") is None
 
 
 SQUARE = rectangle(1.0, 1.0)

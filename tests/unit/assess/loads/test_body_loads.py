@@ -63,7 +63,7 @@ def loads_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
 
 
 def texts(study) -> str:
-    return "\n".join(notice.text for notice in study.messages if notice.key == "mechanism")
+    return "\n".join(notice.text for notice in study.messages if notice.where.startswith("mechanisms."))
 
 
 def test_a_floor_built_into_two_walls_rests_with_half_its_weight_on_each(tmp_path):
@@ -306,7 +306,7 @@ def test_only_what_is_left_above_a_cut_is_touched(tmp_path):
 
 def test_a_load_in_the_air_is_pointed_out(tmp_path):
     study = study_of(tmp_path, FLOOR, 'body = "floor", at = [0, 3]')
-    assert 'load "floor" at (0, 3) m is in the air, 2.7 m from the block' in texts(study)
+    assert 'load "floor" at x = 0 m, z = 3 m is in the air, 2.7 m from the block' in texts(study)
     assert "in the air" not in texts(study_of(tmp_path, FLOOR, 'body = "floor"'))
 
 
@@ -371,4 +371,4 @@ def test_a_tie_anchored_on_what_moves_is_told(tmp_path):
     for x, told in ((2.9, True), (0.0, False)):  # within the wall, on the ground behind it
         (tmp_path / "project.toml").write_text(PROJECT + tie.format(x))
         said = texts(build(load(tmp_path)))
-        assert ('"tie 1": its anchor at (2.9, 4) m lies on block 0, which moves too' in said) is told
+        assert ('"tie 1": its anchor at x = 2.9 m, z = 4 m lies on block 0, which moves too' in said) is told

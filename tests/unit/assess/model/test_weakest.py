@@ -80,7 +80,7 @@ def test_a_wall_drawn_askew_falls_across_its_thickness(tmp_path: Path) -> None:
     assert one.direction == pytest.approx((cos(radians(30)), sin(radians(30)), 0.0), abs=1e-9)
     (least,) = {round(each.multiplier or 0.0, 9) for each in one.candidates if each.angle < 31.0}
     assert least == pytest.approx(0.1, abs=1e-8)
-    assert not any("askew" in text for text in one.warnings)
+    assert not any("askew" in text for text in map(str, one.warnings))
 
 
 def test_a_load_decides_between_the_two_faces(tmp_path: Path) -> None:

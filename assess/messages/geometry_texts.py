@@ -1,0 +1,129 @@
+"""The English text of messages on bodies, loads, joints and mechanisms, by key."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+GEOMETRY_TEXTS: Mapping[str, str] = {
+    # meshes
+    "mesh": "{file}: {step}",
+    "elements-joined": "elements joined into one body: {number} ({names})",
+    "element-incomplete": 'element "{element}": {what}',
+    "not-all-built": "not all of it could be built from what the file says, volume and mass may be wrong: {lost}",
+    "read-with-y-up": 'read with y up, as glTF prescribes; write mesh_up = "z" if z is up',
+    "read-in-units": "read in units of {given}, as the project states, although the file states {stated}",
+    "triangles-reversed": "triangles reversed to match their neighbours: {number}; the volume is unchanged",
+    "double-triangles-removed": "double triangles removed: {number}; the volume changes by {change}",
+    "border-corners-joined": "corners of open borders joined: {number}, at most {reach} apart; the volume changes by "
+    "{change}",
+    "edges-split": "edges split at corners of other triangles that lie on them: {number}; the volume is unchanged",
+    "holes-closed": "holes closed by planes: {number} with {edges} edges and an area of {area}, {share} of the "
+    "surface, the first around x = {x}, y = {y}, z = {z}; the volume changes by {change} against the open mesh, with "
+    "its holes taken as cones to the middle of its box",
+    "body-reversed": "its triangles faced inwards and were reversed; the volume is unchanged",
+    "flat-shells-removed": "closed shells without volume removed: {number}",
+    "shells-reversed": "closed shells that faced inwards reversed: {number}, the first around x = {x}, y = {y}, z = "
+    "{z}; the volume changes by {change}",
+    "shells-united": "its {number} closed shells, some of which overlap (near x = {x}, y = {y}, z = {z}), united so "
+    "that their common volume counts once; a cavity would face inwards; the volume changes by {change}",
+    "self-overlap": "its surface intersects itself near x = {x}, y = {y}, z = {z}, so that about {share} of its volume "
+    "counts twice or not at all; left as it is",
+    # size and place of bodies
+    "size": 'body "{body}" measures {size} at its longest; is its unit right?',
+    "size-in-unit": 'body "{body}" measures {size} at its longest; is its unit right? With mesh_unit = "{unit}" it '
+    "would measure {other}",
+    "size-thick": 'body "{body}" measures {size} at its longest and is about {thickness} thick; is its unit right?',
+    "size-thick-in-unit": 'body "{body}" measures {size} at its longest and is about {thickness} thick; is its unit '
+    'right? With mesh_unit = "{unit}" it would measure {other}',
+    "far-from-origin": 'body "{body}" is {distance} from the origin in single precision, which resolves {resolution} '
+    "there; move the mesh closer to the origin before exporting it",
+    "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; the overlap counts in '
+    "the weight of both: cut one back",
+    "gap": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since they form one block, they '
+    "are treated as joined",
+    "gap-at-hinge": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since a hinge connects '
+    "them, they are treated as in contact: close the gap, or check hinges and blocks",
+    # bases and cuts
+    "askew": "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body "
+    "stands askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance",
+    "cut-slopes": "the cut slopes across the direction of motion and its extreme line rises by {rise}; the hinge is "
+    "taken level at the middle of that line: turn `direction` to the slope of the crack",
+    "uneven-base": "the base is the lowest face alone, {width} wide, yet within {above} above it the body is {wide} "
+    "wide; if it stands on all of that, make it plane by a cut",
+    "turns-about-corner": "the cut slopes, so in most directions the block turns about one corner of it and slides "
+    "along the crack beyond: check that the crack can be as smooth as that",
+    "crack-by-formula": "crack at z = {z}, {share} of the height, by thesis eq. 3.27: N / W = {load}, tension f_mt l b "
+    "/ W = {tension}; the formula is for a plain rectangular wall",
+    "crack-by-general-formula": "crack at z = {z}, {share} of the height, by the general form of thesis eq. 3.27, load "
+    "at {place} of the thickness from the edge support: N / W = {load}, tension f_mt l b / W = {tension}; the formula "
+    "is for a plain rectangular wall",
+    "crack-of-least-multiplier": "crack at z = {z}, {share} of the height, where the uplift multiplier is least, "
+    "{multiplier}",
+    "crack-of-least-multiplier-with-tension": "crack at z = {z}, {share} of the height, where the uplift multiplier is "
+    "least, {multiplier} with the mortar's tension before it opens",
+    # arches
+    "arch-beyond-joints": "{share} of the arch lies beyond its first and last joint and stands still: check centre and "
+    "angles of `joints` unless it is meant",
+    "joint-askew": "joint {joint} is {angle} off square to the arch: check `joints`",
+    "hinges-found-positive": "hinges of positive rotation found as the least of all mechanisms over {joints} joints, "
+    "uplift multiplier {multiplier}: {hinges}",
+    "hinges-found-negative": "hinges of negative rotation found as the least of all mechanisms over {joints} joints, "
+    "uplift multiplier {multiplier}: {hinges}",
+    "four-hinges": "A at x = {ax}, z = {az}; B at x = {bx}, z = {bz}; C at x = {cx}, z = {cz}; D at x = {dx}, z = {dz}",
+    # hinges
+    "loose-hinge": "hinge {hinge} at x = {x}, z = {z} is {gap} away from block {block}; check it",
+    "hinge-in-tension": "hinge {hinge} would have to pull its block down with {pull} when the mechanism starts, which "
+    "masonry cannot: check hinges and loads",
+    "hinge-off-base": "hinge {hinge} at x = {x}, z = {z} is not on the base of the body, which reaches from x = "
+    "{low_x}, z = {low_z} to x = {high_x}, z = {high_z}; the whole body turns about it all the same",
+    "no-such-body": "I_O / (M R^2) = g / (p^2 R) = {ratio} is less than 1, which no body has; check p and radius",
+    # joints
+    "never-crushes": "interface {interface}: no strength is known, so its joint never crushes; give strength",
+    "joint-taken-level": "interface {interface}: no faces meet at its hinge, so its joint is taken level",
+    "hinge-inside-contact": "interface {interface}: the hinge lies {distance} inside the edge of its contact, which is "
+    "{depth} deep; pressure is counted from the hinge on",
+    "hinge-outside-contact": "interface {interface}: the hinge lies {distance} outside the edge of its contact, which "
+    "is {depth} deep; pressure is counted from the hinge on",
+    "contacts-apart": "interface A: its contact lies {distance} apart for the two directions, as it is {depth} deep "
+    "and begins at the hinge of each; give a shape as deep as they are apart",
+    "contact-not-symmetric": "interface {interface}: the contact is not symmetric about the plane of motion: its "
+    "resultant moves by up to {distance}, {share} of the section, along the axis of rotation, which turns the body out "
+    "of plane",
+    "load-through-top": "interface C: the load on the middle of the top comes through the joint there, so its "
+    "resultant moves to the edge as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the "
+    'middle stays in its place, and so does one with through = "fixed"',
+    # loads
+    "load-stands-in-block": 'load "{load}": body "{other}" stands where the block does; it is not taken to carry a '
+    "part of this",
+    "load-touches-overlapping": 'load "{load}": body "{other}", which it touches too, overlaps the block by {volume}',
+    "load-weight-not-carried": 'load "{load}": nothing in the project carries its weight',
+    "load-half-taken": 'load "{load}": nothing else in the project carries it; half of it is taken, since its other '
+    "foot must stand on something: else give share",
+    "load-all-taken": 'load "{load}": nothing else in the project carries it, so its whole weight is on the block: '
+    "else give share",
+    "load-on-other-block": 'load "{load}": block {given} is given, yet it touches block {touched}; it moves with the '
+    "one given: check `block`",
+    "load-part-left-out": 'load "{load}": it bears on block {block} too, and no load puts that part of it there: '
+    "remove `block`, or add a load with block = {block}",
+    "load-anchor-moves": 'load "{load}": its anchor at x = {x}, z = {z} lies on block {block}, which moves too, yet it '
+    "is taken as fixed in space: check `anchor`",
+    "load-in-the-air": 'load "{load}" at x = {x}, z = {z} is in the air, {distance} from the block as seen in the '
+    "plane of motion; it moves with the block all the same: check `at`",
+    "load-across-crack": 'load "{load}" at x = {x}, z = {z} acts on block {block}, yet the crack is at z = {crack}; '
+    "write block = {side} if it moves with that one",
+    # restitution
+    "restitution-no-rebound": "restitution 0 is used: Sorrentino et al. 2011, thesis eq. 3.45, gives {value}, which is "
+    "not negative: there is no rebound",
+    "restitution-chain": "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one "
+    "as a number",
+    "restitution-takes-more": "restitution {given} is given, where momentum kept over the mechanism is {momentum}: "
+    "each impact takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that "
+    "number",
+    "restitution-stops": "restitution {value} ({source}): a mechanism this squat stops at its first impact; 0 is "
+    "taken, and histories are not answered: for those give restitution as a number in [0, 1]",
+    "restitution-of-high-mass": "restitution {value} is above the {plain} of the same blocks without {loads}: a mass "
+    "high up moves almost horizontally before and after the impact, which therefore takes little of its velocity",
+    "restitution-above-one": "restitution {value} is above 1 though energy is lost: the hinges of the two directions "
+    "differ, and the branch that begins is the faster one, its inertia being {share} of that of the one that ends; the "
+    "impact keeps {kept} of the energy",
+}

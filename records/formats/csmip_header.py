@@ -10,6 +10,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_same, check_time_of_peak
 from records.formats.corners import nyquist_warning

@@ -104,7 +104,7 @@ def test_every_line_that_lost_bytes_is_refused_or_doubted(form: str, lost: int) 
         except RecordError as error:
             assert "line 11:" in str(error)  # noqa: PT017
             continue
-        assert "line 11 " in doubt
+        assert "line 11 " in str(doubt)
 
 
 def test_a_number_that_lost_characters_is_named_with_its_line(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from assess.results import MechanismResult, Results, View
 from reports.figures.common_ground import are_one_in_the_other
 from reports.figures.projection import eye_of
 from reports.figures.region import NEAR, Region, cuts, middle_of, region_of
-from reports.figures.solids import Surface, box_of, body_numbers, cut, weld
+from reports.figures.solids import Surface, body_numbers, box_of, cut, weld
 from reports.titles import mechanism_number
 from spectra.arrays import FloatArray, IntArray
 

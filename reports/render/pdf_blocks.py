@@ -36,7 +36,7 @@ from reports.language.texts import Kind, Text
 from reports.render.frame_words import SIGNATURE_HEADS, verdict_word
 from reports.render.pdf_marks import replay
 from reports.render.pdf_tables import TINT, sheet_grid, table_grid
-from reports.render.typeset import BOLD, REGULAR, STYLES, titled_caption, markup, paragraph, width_of
+from reports.render.typeset import BOLD, REGULAR, STYLES, markup, paragraph, titled_caption, width_of
 from reports.render.vector import FigureMarks
 
 _CAPTION = 26 * mm  # left for a caption below a figure as high as the page

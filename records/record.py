@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from spectra.arrays import FloatArray
 
@@ -72,7 +73,7 @@ class Record:
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     start : time of the first sample, as `earthquake.time`, "" unknown
-    warnings : what is odd in its file, one sentence each
+    warnings : what is odd in its file
     """
 
     id: str
@@ -90,7 +91,7 @@ class Record:
     stationary: float | None = None
     longest_period: float | None = None
     start: str = ""
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line without the samples: id, size, step and PGA."""
@@ -133,7 +134,7 @@ def make_record(
     site: Site = NO_SITE,
     longest_period: float | None = None,
     start: str = "",
-    warnings: Sequence[str] = (),
+    warnings: Sequence[Message | None] = (),
 ) -> Record:
     """Make a record, checked, with a read-only copy of the samples.
 
@@ -143,7 +144,7 @@ def make_record(
     acceleration : of the ground [n] [m/s2]
     dt : time step [s]
     path, event, station, component, processing_history, azimuth, distance, earthquake, site, longest_period, start,
-        warnings : as in `Record`; empty warnings are dropped
+        warnings : as in `Record`; None among the warnings is dropped
 
     Raises
     ------
@@ -182,7 +183,7 @@ def make_record(
         site,
         longest_period=longest_period,
         start=start,
-        warnings=tuple(text for text in warnings if text),
+        warnings=tuple(each for each in warnings if each is not None),
     )
 
 

@@ -102,7 +102,7 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
     samples, uneven = uniform_numbers(lines[at + 1 : end], first=at + 2, path=path)
     check_count(parts["n"], samples.size, path=path, name=f"line {at + 1}")
     peak = (PEAK_1 if first else PEAK_2).search("\n".join(header))
-    odd = ""
+    odd = None
     if peak:
         own = acceleration_factor(peak[2], line=at + 1, path=path)  # printed beside the peak, apart from the unit
         odd = check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=6e-4, path=path)

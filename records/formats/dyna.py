@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from records.formats.agreement import (
     check_count,
@@ -135,11 +136,11 @@ def _processing(text: dict[str, str]) -> tuple[str, ...]:
     return (f"filtered by the source: {low or 0:.6g} to {'-' if high is None else f'{high:.6g}'} Hz",)
 
 
-def _misnamed(text: dict[str, str], path: Path) -> str:
+def _misnamed(text: dict[str, str], path: Path) -> Message | None:
     """Return a warning where the name of the file, network.station.location.stream.…, has another stream."""
     stream, named = text.get("STREAM", ""), NAMED.match(path.name)
     if not stream or named is None or named[1] == stream:
-        return ""
+        return None
     return describe_disagreement("STREAM", stream, "file's name", named[1])
 
 

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_same, describe_disagreement
 from records.formats.corners import filter_warning
@@ -112,11 +113,11 @@ def _corners(line: str) -> tuple[float | None, float | None]:
     return corners.get(True), corners.get(False)
 
 
-def _misnamed(component: str, path: Path) -> str:
+def _misnamed(component: str, path: Path) -> Message | None:
     """Return a warning where the name of the file, as PEER gives it, has another direction than the header."""
     named = NAMED.fullmatch(path.stem)
     if named is None or not component.isdigit() or int(component) % 360 == int(named[1]) % 360:
-        return ""
+        return None
     return describe_disagreement("component", component, "file's name", named[1])
 
 

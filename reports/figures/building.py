@@ -14,7 +14,7 @@ from assess.geometry.simplify import simplify
 from assess.results import Results, View
 from reports.figures.projection import eye_of
 from reports.figures.region import NEAR, Region, cuts, region_of
-from reports.figures.solids import Surface, are_one_in_the_other, box_of, connected, cut, weld
+from reports.figures.solids import Surface, are_one_in_the_other, body_numbers, box_of, cut, weld
 from reports.titles import mechanism_number
 from spectra.arrays import FloatArray, IntArray
 
@@ -161,7 +161,7 @@ def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
     boxes: list[FloatArray] = []
     for view in sorted(views, key=lambda view: (-float(np.prod(view.size)), len(view.sections))):
         surface, slack = Surface(np.array(view.vertices), np.array(view.triangles)), NEAR * float(max(view.size))
-        found, before = connected(surface), tuple(boxes)
+        found, before = body_numbers(surface), tuple(boxes)
         for body in np.unique(found):
             part = surface.corners[found == body]
             box = box_of(part.reshape(-1, 3))

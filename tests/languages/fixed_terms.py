@@ -21,7 +21,7 @@ FOLDERS = (
     "assess/model",
     "assess/project",
     "assess/study",
-    "records/compliance",
+    "records",
     "spectra",
 )
 PLACES: Mapping[str, tuple[int, ...]] = {
@@ -44,6 +44,8 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "Confidence": (1,),
     "Rule": (2,),
     "Term": (0,),
+    "describe_disagreement": (0, 2),
+    "disagreement": (0, 2),
     "caveats_of": tuple(range(6)),
     "check_limit": (3,),
     "no_answer": (3,),
@@ -70,6 +72,7 @@ OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("claus
 """Further keywords, of single functions."""
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {
+    "records/formats/cosmos_header.py": ("PLACES",),
     "assess/study/grounding.py": ("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
     "assess/study/floor_input.py": ("SUITE", "CIRCULAR", "OF_MOTIONS", "OF_CIRCULAR"),
     "spectra/ntc.py": ("CLAUSES",),

@@ -77,6 +77,6 @@ def test_random_faces_are_drawn_as_a_depth_buffer_would_show_them(seed: int) -> 
 def test_neighbours_do_not_cover_one_another() -> None:
     lower = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     beside = np.array([[1.0, 0.0, 0.0], [1.0, 1.0, 9.0], [0.0, 1.0, 0.0]])
-    above = lower + [0.2, 0.2, 3.0]
+    above = lower + np.array([0.2, 0.2, 3.0])
     behind, before = occluding_pairs(np.array([lower, beside, above]))
     assert set(zip(behind.tolist(), before.tolist(), strict=True)) == {(0, 2), (1, 2)}

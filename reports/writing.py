@@ -36,8 +36,13 @@ def write_all(
 ) -> Path:
     """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`; return the PDF.
 
+    Parameters
+    ----------
+    results : of a run
+    folder : an empty one
     language : "en" or "it"; that of the project if None
     detail : "main", or "full" with the annexes; that of the project if None
+    figures : forms in which they are written
     jobs : processes to use, 0 for as many as there are cores; the files are the same
     progress : called with the name of each stage as it begins
     """
@@ -54,7 +59,15 @@ def write_document(
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write a document in its locale into the empty `folder` in every form, as `write_all`; name: of the PDF."""
+    """Write a document in its locale into the empty `folder` in every form; return the PDF.
+
+    Parameters
+    ----------
+    document : of any chapters
+    folder : an empty one
+    name : of the PDF
+    figures, jobs, progress : as of `write_all`
+    """
     report_stage = progress or (lambda _: None)
     for part in ("tables", "figures"):
         (folder / part).mkdir(exist_ok=True)

@@ -55,7 +55,7 @@ class Source:
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter: what is assumed first, then the materials and the sources."""
-    found = assumed(results)
+    found = assumed_values(results)
     blocks: list[Block] = nonempty(found)
     if not found.rows:
         blocks = [Prose((say("No value is marked as assumed, and no default of the program affects the results."),))]
@@ -76,7 +76,7 @@ def _restitution(results: Results) -> list[Block]:
     return [Prose((words,))]
 
 
-def assumed(results: Results) -> Table:
+def assumed_values(results: Results) -> Table:
     """Tabulate the values that the user assumed, then the defaults of the program on which results depend."""
     columns = (
         Column(say("Assumption"), share=0.34),

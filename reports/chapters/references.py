@@ -60,16 +60,16 @@ OF_SPECTRUM: Mapping[str, Verbatim] = {
 """Of spectra, by the code of the site."""
 
 
-def cited(results: Results) -> tuple[Text, ...]:
+def cited_works(results: Results) -> tuple[Text, ...]:
     """Return the references of these results, each once."""
     found: list[Text] = []
-    for each in _cited(results):
+    for each in _works(results):
         if each not in found:
             found.append(each)
     return tuple(found)
 
 
-def _cited(results: Results) -> Iterator[Text]:
+def _works(results: Results) -> Iterator[Text]:
     if results.spectrum is not None and results.spectrum.code in OF_SPECTRUM:
         yield OF_SPECTRUM[results.spectrum.code]
     for procedure in (check.procedure for mechanism in results.mechanisms for check in mechanism.checks):

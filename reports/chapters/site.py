@@ -35,7 +35,7 @@ def _hazard(results: Results) -> Iterator[Block]:
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
     yield from nonempty(hazard(results))
-    derived = calculated(results, results.spectrum)
+    derived = calculated_parameters(results, results.spectrum)
     if derived:
         yield Prose(derived)
     figures = tuple(_figures(results, results.spectrum))
@@ -100,7 +100,7 @@ def hazard(results: Results) -> Table:
     return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
+def calculated_parameters(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
     """Return the parameters that follow from the others, in one sentence; none where all are given."""
     found = [
         say("{name}: {value}", name=name, value=value)

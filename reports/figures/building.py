@@ -15,7 +15,7 @@ from assess.results import MechanismResult, Results, View
 from reports.figures.common_ground import are_one_in_the_other
 from reports.figures.projection import eye_of
 from reports.figures.region import NEAR, Region, cuts, middle_of, region_of
-from reports.figures.solids import Surface, box_of, connected, cut, weld
+from reports.figures.solids import Surface, body_numbers, box_of, cut, weld
 from reports.titles import mechanism_number
 from spectra.arrays import FloatArray, IntArray
 
@@ -72,8 +72,8 @@ class _Group:
     owner: IntArray
     moving: tuple[Moving, ...]
 
-    def moved(self, by: FloatArray) -> _Group:
-        """Return the group moved by a vector [3] [m]."""
+    def shift(self, by: FloatArray) -> _Group:
+        """Return the group shifted by a vector [3] [m]."""
         moving = tuple(
             replace(
                 each,
@@ -188,7 +188,7 @@ def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
     for view in sorted(views, key=lambda view: (-float(np.prod(view.size)), len(view.sections))):
         surface = Surface(np.array(view.vertices), np.array(view.triangles))
         before = tuple(boxes)
-        for body in range(int((found := connected(surface)).max()) + 1):
+        for body in range(int((found := body_numbers(surface)).max()) + 1):
             part = surface.corners[found == body]
             box, slack = box_of(part.reshape(-1, 3)), NEAR * float(max(view.size))
             if any((box[0] >= other[0] - slack).all() and (box[1] <= other[1] + slack).all() for other in before):
@@ -238,4 +238,4 @@ def _side_by_side(groups: Sequence[_Group], direction: FloatArray) -> Iterator[_
         row, column = divmod(place, MOST)
         step = column * (1.0 + BESIDE) * wide - float(along.min())
         lift = -box[0, 2] - row * (1.0 + 2 * BESIDE) * tall
-        yield group.moved(step * across - float(box.mean(axis=0) @ back) * back + np.array([0.0, 0.0, lift]))
+        yield group.shift(step * across - float(box.mean(axis=0) @ back) * back + np.array([0.0, 0.0, lift]))

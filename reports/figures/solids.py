@@ -73,7 +73,7 @@ def cut(corners: FloatArray, plane: Plane) -> FloatArray:
     return np.concatenate([whole, *(np.stack(three, axis=1) for three in ((a, p, q), (p, b, c), (p, c, q)))])
 
 
-def connected(surface: Surface) -> IntArray:
+def body_numbers(surface: Surface) -> IntArray:
     """Return the number of the connected body that each triangle [m] belongs to."""
     a, b, c = surface.triangles.T
     start, end = np.concatenate([a, b]), np.concatenate([b, c])

@@ -34,7 +34,19 @@ WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pd
 
 
 def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
-    """Write a figure in the report's style to a file, whole or not at all, in the form that its ending names."""
+    """Write a figure in the report's style to a file, whole or not at all.
+
+    Parameters
+    ----------
+    figure : of matplotlib
+    path : its ending names the form
+    creator : for the metadata of the file
+
+    Returns
+    -------
+    Path
+        The path written.
+    """
     with write_file(path, command="a command that draws a figure") as made:
         WRITERS[path.suffix.lower()](figure, made, creator)
     return path

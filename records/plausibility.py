@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 from math import log
@@ -19,11 +18,10 @@ from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 LARGEST = 3.0  # g; the strongest recorded so far have reached 2.7 g (horizontal) to 3.9 g (vertical, Iwate-Miyagi 2008)
 LEAST = 1e-5  # g; far below what a body that rocks can feel
 USUAL = 0.1  # g
-READ_IN = re.compile(r"\bunit (\S+)")
 COARSE = 0.022  # s; instruments sample 50 times a second and more
 SLOW, FAST = 2.5, 22.0  # Hz; no real record has 95 % of its power below SLOW at a COARSE step, or half above FAST
-BY_SAMPLE = "read from CSV"  # a time with every sample: nothing is to be doubted
-BY_NETWORKS = ("read from ITACA", "read from ESM", "read from AFAD")  # whose instruments sample at most at 1000 Hz
+BY_SAMPLE = "CSV"  # a time with every sample: nothing is to be doubted
+BY_NETWORKS = ("ITACA cor.acc", "ESM/ITACA DYNA", "AFAD")  # whose instruments sample at most at 1000 Hz
 FINE = 0.0009  # s
 DISTANCE = Term("the distance")
 BOUNDS = (
@@ -84,8 +82,13 @@ def _recording(record: Record) -> tuple[str, str, str]:
 
 
 def _of_peak(record: Record) -> Message | None:
-    unit = next((found[1] for step in record.processing_history if (found := READ_IN.search(step))), "")
-    return _peak_warning(record.pga, unit)
+    return _peak_warning(record.pga, _read_value(record, "unit"))
+
+
+def _read_value(record: Record, name: str) -> str:
+    """Return the format or the unit in which a record was read; "" where its first step does not say."""
+    first = next(iter(record.processing_history), "")
+    return str(first.values.get(name, "")) if isinstance(first, Message) else ""
 
 
 def _of_step(record: Record) -> Message | None:
@@ -94,9 +97,10 @@ def _of_step(record: Record) -> Message | None:
     Of 210 real records none gets one. With a step ten times too long 99 % do, with one ten times too short two thirds;
     a factor of two cannot be seen from the motion.
     """
-    if record.artificial or not record.processing_history or record.processing_history[0].startswith(BY_SAMPLE):
+    form = _read_value(record, "format")
+    if record.artificial or not record.processing_history or form == BY_SAMPLE:
         return None
-    if record.dt < FINE and record.processing_history[0].startswith(BY_NETWORKS):
+    if record.dt < FINE and form in BY_NETWORKS:
         return warning("step-fine", step=Quantity(record.dt, "time", 6))
     power = np.abs(np.fft.rfft(record.acceleration - np.mean(record.acceleration))) ** 2
     share = np.cumsum(power)

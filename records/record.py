@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.messages.message import Message
+from assess.messages.message import Message, Quantity, note
 from records.errors import RecordError
 from spectra.arrays import FloatArray
 
@@ -69,7 +69,7 @@ class Record:
     azimuth : direction of positive acceleration, clockwise from north [rad]; None if vertical or unknown
     distance : from the epicentre [m], None if unknown
     earthquake, site : what else the file says of them
-    processing_history : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
+    processing_history : what was done to it, in order; a str is a line of its file
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     start : time of the first sample, as `earthquake.time`, "" unknown
@@ -83,7 +83,7 @@ class Record:
     event: str = ""
     station: str = ""
     component: str = ""
-    processing_history: tuple[str, ...] = ()
+    processing_history: tuple[Message | str, ...] = ()
     azimuth: float | None = None
     distance: float | None = None
     earthquake: Earthquake = NO_EARTHQUAKE
@@ -127,7 +127,7 @@ def make_record(
     event: str = "",
     station: str = "",
     component: str = "",
-    processing_history: tuple[str, ...] = (),
+    processing_history: tuple[Message | str, ...] = (),
     azimuth: float | None = None,
     distance: float | None = None,
     earthquake: Earthquake = NO_EARTHQUAKE,
@@ -223,15 +223,15 @@ def scale(record: Record, factor: float) -> Record:
     """
     samples = record.acceleration * factor
     samples.flags.writeable = False
-    return with_step(replace(record, acceleration=samples), f"scaled by {factor:.6g}")
+    return with_step(replace(record, acceleration=samples), note("scaled-by", factor=Quantity(factor, figures=6)))
 
 
-def with_step(record: Record, step: str) -> Record:
-    """Add one step, in words, to the record's processing history.
+def with_step(record: Record, step: Message) -> Record:
+    """Add one step to the record's processing history.
 
     Parameters
     ----------
     record : accelerogram
-    step : what was done to it, a sentence
+    step : what was done to it
     """
     return replace(record, processing_history=(*record.processing_history, step))

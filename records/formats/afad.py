@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from assess.messages.message import Message
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.header_overrides import HeaderOverrides
@@ -83,7 +83,7 @@ def _record(
         path=str(path),
         station=text.get("STATION ID", ""),
         component=name,
-        processing_history=(f"read from {NAME}, unit {unit}",),
+        processing_history=(note("read-from", format=NAME, unit=unit),),
         azimuth=azimuth_of(name),
         earthquake=_earthquake(text),
         site=_site(text),

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.messages.message import Message
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_same, describe_disagreement
 from records.formats.corners import filter_warning
@@ -77,7 +77,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     _check_beside(dt, path=path)
     low, high = _corners(lines[3])
     title = parse_title(lines[1].strip())
-    history = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)
+    history = (_reading(found[1].lower(), title.date),)
     return (
         make_record(
             path.stem,
@@ -111,6 +111,12 @@ def _corners(line: str) -> tuple[float | None, float | None]:
     """Return the corners [Hz] of the filters in line 4, None where there is none; the low one has poles below 0."""
     corners = {poles.startswith("-"): number(corner, unknown=(0.0,)) for poles, corner in CORNERS.findall(line)}
     return corners.get(True), corners.get(False)
+
+
+def _reading(unit: str, date: str) -> Message:
+    if not date:
+        return note("read-from", format=NAME, unit=unit)
+    return note("read-from-event", format=NAME, unit=unit, date=date)
 
 
 def _misnamed(component: str, path: Path) -> Message | None:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.messages.message import Message
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, disagreement
 from records.formats.header_overrides import HeaderOverrides
@@ -73,7 +73,10 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             event=event[6] if event else "",
             station=station[1] if station else "",
             component=component,
-            processing_history=(f"read from {NAME}, unit {UNIT} by the format", lines[0].strip(" 0123456789").lower()),
+            processing_history=(
+                note("read-from-by-format", format=NAME, unit=UNIT),
+                lines[0].strip(" 0123456789").lower(),
+            ),
             azimuth=azimuth_of(component),
             distance=_metres(_known(reals, 16)),
             earthquake=_earthquake(event, reals),

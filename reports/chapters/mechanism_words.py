@@ -8,6 +8,7 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
+from reports.chapters.value_titles import value_word
 from reports.language.texts import Listing, Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
 
 KINDS: Mapping[str, Phrase] = {
@@ -22,15 +23,6 @@ MODELS: Mapping[str, Phrase] = {
     "flexible": say("flexible"),
     "flexible-thesis": say("flexible, by the thesis"),
     "semi-flexible": say("semi-flexible"),
-}
-AMPLIFICATIONS: Mapping[str, Text] = {
-    "modal-filter": say("first mode of the building"),
-    "srss": say("thesis eq. 3.48"),
-    "srss-relative": say("thesis eq. 3.48, for pulses 3.47"),
-    "ec8": say("EN 1998-1, 4.3.5.2, for a rigid part"),
-    "ec8-resonance": say("EN 1998-1, 4.3.5.2, at resonance"),
-    "ec8-printed": say("thesis eq. 3.49"),
-    "nzs1170.5": say("NZS 1170.5, 8.3"),
 }
 AXES: Mapping[int, str] = {0: "+x", 90: "+y", 180: "−x", -180: "−x", -90: "−y"}
 MOST = 5
@@ -74,7 +66,7 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
     if carried.height_m is not None:
         yield say(
             "In the time histories the ground motion is amplified up to it ({method}).",
-            method=AMPLIFICATIONS.get(carried.method, Verbatim(carried.method)),
+            method=value_word(Verbatim(carried.method)),
         )
     elif mechanism.above_ground and mechanism.histories:
         yield say("The time histories apply the ground motion to it unamplified.")

@@ -62,7 +62,7 @@ def convert(
     record = process(used, wanted)
     stamp = stamp_of_files("records convert", files, wanted, component, unit, step, to_unit)
     _write(text_of(record, output, unit=to_unit, stamp=stamp), output, inputs=files)
-    print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.processing_history)}")
+    print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(map(str, record.processing_history))}")
 
 
 def _write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.messages.message import note
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_integral, check_peak, check_time_of_peak
 from records.formats.corners import filter_warning
@@ -189,8 +190,9 @@ def test_a_filter_that_ends_where_the_motion_does_not_doubts_the_step() -> None:
     assert "begins at 0.2 Hz" in str(filter_warning(motion, 0.02, low=0.2, high=None))
 
 
-def recorded(motion: np.ndarray, dt: float, history: str = "read from PEER AT2, unit g") -> Record:
-    return make_record("a", motion / np.abs(motion).max(), dt, processing_history=(history,))
+def recorded(motion: np.ndarray, dt: float, form: str = "PEER AT2") -> Record:
+    history = (note("read-from", format=form, unit="g"),)
+    return make_record("a", motion / np.abs(motion).max(), dt, processing_history=history)
 
 
 def test_a_motion_slower_or_faster_than_earthquakes_doubts_the_step() -> None:
@@ -199,8 +201,8 @@ def test_a_motion_slower_or_faster_than_earthquakes_doubts_the_step() -> None:
     assert record_warning(recorded(motion, 0.02)) == ""  # cannot be told from the motion
     assert "slower than earthquakes; check the step" in record_warning(recorded(motion, 0.1))
     assert "faster than earthquakes; check the step" in record_warning(recorded(motion, 0.001))
-    assert "finer than instruments" in record_warning(recorded(motion, 0.0005, "read from ITACA cor.acc, unit m/s/s"))
-    assert record_warning(recorded(motion, 0.1, "read from CSV, unit g")) == ""  # which prints a time with every sample
+    assert "finer than instruments" in record_warning(recorded(motion, 0.0005, "ITACA cor.acc"))
+    assert record_warning(recorded(motion, 0.1, "CSV")) == ""  # which prints a time with every sample
 
 
 @pytest.mark.parametrize(("dt", "doubted"), [(0.01, False), (0.001, True), (0.1, True)])

@@ -130,7 +130,7 @@ def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
     )
     return (
         Verbatim(one.code),
-        Verbatim(one.clause),
+        Term(one.clause),
         Term(one.what),
         None if one.value is None else quantity(one.value, dimension),
         say("{sense} {limit}", sense=Verbatim(SENSES[one.sense]), limit=quantity(one.limit, dimension)),

@@ -9,6 +9,7 @@ from scipy.constants import g
 
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
+from reports.chapters.assumptions import stated_source
 from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
@@ -35,7 +36,7 @@ def _hazard(results: Results) -> Iterator[Block]:
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
     yield from nonempty(hazard(results))
-    derived = calculated(results, results.spectrum)
+    derived = calculated_parameters(results, results.spectrum)
     if derived:
         yield Prose(derived)
     figures = tuple(_figures(results, results.spectrum))
@@ -100,7 +101,7 @@ def hazard(results: Results) -> Table:
     return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
+def calculated_parameters(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
     """Return the parameters that follow from the others, in one sentence; none where all are given."""
     found = [
         say("{name}: {value}", name=name, value=value)
@@ -125,7 +126,7 @@ def _once(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
     """Yield the rows, with a source that is repeated said once."""
     before: Cell = None
     for name, value, source in rows:
-        repeated = source == before and isinstance(source, Verbatim)
+        repeated = source == before and source not in (CALCULATED, say("given"), say("default"))
         yield name, value, say("as above") if repeated else source
         before = source
 
@@ -140,7 +141,7 @@ def _origin(results: Results, name: str) -> Text:
     for place in (key, SPECTRUM, "site"):
         stated = project_text(results, f"report.sources.{place}")
         if stated:
-            return Verbatim(stated)
+            return stated_source(stated)
     return say("given")
 
 

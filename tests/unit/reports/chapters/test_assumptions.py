@@ -35,7 +35,7 @@ def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
     }
     assert stated["materials.stone.density"] == assumptions.Source("literature", "handbook")
     assert stated["materials.stone.friction"] == assumptions.Source("assumed", "as usual")
-    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumed(made))
+    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumed_values(made))
     assert ["stone: all properties", "literature", "handbook", "–"] in rows(assumptions.sources(made))
 
 
@@ -57,7 +57,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
         building__storeys=given(4),
         report__sources__building__storeys=given("assumed: by its windows"),
     )
-    table = assumptions.assumed(made)
+    table = assumptions.assumed_values(made)
     assert [row[0] for row in rows(table)] == ["Number of storeys", "Vertical over horizontal spectrum"]
     assert table.muted == {1}
 
@@ -65,7 +65,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
 def test_a_value_of_several_mechanisms_has_one_row(results: Results) -> None:
     keys = [f"mechanisms.{each.name}.interface.model" for each in results.mechanisms]
     made = replace(results, project=dict.fromkeys(keys, default("rigid")))
-    assert rows(assumptions.assumed(made)) == [
+    assert rows(assumptions.assumed_values(made)) == [
         ["Model of the joints", "rigid", "default of the program", "all mechanisms"]
     ]
 
@@ -74,7 +74,7 @@ def test_defaults_of_a_code_that_answered_nothing_do_not_matter(results: Results
     made = with_project(
         results, procedures__nzsee2017__masonry=default("rubble"), procedures__dmi2008__confidence_factor=default(1.0)
     )
-    assert [row[0] for row in rows(assumptions.assumed(made))] == ["Confidence factor"]
+    assert [row[0] for row in rows(assumptions.assumed_values(made))] == ["Confidence factor"]
 
 
 def test_materials_are_in_words_without_empty_columns(results: Results) -> None:

@@ -51,7 +51,7 @@ def test_parameters_have_their_units_and_sources(results: Results) -> None:
     assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
     assert rows["Damping ratio"] == "0.05\ndefault"
     assert "T_L, long-period transition" not in rows
-    calculated = told(site.calculated(replace(results, project=project), results.spectrum))
+    calculated = told(site.calculated_parameters(replace(results, project=project), results.spectrum))
     assert calculated.startswith("Calculated from these: T_L, long-period transition: 6 s; ")
 
 

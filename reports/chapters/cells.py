@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.codes.check import Check, Outcome, Reason
-from assess.messages.message import UNITS, Quantity
+from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
 from reports.document import Cell, Column, Graded
 from reports.language.texts import Phrase, Text, say
@@ -52,10 +52,7 @@ def unbounded_text(check: Check) -> Phrase | None:
 
 def value_cell(value: float | None, unit: str, *, figures: int = 4) -> Cell:
     """Return a number of the results with its unit; `unit` is a value of `assess.messages.message.UNITS`."""
-    return None if value is None else Quantity(value, _DIMENSIONS.get(unit, "ratio"), figures)
-
-
-_DIMENSIONS = {unit: dimension for dimension, unit in UNITS.items()} | {"": "ratio"}
+    return None if value is None else Quantity(value, DIMENSIONS.get(unit, "ratio"), figures)
 
 
 def demand_cell(check: Check) -> Cell:

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from itertools import chain
 
 from scipy.constants import g
 
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
-from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
+from reports.document import NOTHING, Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
 from reports.language.spectrum_parameters import parameter_rows
-from reports.language.texts import Term, Text, Verbatim, listing, quantity, say
+from reports.language.texts import Term, Text, Verbatim, quantity, say
 from reports.project_text import project_text
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")
+ABREAST = 3  # parameters in a row
 
 
 def sections(results: Results) -> list[Section]:
@@ -35,9 +37,7 @@ def _hazard(results: Results) -> Iterator[Block]:
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
     yield from nonempty(hazard(results))
-    derived = calculated(results, results.spectrum)
-    if derived:
-        yield Prose(derived)
+    yield from nonempty(calculated(results, results.spectrum))
     figures = tuple(_figures(results, results.spectrum))
     yield Row(figures) if len(figures) > 1 else figures[0]
 
@@ -100,14 +100,17 @@ def hazard(results: Results) -> Table:
     return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
-    """Return the parameters that follow from the others, in one sentence; none where all are given."""
-    found = [
-        say("{name}: {value}", name=name, value=value)
-        for name, value, source in _parameters(results, spectrum)
-        if source == CALCULATED
+def calculated(results: Results, spectrum: SpectrumResult) -> Table:
+    """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
+    found: list[tuple[Cell, ...]] = [
+        (name, value) for name, value, source in _parameters(results, spectrum) if source == CALCULATED
     ]
-    return (say("Calculated from these: {values}.", values=listing(found, "")),) if found else ()
+    blank: tuple[Cell, ...] = (NOTHING, NOTHING)
+    found += [blank] * (-len(found) % ABREAST)
+    high = len(found) // ABREAST
+    rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
+    columns = (Column(say("Parameter")), Column(say("Value"), share=0.09)) * ABREAST
+    return Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
 
 
 def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:

@@ -14,7 +14,7 @@ from reports.language.locale import Locale
 from reports.language.texts import Phrase, say, say_count
 
 LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
-NAMED = 7  # more records than this are drawn alike, without names
+NAMED = 7  # more records than this, and artificial ones, are drawn alike, without names
 COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6b4c9a")
 
 
@@ -34,7 +34,7 @@ def draw(target: SpectrumResult, records: tuple[RecordResult, ...], locale: Loca
 
 
 def _records(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> None:
-    named = len(records) <= NAMED
+    named = len(records) <= NAMED and any(record.path for record in records)
     for place, record in enumerate(records):
         colour = COLOURS[place] if named else MUTED
         name = record_label(record.id, 24) if named else (locale.text(count_records(records)) if place == 0 else "_")

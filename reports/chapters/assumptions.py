@@ -110,7 +110,7 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         owner, rest = split_key(results, key)
         if kind == DEFAULT and not _matters(results, rest):
             continue
-        for entry in grouped(rest, value):
+        for entry in grouped(results, rest, value):
             kept = found.setdefault((entry.key, repr(entry.cell), source.words), (entry.cell, []))
             kept[1].extend([owner] if owner else [])
     for (key, _, words), (cell, owners) in found.items():
@@ -118,12 +118,12 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         yield label(key), _worded(cell), _source_text(kind, words), where
 
 
-def grouped(key: str, value: Resolved) -> Iterator[Entry]:
+def grouped(results: Results, key: str, value: Resolved) -> Iterator[Entry]:
     """Yield a value as cells with their keys; a list of tables as one, which says where the report shows them."""
     held = value.value
     if not isinstance(held, Sequence) or not any(isinstance(each, Mapping) for each in held):
         yield from entries(key, value)
-    elif key in TABLES:
+    elif key in TABLES and (results.spectrum if key.startswith(SPECTRUM) else any(m.loads for m in results.mechanisms)):
         yield Entry(key, say("see {table}", table=Reference("Table", TABLES[key])))
     else:
         yield Entry(key, say_count("{number} set of values", "{number} sets of values", len(held)))

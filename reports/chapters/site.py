@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from itertools import chain
 
 from scipy.constants import g
 
+from assess.messages.message import Quantity
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
 from reports.document import NOTHING, Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
 from reports.language.spectrum_parameters import parameter_rows
-from reports.language.texts import Term, Text, Verbatim, quantity, say
+from reports.language.texts import Paragraph, Term, Text, Verbatim, quantity, say
 from reports.project_text import project_text
 
 SPECTRUM = "site.spectrum"
@@ -24,7 +26,7 @@ ABREAST = 3  # parameters in a row
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter."""
-    parts = [Section(say("Site and action"), 0, tuple(_hazard(results))), actions.section(results)]
+    parts = [Section(say("Site and action"), 0, tuple(_hazard(results)), starts_page=True), actions.section(results)]
     if results.records:
         parts.append(Section(say("Records"), 1, tuple(_records(results))))
     return parts
@@ -103,14 +105,18 @@ def hazard(results: Results) -> Table:
 def calculated(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
     found: list[tuple[Cell, ...]] = [
-        (name, value) for name, value, source in _parameters(results, spectrum) if source == CALCULATED
+        (name, _short(value)) for name, value, source in _parameters(results, spectrum) if source == CALCULATED
     ]
     blank: tuple[Cell, ...] = (NOTHING, NOTHING)
     found += [blank] * (-len(found) % ABREAST)
     high = len(found) // ABREAST
     rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
-    columns = (Column(say("Parameter")), Column(say("Value"), share=0.09)) * ABREAST
+    columns = (Column(say("Parameter")), Column(say("Value"), share=0.1)) * ABREAST
     return Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
+
+
+def _short(value: Text) -> Text:
+    return replace(value, figures=4) if isinstance(value, Quantity) else value
 
 
 def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:
@@ -151,6 +157,6 @@ def _records(results: Results) -> Iterator[Block]:
     yield from nonempty(suite.records(results))
     told = tuple(suite.sentences(results))
     if told:
-        yield Prose(told)
+        yield Prose((Paragraph(told),))
     if not suite.complies(results):
         yield from nonempty(suite.requirements(results))

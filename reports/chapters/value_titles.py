@@ -8,7 +8,6 @@ from reports.language.texts import Phrase, Text, Verbatim, say
 
 TITLES: Mapping[str, Phrase] = {
     "site.spectrum": say("Spectrum of the site"),
-    "site.spectrum.hazard": say("Hazard of the site over return periods"),
     "site.spectrum.damping": say("Damping of the spectrum"),
     "site.pga": say("PGA of the site"),
     "site.limit_state": say("Limit state of the site’s spectrum"),

@@ -9,10 +9,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from reports.figures.spectrum import COLOURS, NAMED, count_records
+from reports.figures.spectrum import COLOURS, NAMED
 from reports.figures.style import MUTED, legend_below, record_label, report_style, sheet
 from reports.figures.suite import dress
 from reports.language.locale import Locale
+from reports.language.texts import say
 
 
 def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64], locale: Locale) -> Figure:
@@ -38,5 +39,5 @@ def _lines(
 ) -> None:
     named = len(names) <= NAMED
     for place, (name, of) in enumerate(zip(names, ordinates, strict=True)):
-        name_shown = record_label(name, 24) if named else (locale.text(count_records(names)) if place == 0 else "_")
+        name_shown = record_label(name, 24) if named else (locale.text(say("records")) if place == 0 else "_")
         axes.plot(period, of, color=COLOURS[place] if named else MUTED, linewidth=0.8, alpha=0.8, label=name_shown)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -11,7 +9,7 @@ from matplotlib.figure import Figure
 from assess.results import RecordResult, SpectrumResult
 from reports.figures.style import FAIL, HALF, INK, MUTED, legend_below, record_label, report_style, sheet
 from reports.language.locale import Locale
-from reports.language.texts import Phrase, say, say_count
+from reports.language.texts import say
 
 LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
 NAMED = 7  # more records than this, and artificial ones, are drawn alike, without names
@@ -37,15 +35,10 @@ def _records(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> N
     named = len(records) <= NAMED and any(record.path for record in records)
     for place, record in enumerate(records):
         colour = COLOURS[place] if named else MUTED
-        name = record_label(record.id, 24) if named else (locale.text(count_records(records)) if place == 0 else "_")
+        name = record_label(record.id, 24) if named else (locale.text(say("records")) if place == 0 else "_")
         spectrum = record.spectrum
         axes.plot(spectrum.period_s, spectrum.acceleration_g, color=colour, linewidth=0.7, alpha=0.8, label=name)
     _mean(axes, records, locale)
-
-
-def count_records(records: Sequence[object]) -> Phrase:
-    """Return how many records there are."""
-    return say_count("{number} record", "{number} records", len(records))
 
 
 def _mean(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from assess.codes.verdict import Decision, Index, Missing
-from assess.messages.message import Message, Severity, warning
+from assess.messages.message import Message, Severity
 from assess.results import ChecklistItem, ReportMatter, Resolved, Results
 from reports.chapters import recommendations, scope, verdict
 from reports.document import Banner, Code
@@ -135,7 +135,9 @@ def test_a_list_is_not_shortened_by_one_point(results: Results) -> None:
 
 
 def test_one_warning_of_several_mechanisms_is_one_line_with_their_numbers(results: Results) -> None:
-    told = tuple(warning("mechanism", f"mechanisms.{name}", text="no rebound") for name in ("parapet", "wall-6"))
+    told = tuple(
+        Message("rebound", Severity.WARNING, f"mechanisms.{name}", "no rebound") for name in ("parapet", "wall-6")
+    )
     said = lines(verdict.sections(replace(results, warnings=told)))
     assert "all mechanisms: no rebound" in said
     alone = lines(verdict.sections(replace(results, warnings=told[:1])))

@@ -7,6 +7,7 @@ from math import asin, cos, hypot, radians, sin, sqrt
 
 import numpy as np
 
+from assess.messages.message import Message, Quantity, warning
 from records.record import Record
 
 EARTH = 6_371_000.0  # m, mean radius
@@ -14,19 +15,22 @@ FASTEST, SLOWEST = 8_500.0, 500.0  # m/s, of P waves below the crust and of surf
 CLOCK, RUPTURE = 5.0, 60.0  # s, of clocks and origins, and of how long the source of a large earthquake lasts
 
 
-def arrival_warning(record: Record) -> str:
-    """Return one line where the peak comes earlier or later after the earthquake's origin than waves take; else ""."""
+def arrival_warning(record: Record) -> Message | None:
+    """Return a warning where the peak comes earlier or later after the earthquake's origin than waves take."""
     origin, start, distance = _instant(record.earthquake.time), _instant(record.start), _distance(record)
     if origin is None or start is None or distance is None:
-        return ""
+        return None
     after = (start - origin).total_seconds() + record.dt * int(np.argmax(np.abs(record.acceleration)))
     earliest = hypot(distance, record.earthquake.depth or 0.0) / FASTEST - CLOCK
     latest = distance / SLOWEST + RUPTURE + CLOCK
     if earliest <= after <= latest:
-        return ""
-    return (
-        f"its peak comes {after:.4g} s after the earthquake's origin at {distance / 1000.0:.4g} km, where it can come "
-        f"after {max(earliest, 0.0):.3g} to {latest:.3g} s; check the step and the times"
+        return None
+    return warning(
+        "peak-time",
+        after=Quantity(after, "time"),
+        distance=Quantity(distance, "distance"),
+        earliest=Quantity(max(earliest, 0.0), "time", 3),
+        latest=Quantity(latest, "time", 3),
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from assess.messages.message import Message, warning
 from records.candidates import Candidate
 from records.flatfile import COLUMNS, BadCell, Flatfile, Recording
 
@@ -13,14 +14,14 @@ from records.flatfile import COLUMNS, BadCell, Flatfile, Recording
 class FlatfileMatch:
     """How a flatfile matches the records: rows matched and not, records described, bad cells.
 
-    warning : why no row matches, or which columns are missing, in words; "" otherwise
+    warning : why no row matches, or which columns are missing, None otherwise
     """
 
     matched: int
     unmatched: int
     records: int
     bad: tuple[BadCell, ...]
-    warning: str
+    warning: Message | None
 
 
 def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
@@ -51,8 +52,8 @@ def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> Flatf
     """
     found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
     matched = len({by.nga for by in found})
-    warning = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
-    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, warning)
+    told = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
+    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, told)
 
 
 def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> list[Recording | None]:
@@ -69,34 +70,26 @@ def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[Recor
     ]
 
 
-def _missing(keys: Sequence[str]) -> str:
-    """Say which columns were not found; "" if none is missing."""
+def _missing(keys: Sequence[str]) -> Message | None:
+    """Say which columns were not found; None if none is missing."""
     if not keys:
-        return ""
-    known = "; ".join(f"{key}: {' or '.join(COLUMNS[key])}" for key in keys)
-    return (
-        f"the flatfile has no column of {', '.join(keys)} under a name that is known, and the records' own files are "
-        f"believed there; is its header misspelt? Known are, however they are spaced: {known}"
-    )
+        return None
+    known = "; ".join(f"{key}: {', '.join(COLUMNS[key])}" for key in keys)
+    return warning("flatfile-columns-missing", keys=", ".join(keys), known=known)
 
 
-def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> str:
+def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> Message:
     """Say why no row matches a record."""
     if not candidates:
-        return "no row of the flatfile fits, for there is no record that can be read"
+        return warning("flatfile-no-records")
     numbers = sorted(one.nga for one in candidates if one.nga is not None)
     first, last = min(one.nga for one in recordings), max(one.nga for one in recordings)
     if numbers:
-        return (
-            f"no row of the flatfile fits: the files have NGA numbers {numbers[0]} to {numbers[-1]}, the table "
-            f"{first} to {last}; it may be of another search or another NGA project"
-        )
+        ends = {"first": numbers[0], "last": numbers[-1], "first_row": first, "last_row": last}
+        return warning("flatfile-other-numbers", **{key: str(number) for key, number in ends.items()})
     names = sorted(file for one in recordings for file in one.files)
-    example = f"{names[0]} as the table names it" if names else f"RSN{first}_….AT2"
-    return (
-        f"no row of the flatfile fits: rows are found by the NGA number in a file's name or by the file's name, and "
-        f"{_file(candidates[0].path)} has neither; keep the names that files had when downloaded, like {example}"
-    )
+    example = names[0] if names else f"RSN{first}_….AT2"
+    return warning("flatfile-no-numbers", file=_file(candidates[0].path), example=example)
 
 
 def _file(path: str) -> str:

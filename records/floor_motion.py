@@ -7,6 +7,7 @@ from math import ceil, log, pi
 
 import numpy as np
 
+from assess.messages.message import Quantity, note
 from records.errors import RecordError
 from records.kernel import relative_accelerations
 from records.record import Record, with_step
@@ -45,7 +46,12 @@ def floor_motion(record: Record, *, frequency: float, shape: float, damping: flo
     relative = relative_accelerations(ground, record.dt, parts, period, damping)
     at_height = shape * relative + between(ground, parts)
     at_height.flags.writeable = False
-    step = f"through a first mode of {frequency:.6g} Hz, damping {damping:.3g}, to where it counts {shape:.6g}"
+    step = note(
+        "through-first-mode",
+        frequency=Quantity(frequency, "frequency", 6),
+        damping=Quantity(damping, figures=3),
+        shape=Quantity(shape, figures=6),
+    )
     return with_step(replace(record, acceleration=at_height, dt=record.dt / parts), step)
 
 

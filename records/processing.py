@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 from scipy.signal import butter, firwin, resample_poly, sosfiltfilt
 
+from assess.messages.message import Message, Quantity, note, whole_number
 from records.errors import RecordError
 from records.integration import integrate_squared
 from records.record import Record, make_record, with_step
@@ -38,7 +39,7 @@ def correct_baseline(record: Record, *, degree: int) -> Record:
         raise RecordError(f"{_where(record)}: baseline of degree {degree}; it must be from 0 to {HIGHEST_DEGREE}")
     time = np.linspace(-1.0, 1.0, record.npts)
     baseline = np.polynomial.Legendre.fit(time, record.acceleration, min(degree, record.npts - 1))(time)
-    return _with(record, record.acceleration - baseline, step=f"baseline of degree {degree} taken off")
+    return _with(record, record.acceleration - baseline, step=note("baseline-removed", degree=whole_number(degree)))
 
 
 def butterworth(record: Record, *, low: float | None = None, high: float | None = None, order: int = 4) -> Record:
@@ -76,8 +77,15 @@ def butterworth(record: Record, *, low: float | None = None, high: float | None 
     pad = _fitting(1.5 * order / (corners[0] * record.dt), record)
     padded = np.pad(record.acceleration, pad)
     filtered = sosfiltfilt(sections, padded, padtype=None)[pad : pad + record.npts]
-    band = " to ".join("open" if corner is None else f"{corner:.6g} Hz" for corner in (low, high))
-    return _with(record, filtered, step=f"acausal Butterworth of order {order}, {band}")
+    return _with(record, filtered, step=_filtering(low, high, order=order))
+
+
+def _filtering(low: float | None, high: float | None, *, order: int) -> Message:
+    """Return the step of a filter; low, high : its corners [Hz], one at least."""
+    given = {"low": low, "high": high}
+    corners = {name: Quantity(corner, "frequency", 6) for name, corner in given.items() if corner is not None}
+    key = "band-filtered" if len(corners) == 2 else "low-passed" if low is None else "high-passed"
+    return note(key, order=whole_number(order), **corners)
 
 
 def resample(record: Record, *, dt: float) -> Record:
@@ -109,7 +117,12 @@ def resample(record: Record, *, dt: float) -> Record:
         return record
     taps = firwin(2 * REACH * max(up, down) + 1, CUT_OFF / max(up, down), window=("kaiser", KAISER))
     samples = resample_poly(record.acceleration, up, down, window=taps)  # type: ignore[call-overload]  # stubs: no taps
-    return _with(record, samples, dt=dt, step=f"resampled from {record.dt:.9g} to {dt:.9g} s")
+    return _with(
+        record,
+        samples,
+        dt=dt,
+        step=note("resampled", before=Quantity(record.dt, "time", 9), after=Quantity(dt, "time", 9)),
+    )
 
 
 def trim(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
@@ -132,12 +145,17 @@ def trim(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
     first = int(np.searchsorted(build_up, start * build_up[-1], side="right")) - 1
     last = int(np.searchsorted(build_up, end * build_up[-1], side="left"))
     first, last = max(min(first, record.npts - 2), 0), max(min(last, record.npts - 1), first + 1)
-    instants = f"{first * record.dt:.6g} s to {last * record.dt:.6g} s"
-    step = f"trimmed to {start:.4g}-{end:.4g} of its Arias intensity, {instants}"
+    step = note(
+        "trimmed",
+        start=Quantity(start),
+        end=Quantity(end),
+        first=Quantity(first * record.dt, "time", 6),
+        last=Quantity(last * record.dt, "time", 6),
+    )
     return _with(record, record.acceleration[first : last + 1], step=step)
 
 
-def _with(record: Record, samples: FloatArray, *, step: str, dt: float | None = None) -> Record:
+def _with(record: Record, samples: FloatArray, *, step: Message, dt: float | None = None) -> Record:
     """Replace the samples, checked as when read, and add `step` to the processing history."""
     checked = make_record(record.id, samples, record.dt if dt is None else dt, path=record.path)
     return with_step(replace(record, acceleration=checked.acceleration, dt=checked.dt), step)

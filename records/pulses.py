@@ -14,6 +14,7 @@ import numpy as np
 from numpy.polynomial.hermite_e import hermeval
 from numpy.typing import ArrayLike
 
+from assess.messages.message import Quantity, note
 from records.errors import RecordError
 from records.record import Record, make_record
 from spectra.arrays import FloatArray
@@ -210,7 +211,8 @@ def pulse_record(shape: Shape, *, frequency: float, amplitude: float, dt: float)
         )
     if shape.duration(frequency) / dt > LONGEST:
         raise RecordError(f"{where}: a step of {dt:.6g} s gives more than {LONGEST:,} samples; take a longer step")
-    history = f"{shape.name} pulse, {frequency:.6g} Hz, {amplitude:.6g} m/s2"
+    size = Quantity(amplitude, "acceleration", 6)
+    history = note("pulse", shape=shape.name, frequency=Quantity(frequency, "frequency", 6), amplitude=size)
     samples = amplitude * _between_zeros(shape.value(_phases(shape, step=2 * pi * frequency * dt)))
     return make_record(f"{shape.name}-{frequency:.6g}Hz", samples, dt, processing_history=(history,))
 

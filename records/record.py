@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from assess.messages.message import Message, Quantity, note
 from records.errors import RecordError
 from spectra.arrays import FloatArray
 
@@ -68,11 +69,11 @@ class Record:
     azimuth : direction of positive acceleration, clockwise from north [rad]; None if vertical or unknown
     distance : from the epicentre [m], None if unknown
     earthquake, site : what else the file says of them
-    processing_history : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
+    processing_history : what was done to it, in order; a str is a line of its file
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     start : time of the first sample, as `earthquake.time`, "" unknown
-    warnings : what is odd in its file, one sentence each
+    warnings : what is odd in its file
     """
 
     id: str
@@ -82,7 +83,7 @@ class Record:
     event: str = ""
     station: str = ""
     component: str = ""
-    processing_history: tuple[str, ...] = ()
+    processing_history: tuple[Message | str, ...] = ()
     azimuth: float | None = None
     distance: float | None = None
     earthquake: Earthquake = NO_EARTHQUAKE
@@ -90,7 +91,7 @@ class Record:
     stationary: float | None = None
     longest_period: float | None = None
     start: str = ""
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line without the samples: id, size, step and PGA."""
@@ -126,14 +127,14 @@ def make_record(
     event: str = "",
     station: str = "",
     component: str = "",
-    processing_history: tuple[str, ...] = (),
+    processing_history: tuple[Message | str, ...] = (),
     azimuth: float | None = None,
     distance: float | None = None,
     earthquake: Earthquake = NO_EARTHQUAKE,
     site: Site = NO_SITE,
     longest_period: float | None = None,
     start: str = "",
-    warnings: Sequence[str] = (),
+    warnings: Sequence[Message | None] = (),
 ) -> Record:
     """Make a record, checked, with a read-only copy of the samples.
 
@@ -143,7 +144,7 @@ def make_record(
     acceleration : of the ground [n] [m/s2]
     dt : time step [s]
     path, event, station, component, processing_history, azimuth, distance, earthquake, site, longest_period, start,
-        warnings : as in `Record`; empty warnings are dropped
+        warnings : as in `Record`; None among the warnings is dropped
 
     Raises
     ------
@@ -182,7 +183,7 @@ def make_record(
         site,
         longest_period=longest_period,
         start=start,
-        warnings=tuple(text for text in warnings if text),
+        warnings=tuple(each for each in warnings if each is not None),
     )
 
 
@@ -222,15 +223,15 @@ def scale(record: Record, factor: float) -> Record:
     """
     samples = record.acceleration * factor
     samples.flags.writeable = False
-    return with_step(replace(record, acceleration=samples), f"scaled by {factor:.6g}")
+    return with_step(replace(record, acceleration=samples), note("scaled-by", factor=Quantity(factor, figures=6)))
 
 
-def with_step(record: Record, step: str) -> Record:
-    """Add one step, in words, to the record's processing history.
+def with_step(record: Record, step: Message) -> Record:
+    """Add one step to the record's processing history.
 
     Parameters
     ----------
     record : accelerogram
-    step : what was done to it, a sentence
+    step : what was done to it
     """
     return replace(record, processing_history=(*record.processing_history, step))

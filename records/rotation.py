@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
+from assess.messages.message import Quantity, Value, note
 from records.errors import RecordError
 from records.record import Record, make_record, with_step
 from records.response import response_spectrum
@@ -161,8 +162,10 @@ def _checked(percentile: float) -> float:
 
 def _turned(first: Record, second: Record, samples: FloatArray, *, name: str, azimuth: float | None) -> Record:
     """Return what has become of two components, under the names of the first."""
-    known = "" if azimuth is None else f", azimuth {degrees(azimuth):.6g} deg"
-    step = f'turned with component "{second.component}" of "{second.id}": {name}{known}'
+    values: dict[str, Value] = {"component": second.component, "record": second.id, "name": name}
+    step = note("turned", **values)
+    if azimuth is not None:
+        step = note("turned-to", azimuth=Quantity(azimuth, "angle", 6), **values)
     made = make_record(f"{first.id} {name}", samples, first.dt, path=first.path)
     rotated = replace(first, id=made.id, acceleration=made.acceleration, component=name, azimuth=azimuth)
     return with_step(rotated, step)

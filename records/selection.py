@@ -34,6 +34,18 @@ KNOWN: Mapping[str, Callable[[Candidate], float | None]] = {
     "vs30": lambda one: one.vs30,
 }
 """What files may not say, by the name of its filter."""
+STEPS: Mapping[str, str] = {
+    "all": "components",
+    "horizontal": "horizontal at the free surface",
+    "magnitude": "of known magnitude",
+    "distance": "of known distance",
+    "vs30": "of known vs30",
+    "passed": "that pass the filters",
+    "scaled": "within the limits of the scale factor",
+    "apart": "of different earthquakes",
+    "free": "to choose from",
+}
+"""What is left after each step of a selection, in words."""
 
 
 @dataclass(frozen=True)
@@ -124,11 +136,11 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
     groups = event_groups([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
-        ("components", len(candidates)),
+        (STEPS["all"], len(candidates)),
         *((step, len(left)) for step, left in known),
-        ("that pass the filters", len(passed)),
-        ("within the limits of the scale factor", len(choices)),
-        ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),
+        (STEPS["passed"], len(passed)),
+        (STEPS["scaled"], len(choices)),
+        (STEPS["apart" if criteria.one_per_event else "free"], len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
         steps = ", ".join(f"{number} {step}" for step, number in counted)
@@ -161,12 +173,12 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
 
 def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
     """List what is left of the horizontal components after each step that drops those with an unknown value."""
-    steps = [("horizontal at the free surface", level)]
+    steps = [(STEPS["horizontal"], level)]
     for name, of in KNOWN.items():
         before = steps[-1][1]
         if getattr(filters, name) is not None:
             left = [one for one in before if of(one) is not None]
-            steps.append((f"of known {name} ({len(before) - len(left)} unknown)", left))
+            steps.append((STEPS[name], left))
     return steps
 
 

@@ -15,6 +15,7 @@ from functools import partial
 
 import numpy as np
 
+from assess.messages.message import Message, Quantity, note, whole_number
 from records.errors import RecordError
 from records.record import Record, make_record
 from records.spectral_fit import DAMPING, RISE, STATIONARY, Match, Stage, Target, fit_rounds, make_stage
@@ -123,12 +124,14 @@ def _record(target: Target, stage: Stage, code: str, seed: int, index: int) -> R
     )
 
 
-def _history(fit: Match, target: Target, stage: Stage, code: str, seed: int, index: int) -> tuple[str, ...]:
-    rise, level = RISE * stage.duration, STATIONARY * stage.duration
+def _history(fit: Match, target: Target, stage: Stage, code: str, seed: int, index: int) -> tuple[Message, ...]:
+    lengths = {"rise": RISE * stage.duration, "level": STATIONARY * stage.duration, "duration": stage.duration}
+    times = {name: Quantity(each, "time", 6) for name, each in lengths.items()}
+    range_of = {"first": Quantity(target.period[0], "time", 6), "last": Quantity(target.period[-1], "time", 6)}
+    shares = {"low": fit.low, "high": fit.high, "rms": fit.rms}
+    misfits = {name: Quantity(100.0 * each, "percent", 2) for name, each in shares.items()}
     return (
-        f"artificial: random phases, seed {seed}, number {index}; envelope of Jennings, Housner & Tsai (1968), "
-        f"{rise:g} s rising, {level:g} s stationary, falling to {stage.duration:g} s",
-        f"5 % spectrum fitted to {code} over {target.period[0]:g} s to {target.period[-1]:g} s: "
-        f"{fit.low:+.1%} to {fit.high:+.1%}, rms {fit.rms:.1%}; peak acceleration that of the target",
-        "baseline corrected: velocity and displacement end at zero, mean displacement zero",
+        note("artificial-phases", seed=str(seed), number=whole_number(index), **times),
+        note("artificial-fit", code=code, **range_of, **misfits),
+        note("artificial-baseline"),
     )

@@ -43,7 +43,7 @@ def at2_text(record: Record, *, stamp: str = "") -> str:
     values = [f"{a / g:15.7E}" for a in record.acceleration.tolist()]
     lines = ["".join(values[i : i + PER_LINE]) for i in range(0, len(values), PER_LINE)]
     header = [
-        _on_one_line("; ".join([*([f"stamp {stamp}"] if stamp else []), *record.processing_history])),
+        _on_one_line("; ".join([*([f"stamp {stamp}"] if stamp else []), *map(str, record.processing_history)])),
         _on_one_line(_title(record)),
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {record.npts:6d}, DT= {record.dt:.10g} SEC",

@@ -48,7 +48,7 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         facts=front_matter.facts(results),
         sections=_numbered([*_main(results), *(_annexes(results) if is_full(results, detail) else ())]),
         data=tuple(data_tables.tables(results)),
-        running=front_matter.running(results),
+        running=front_matter.running_head(results),
         logo=front_matter.logo(results),
         stamp=results.stamp,
         locale=locale_of(results),
@@ -110,7 +110,13 @@ def envelope_report(results: Results) -> Document:
 
 
 def locale_of(results: Results, language: str | None = None) -> Locale:
-    """Return the language and the units that the project asks its report in. language: in place of the project's."""
+    """Return the language and the units that the project asks its report in.
+
+    Parameters
+    ----------
+    results : of a run
+    language : in place of the project's
+    """
     system: Literal["SI", "US"] = "US" if project_text(results, "report.units") == "US" else "SI"
     return Locale(language or project_text(results, "report.language") or ENGLISH, system)
 

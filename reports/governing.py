@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import inf, isclose
 
 from assess.codes.check import Check, Outcome
@@ -73,12 +72,6 @@ def worst_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(check for check in map(worst, groups) if check is not None)
 
 
-def procedure_label(check: Check, among: tuple[Check, ...]) -> str:
-    """Return the procedure of a check, with its limit state where `among` has several of the same procedure."""
-    states = {other.limit_state for other in among if other.procedure == check.procedure}
-    return f"{check.procedure} {check.limit_state}".strip() if len(states) > 1 else check.procedure
-
-
 def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
     """Return the worst history with a trace: overturned first, then the largest rotation; None without traces."""
     traced = [(history, history.trace) for history in mechanism.histories if history.trace is not None]
@@ -99,21 +92,6 @@ def check_of(results: Results, row: ComparisonRow) -> Check | None:
     mechanism = next((m for m in results.mechanisms if m.name == row.mechanism), None)
     checks = () if mechanism is None else at_level(mechanism.checks, row.level_pga_g)
     return worst(tuple(check for check in checks if check.procedure == row.procedure))
-
-
-def overturned_rows(results: Results) -> frozenset[ComparisonRow]:
-    """Return the rows of the comparison in which the body overturned."""
-    pairs = ((row, check_of(results, row)) for row in results.comparison)
-    return frozenset(row for row, check in pairs if check is not None and is_overturned(check))
-
-
-def rows_to_draw(results: Results) -> tuple[ComparisonRow, ...]:
-    """Return the rows of the comparison; a demand beyond the end of the spectrum is infinite."""
-    pairs = ((row, check_of(results, row)) for row in results.comparison)
-    beyond = [check is not None and check.unbounded == "beyond the spectrum" for _, check in pairs]
-    return tuple(
-        replace(row, demand_capacity=inf) if far else row for row, far in zip(results.comparison, beyond, strict=True)
-    )
 
 
 def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
@@ -12,14 +12,14 @@ from assess.results import Results
 from reports.assessment import Detail, assessment, locale_of
 from reports.document import Document
 from reports.render.csv import write_csv
+from reports.render.figure_file import write_png
 from reports.render.frame_words import origin
 from reports.render.html import write_html
 from reports.render.pdf import write_pdf
-from reports.render.png import write_png
 from reports.render.processes import processes
 from reports.render.spreadsheet import write_xlsx
-from reports.render.svg import Picture, picture, write_svg
-from reports.render.vector import FigureMarks, trace_figures
+from reports.render.svg import picture, write_svg
+from reports.render.vector import trace_figures
 
 Form = Literal["svg", "png"]
 
@@ -34,22 +34,17 @@ def write_all(
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`.
+    """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`; return the PDF.
 
     Parameters
     ----------
     results : of a run
     folder : an empty one
-    language : of the report, "en" or "it"; that of the project if None
+    language : "en" or "it"; that of the project if None
     detail : "main", or "full" with the annexes; that of the project if None
     figures : forms in which they are written
     jobs : processes to use, 0 for as many as there are cores; the files are the same
     progress : called with the name of each stage as it begins
-
-    Returns
-    -------
-    Path
-        of the PDF
     """
     document = replace(assessment(results, detail=detail), locale=locale_of(results, language))
     return write_document(document, folder, name="report.pdf", figures=figures, jobs=jobs, progress=progress)
@@ -64,37 +59,33 @@ def write_document(
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write a document in its locale into the empty `folder` in every form.
+    """Write a document in its locale into the empty `folder` in every form; return the PDF.
 
     Parameters
     ----------
     document : of any chapters
     folder : an empty one
     name : of the PDF
-    figures : forms in which they are written
-    jobs : processes to use, 0 for as many as there are cores; the files are the same
-    progress : called with the name of each stage as it begins
-
-    Returns
-    -------
-    Path
-        of the PDF
+    figures, jobs, progress : as of `write_all`
     """
     report_stage = progress or (lambda _: None)
     for part in ("tables", "figures"):
         (folder / part).mkdir(exist_ok=True)
-    with processes(jobs or os.cpu_count() or 1, document) as pool:
+    creator = document.locale.text(origin(document))
+    with processes(jobs or os.cpu_count() or 1, document) as submit:
         report_stage("figures")
-        drawings = trace_figures(document, pool=pool)
-        tables = pool.submit(_write_tables, folder)
+        drawings = trace_figures(document, submit)
+        tables = submit(_write_tables, folder)
         report_stage("report")
         path = write_pdf(document, folder / name, drawings=drawings)
-        creator = document.locale.text(origin(document))
         pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
-        _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=creator)
+        for figure in pictures if "svg" in figures else ():
+            write_svg(pictures[figure], folder / "figures" / f"{figure}.svg", creator=creator)
+        asked = [submit(_write_png, place, folder / "figures", creator) for place in _places(document, figures)]
         write_html(document, path.with_suffix(".html"), pictures=pictures)
         report_stage("tables")
-        tables.result()
+        for each in (tables, *asked):
+            each.result()
     return path
 
 
@@ -103,16 +94,11 @@ def _write_tables(document: Document, folder: Path) -> None:
     write_xlsx(document, folder / "tables.xlsx")
 
 
-def _write_figures(
-    drawings: Mapping[str, FigureMarks],
-    pictures: Mapping[str, Picture],
-    folder: Path,
-    *,
-    forms: Sequence[Form],
-    creator: str,
-) -> None:
-    for name, drawing in drawings.items():
-        if "svg" in forms:
-            write_svg(pictures[name], folder / f"{name}.svg", creator=creator)
-        if "png" in forms:
-            write_png(drawing, folder / f"{name}.png", creator=creator)
+def _places(document: Document, forms: Sequence[Form]) -> range:
+    """Return the places of the figures of which there is to be a PNG file."""
+    return range(len(document.figures) if "png" in forms else 0)
+
+
+def _write_png(document: Document, place: int, folder: Path, creator: str) -> None:
+    figure = document.figures[place]
+    write_png(figure.draw(document.writer), folder / f"{figure.name}.png", creator)

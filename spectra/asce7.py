@@ -12,11 +12,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.constants import g
 
+from assess.messages.message import warning
 from spectra.arrays import FloatArray
 from spectra.asce7_editions import SiteTable, edition_of
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, check_periods, check_positive, plausibility_warnings
+from spectra.spectrum import Spectrum, check_periods, check_positive, in_g, plausibility_warnings
 
 ZERO_PERIOD_RATIO = 0.4  # S_a(0) / S_DS
 ROUNDING = 1e-9  # of a mapped acceleration [g]
@@ -62,9 +63,11 @@ def mapped_spectrum(
         "s_m1": S_M1,
     }
     given = {"s_s": s_s / g, "s_1": s_1 / g}
-    warnings = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
+    warnings = [
+        warning(r.key) for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING
+    ]
     if s_1 > s_s:
-        warnings.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
+        warnings.append(warning("mapped-exchanged", s_1=in_g(s_1), s_s=in_g(s_s)))
     doubts = plausibility_warnings(s_s=s_s, s_1=s_1)
     return replace(spectrum, parameters={**mapped, **spectrum.parameters}, warnings=(*doubts, *warnings))
 

@@ -25,12 +25,12 @@ class SiteTable:
 
 @dataclass(frozen=True)
 class StudyRule:
-    """When the standard asks for a study of the site: its classes, the least mapped value [g], the clause in words."""
+    """When the standard asks for a study of the site: its classes, the least mapped value [g], the key of a message."""
 
     classes: tuple[str, ...]
     parameter: Literal["s_s", "s_1"]
     least: float
-    text: str
+    key: str
 
 
 @dataclass(frozen=True)
@@ -83,16 +83,13 @@ STUDIES_2016 = (
         ("E",),
         "s_s",
         1.0,
-        "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site class E with S_S >= 1.0 g; F_a is that of "
-        "class C by its exception 1",
+        "study-of-class-e",
     ),
     StudyRule(
         ("D", "D-default", "E"),
         "s_1",
         0.2,
-        "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site classes D and E with S_1 >= 0.2 g; the "
-        "spectrum by Table 11.4-2 can be low at long periods (Supplement 3 raises S_M1 of class D by half); "
-        'give that of the study with code = "table"',
+        "study-of-classes-d-and-e",
     ),
 )
 _COLUMNS_2005 = ((0.25, 0.5, 0.75, 1.0, 1.25), (0.1, 0.2, 0.3, 0.4, 0.5))  # S_S, S_1 [g]

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import g
 
+from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import FloatArray
 from spectra.damping import ec8_eta
 from spectra.errors import SpectrumError
@@ -140,14 +141,12 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
     )
 
 
-def _capped(z: float, r: float) -> tuple[str, ...]:
-    """Return a sentence where Z R is more than the standard asks for."""
+def _capped(z: float, r: float) -> tuple[Message, ...]:
+    """Return a warning where Z R is more than the standard asks for."""
     if z * r <= LARGEST_ZR:
         return ()
-    return (
-        f"Z R = {z:.4g} × {r:.4g} = {z * r:.4g} is taken as {LARGEST_ZR:g}, the most that NZS 1170.5, 3.1.1 asks for; "
-        "check z and r",
-    )
+    values = {"z": Quantity(z), "r": Quantity(r), "product": Quantity(z * r), "most": Quantity(LARGEST_ZR)}
+    return (warning("site-factors-capped", **values),)
 
 
 def return_period_factor(years: float) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import g
 
+from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import FloatArray, is_number
 from spectra.errors import SpectrumError
 
@@ -34,7 +35,7 @@ class Spectrum:
     longest_period : up to which ordinates are known [s]
     displacements : f(period [s], damping [-]) -> spectral displacement [m], before `factor`, where the code gives
         one of its own for long periods; None where it is S_a (T / 2 pi)^2 throughout
-    warnings : sentences for the engineer to read before using it, with the clause
+    warnings : what the engineer should read before using it, with the clause
     """
 
     code: str
@@ -46,7 +47,7 @@ class Spectrum:
     factor: float = 1.0
     longest_period: float = inf
     displacements: Ordinates | None = None
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line: code, PGA and damping."""
@@ -90,13 +91,18 @@ def check_positive(code: str, **values: float) -> None:
             raise SpectrumError(f"{code} spectrum: {name} = {value}; it must be a positive number")
 
 
-def plausibility_warnings(**values: float) -> tuple[str, ...]:
-    """Return a sentence for each of `values` [m/s2], accelerations by name, that is larger than any site has."""
+def plausibility_warnings(**values: float) -> tuple[Message, ...]:
+    """Return a warning for each of `values` [m/s2], accelerations by name, that is larger than any site has."""
     return tuple(
-        f"{name} = {value / g:.4g} g is beyond any plausible site, {LARGEST_PLAUSIBLE:g} g; is it in another unit?"
+        warning("implausible-site", name=name, value=in_g(value), most=in_g(LARGEST_PLAUSIBLE * g))
         for name, value in values.items()
         if value > LARGEST_PLAUSIBLE * g
     )
+
+
+def in_g(acceleration: float) -> Quantity:
+    """Return an acceleration [m/s2] as a value of a message, in g."""
+    return Quantity(acceleration / g, "ground acceleration")
 
 
 def scale_to_pga(spectrum: Spectrum, pga: float) -> Spectrum:

@@ -51,7 +51,7 @@ def table_spectrum(
         ordinates=lambda at, other: points.ordinates(at, ec8_eta(other) / ec8_eta(damping)),
         clause="table given by the user",
         longest_period=T_max,
-        warnings=plausibility_warnings(**{"S_a(0) of the table": float(points.acceleration[0])}),
+        warnings=plausibility_warnings(**{"S_a(0)": float(points.acceleration[0])}),
     )
 
 

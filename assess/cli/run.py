@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,7 +11,6 @@ from assess.cli.options import Jobs, ProjectPath
 
 if TYPE_CHECKING:
     from assess.results import Results
-    from reports.report_process import Begin
 
 
 def run(
@@ -35,10 +33,7 @@ def run(
     and the path of the report. The exit code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last
     lines then say what is missing.
     """
-    from reports.report_process import report_writer
-
-    with nullcontext() if no_report else report_writer(jobs) as report:
-        results, path = _assess(project, output, jobs, report)
+    results, path = _assess(project, output, jobs, report=not no_report)
     from assess.cli.tables.summary import exit_code, summary
 
     print(summary(results), end="")
@@ -46,7 +41,7 @@ def run(
     raise typer.Exit(exit_code(results))
 
 
-def _assess(project: Path, output: Path | None, jobs: int | None, report: Begin | None) -> tuple[Results, Path]:
+def _assess(project: Path, output: Path | None, jobs: int | None, *, report: bool) -> tuple[Results, Path]:
     """Run the study and write its files; return the results and the path of the report, or of results.json."""
     from assess.project.schema import load
 
@@ -67,8 +62,10 @@ def _assess(project: Path, output: Path | None, jobs: int | None, report: Begin 
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
         results = run_study(study, jobs=jobs or available_cores(), progress=shown.count)
-        written = report(results, stage, shown.step) if report else None
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())
-        main_file = written() if written else main_file
+        if report:
+            from reports.writing import write_all
+
+            main_file = write_all(results, stage, jobs=jobs or 0, progress=shown.step)
     return results, folder / main_file.relative_to(stage)

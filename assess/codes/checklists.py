@@ -76,7 +76,18 @@ CHECKLISTS: Mapping[BuildingType, tuple[PossibleMechanism, ...]] = {
 
 
 def possible_mechanism(building_type: BuildingType, key: str | int) -> PossibleMechanism | None:
-    """Return the item of a list by its key or its number in the form; None if the list has none."""
+    """Return the item of a list by its key or its number in the form.
+
+    Parameters
+    ----------
+    building_type : whose list it is
+    key : of an item, or its number
+
+    Returns
+    -------
+    PossibleMechanism | None
+        None if the list has none.
+    """
     by_name: dict[str, PossibleMechanism] = {}
     for each in CHECKLISTS[building_type]:
         by_name[each.key] = each
@@ -86,6 +97,17 @@ def possible_mechanism(building_type: BuildingType, key: str | int) -> PossibleM
 
 
 def item_name(building_type: str, key: str) -> str:
-    """Return the English name of an item of a list; the key itself if no list of this program has it."""
+    """Return the English name of an item of a list.
+
+    Parameters
+    ----------
+    building_type : "house" or "church"
+    key : of an item
+
+    Returns
+    -------
+    str
+        The key itself if no list of this program has it.
+    """
     items = CHECKLISTS["church"] if building_type == "church" else CHECKLISTS["house"]
     return next((each.name for each in items if each.key == key), key)

@@ -40,7 +40,13 @@ def outcome_message(outcome: Decision, *, near: bool) -> Message:
 
 
 def outcome_text(outcome: Decision, *, near: bool) -> str:
-    """Return the outcome in English; arguments as of `outcome_message`."""
+    """Return the outcome in English.
+
+    Parameters
+    ----------
+    outcome : pass, fail or incomplete
+    near : whether it is at the limit
+    """
     return outcome_message(outcome, near=near).text
 
 

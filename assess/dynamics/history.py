@@ -120,7 +120,19 @@ class FreeRocking(ShortRepr):
 
 
 def product(oscillators: int, motions: int, scales: ArrayLike) -> Jobs:
-    """Return jobs for every oscillator, motion and scale: scales vary fastest, oscillators slowest."""
+    """Return jobs for every oscillator, motion and scale.
+
+    Parameters
+    ----------
+    oscillators : how many
+    motions : how many
+    scales : factors of the motions [-]
+
+    Returns
+    -------
+    Jobs
+        Scales vary fastest, oscillators slowest.
+    """
     factors = np.atleast_1d(np.asarray(scales, dtype=np.float64))
     o, m, s = np.meshgrid(np.arange(oscillators), np.arange(motions), np.arange(factors.size), indexing="ij")
     return Jobs(_frozen(o.ravel()), _frozen(m.ravel()), _frozen(factors[s.ravel()]))

@@ -28,7 +28,18 @@ def hinge_forces(mechanism: Mechanism) -> tuple[HingeForces, ...]:
 
 
 def chain_at_start(chain: Chain, *, name: str) -> Chain:
-    """Return the chain about its hinges at incipient motion: on joints a_SF inside the edges, else at the edges."""
+    """Return the chain about its hinges at incipient motion.
+
+    Parameters
+    ----------
+    chain : of one branch
+    name : of the mechanism, for errors
+
+    Returns
+    -------
+    Chain
+        Its hinges are, on joints, a_SF inside the edges, else at the edges.
+    """
     if not any(chain.joints):
         return chain
     fixed = FlexibleChain(chain, name).fixed_hinge_chain

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.messages.geometry_texts import GEOMETRY_TEXTS
+from assess.messages.record_texts import RECORD_TEXTS
 
 TEXTS: Mapping[str, str] = {
     **GEOMETRY_TEXTS,
+    **RECORD_TEXTS,
     # remarks on checks
     "fails-below": "the PGA scan already fails just above {pga}: the response does not grow steadily with PGA",
     "rocks-before-sliding": "the body rocks before it slides, a case that A.1 does not cover",
@@ -262,7 +264,6 @@ TEXTS: Mapping[str, str] = {
     "sliding-unbounded": "the spectrum does not fall below c_s before it ends: extend its table, or give a higher "
     "friction",
     # warnings and notes of a project
-    "site-study": "{text}",
     "box-size": "a number without a unit is in m, so this is {given}; if another unit was meant, write {likely}",
     "material-unit": "a number without a unit is in SI, so this is {given}, which is impossible for masonry; write "
     "{likely} if that was meant, and check the units of the other numbers",
@@ -284,11 +285,5 @@ TEXTS: Mapping[str, str] = {
     # records
     "artificial-records": "artificial records match the spectrum at every period at once, as no earthquake does; "
     "prefer recorded motions",
-    "coarse-record": "the time step of {records} is too coarse for {motion}: motion between two samples is lost; "
-    "use records with a step of {longest} or less",
-    "files-not-read": "{files} not read: {told}",
-    "flatfile": "{text}",
-    "cells-passed-over": "{cells} ignored: {told}",
-    "implausible-record": "{text}",
     "vertical-left-out": "vertical components are not used: {records}",
 }

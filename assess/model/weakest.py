@@ -14,7 +14,7 @@ import numpy as np
 from assess.errors import ProjectError
 from assess.mechanisms.directions import Candidate, Vector, angle_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Quantity, Severity, Value, message
+from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.model.assembly import Built, mechanism_of
 from assess.model.body import Bodies
 from assess.model.candidates import (
@@ -173,7 +173,7 @@ def weaker_than(given: Mechanism, candidates: Sequence[Candidate], look: Look) -
 
 def length_text(length: float | None) -> Value:
     """Return a displacement [m] as a value of a message."""
-    return "none, as it never overturns," if length is None else Quantity(length, "length")
+    return Term("none, as it never overturns,") if length is None else Quantity(length, "length")
 
 
 def obstacle_messages(

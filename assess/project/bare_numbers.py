@@ -52,7 +52,7 @@ def _of_sizes(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
     units = [unit for unit in SHORTER if all(_is_built(words, size, unit) for words, size in sizes.values())]
     for key, (_, size) in sizes.items():
         if size > HUGE or units:
-            likely = " or ".join(f'"{Quantity(size)} {unit}"' for unit in units or ("mm",))
+            likely = " / ".join(f'"{Quantity(size)} {unit}"' for unit in units or ("mm",))
             yield warning("box-size", key_text((*body, *key)), given=Quantity(size, "length"), likely=likely)
 
 

@@ -15,7 +15,7 @@ from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
-from assess.messages.message import Message, warning
+from assess.messages.message import Message, locate
 from assess.model.weakest import mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
@@ -102,7 +102,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
             *project.messages,
-            *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
+            *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
             *project_messages(content, solids, study),
             *messages,
         ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from assess.messages.message import Message
 from assess.results.values import Floats
 from assess.short_repr import ShortRepr
 
@@ -49,7 +50,8 @@ class PrimaryPulse(ShortRepr):
 class RecordResult(ShortRepr):
     """A record as used: after scaling to the site's spectrum, before the factor of a level.
 
-    mse: mean squared natural-log misfit to the target after scaling [-]; trail: its processing history, in order.
+    mse: mean squared natural-log misfit to the target after scaling [-]; processing: its processing history, in
+    order, where a str is a line of its file; trail: the English of it.
     """
 
     id: str
@@ -70,3 +72,4 @@ class RecordResult(ShortRepr):
     distance_km: float | None = None
     vs30_m_per_s: float | None = None
     nga: int | None = None
+    processing: tuple[Message | str, ...] = ()

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from assess.messages.message import Message, Quantity, warning
+from assess.messages.message import Message, Quantity, message, warning
+from assess.messages.plural import first_names
 from assess.oscillator import Oscillator, elastic_frequency
 from assess.study.envelopes import EnvelopeCase
 from assess.study.motions import ScaledRecord
@@ -29,24 +30,23 @@ def coarse_record_messages(cases: Sequence[EnvelopeCase], motions: Sequence[Scal
         longest, why = longest_step(case.oscillator, equation=case.equation)
         coarse = [motion.record for motion in motions if motion.record.dt > longest]
         if coarse:
-            names = ", ".join(f"{record.id} ({record.dt:.4g} s)" for record in coarse[:MOST_NAMES])
-            more = f" and {len(coarse) - MOST_NAMES} more" if len(coarse) > MOST_NAMES else ""
+            names = first_names([f"{record.id} ({record.dt:.4g} s)" for record in coarse], MOST_NAMES)
             yield warning(
                 "coarse-record",
                 f"mechanisms.{case.name}",
-                records=f"{names}{more}",
+                records=names,
                 motion=why,
                 longest=Quantity(longest, "time", 3),
             )
 
 
-def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, str]:
-    """Return the longest step of a record for an oscillator [s], and the motion that requires it, in words.
+def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, Message]:
+    """Return the longest step of a record for an oscillator [s], and the motion that requires it.
 
     The linearised equation has no vibration about rest.
     """
     p = max(branch.linearised.p for branch in oscillator.branches)
     elastic = max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
     if equation == "exact" and FEWEST * elastic > FEWEST_ROCKING * p:
-        return 1.0 / (FEWEST * elastic), f"its elastic vibration on the joints, {elastic:.3g} Hz"
-    return 1.0 / (FEWEST_ROCKING * p), f"its rocking, p = {p:.3g} 1/s"
+        return 1.0 / (FEWEST * elastic), message("motion-elastic", {"frequency": Quantity(elastic, "frequency", 3)})
+    return 1.0 / (FEWEST_ROCKING * p), message("motion-rocking", {"p": Quantity(p, "angular frequency", 3)})

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from math import exp, log
 from statistics import mean
 
+from assess.messages.message import Quantity, note
 from assess.study.study import Fitting, ScaleTo, Study
 from assess.study.suite_rules import made_band
 from records.band import Band, truncate_band
@@ -74,7 +75,7 @@ def raise_artificial(
     factor = factor_that_does(fit_of_mean(suite, band)) or 1.0
     if factor <= 1.0:
         return motions
-    said = f"the suite raised by {factor:.6g}, with which its mean meets ASCE 43-05, 2.4, to {band[1]:.3g} s"
+    said = note("suite-raised", factor=Quantity(factor, figures=6), period=Quantity(band[1], "time", 3))
     noted = tuple(replace(each, record=with_step(each.record, said)) for each in motions)
     return _multiply_all(noted, factor, spectrum, fitting.band)
 

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.messages.message import Message, warning
-from assess.messages.plural import count_noun
+from assess.messages.message import Message, locate, warning, whole_number
 from assess.study.study import Fitting
 from records import catalogue
 from records.band import Band
@@ -22,7 +21,7 @@ from records.flatfile_match import FlatfileMatch, describe_candidates, match_fla
 from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
 from records.indexing import index
 from records.paths import relative_path
-from records.plausibility import record_warning, warnings_among
+from records.plausibility import record_doubts, warnings_among
 from records.reading import read_with
 from records.record import Record
 from records.scaling import SCALING_PERIODS
@@ -138,32 +137,32 @@ def _record(one: Candidate, *, folder: Path) -> Record:
 
 def offer_messages(offer: Offer) -> Iterator[Message]:
     """What to know of the files that were not read, and of a flatfile that does not fit."""
-    if offer.problems:
-        told = _first([f"{path}: {why}" for path, why in offer.problems])
-        yield warning("files-not-read", "records.files", files=count_noun(len(offer.problems), "file"), told=told)
-    if offer.merged is not None and offer.merged.warning:
-        yield warning("flatfile", "records.flatfile", text=offer.merged.warning)
-    if offer.merged is not None and offer.merged.bad:
-        told = _first([cell_text(cell) for cell in offer.merged.bad])
-        cells = count_noun(len(offer.merged.bad), "cell")
-        yield warning("cells-passed-over", "records.flatfile", cells=cells, told=told)
+    yield from _first(
+        [warning("file-not-read", "records.files", file=str(path), why=str(why)) for path, why in offer.problems],
+        "files-not-read",
+    )
+    if offer.merged is not None:
+        yield from locate(() if offer.merged.warning is None else (offer.merged.warning,), "records.flatfile")
+        yield from _first([cell_message(cell) for cell in offer.merged.bad], "cells-ignored")
 
 
-def cell_text(cell: BadCell) -> str:
-    """A cell of a flatfile that was passed over, in words."""
-    return f'row {cell.row}, {cell.column}: "{cell.value[:LONGEST]}"'
+def cell_message(cell: BadCell) -> Message:
+    """A cell of a flatfile that was passed over."""
+    row, value = whole_number(cell.row), cell.value[:LONGEST]
+    return warning("cell-ignored", "records.flatfile", row=row, column=cell.column, value=value)
 
 
 def record_messages(records: Sequence[Record]) -> Iterator[Message]:
     """Which records have peaks or steps that ground hardly has, or files that contradict themselves."""
-    doubts = [*(doubt for record in records if (doubt := record_warning(record))), *warnings_among(records)]
-    if doubts:
-        yield warning("implausible-record", "records.unit", text=_first(doubts))
+    doubts = [warning("of-record", record=record.id, what=what) for record in records for what in record_doubts(record)]
+    yield from _first(locate([*doubts, *warnings_among(records)], "records.unit"), "of-further-records")
 
 
-def _first(told: Sequence[str]) -> str:
-    more = f"; and {len(told) - TOLD} more" if len(told) > TOLD else ""
-    return "; ".join(told[:TOLD]) + more
+def _first(told: Sequence[Message], key: str) -> Iterator[Message]:
+    """Yield the first of many messages, and how many others there are."""
+    yield from told[:TOLD]
+    if len(told) > TOLD:
+        yield warning(key, told[0].where, number=whole_number(len(told) - TOLD))
 
 
 def with_unique_names(records: Sequence[Record]) -> tuple[Record, ...]:

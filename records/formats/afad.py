@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.header_overrides import HeaderOverrides
@@ -65,7 +66,14 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _record(
-    text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, warnings: tuple[str, ...], *, path: Path
+    text: dict[str, str],
+    name: str,
+    samples: FloatArray,
+    dt: float,
+    unit: str,
+    warnings: tuple[Message | None, ...],
+    *,
+    path: Path,
 ) -> Record:
     """Return the component `name` of the header's station."""
     return make_record(
@@ -75,7 +83,7 @@ def _record(
         path=str(path),
         station=text.get("STATION ID", ""),
         component=name,
-        processing_history=(f"read from {NAME}, unit {unit}",),
+        processing_history=(note("read-from", format=NAME, unit=unit),),
         azimuth=azimuth_of(name),
         earthquake=_earthquake(text),
         site=_site(text),
@@ -93,7 +101,7 @@ def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
     return 0, ()
 
 
-def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, str]:
+def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, Message | None]:
     """Return every row of three numbers [n, 3], and a warning about their layout."""
     uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
     if uneven is not None:

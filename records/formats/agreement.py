@@ -1,7 +1,7 @@
 """Consistency of what a file says twice: the header with itself and with the samples below it.
 
 Contradictions of step, count, unit or direction are refused, since nothing shows which of the two is right. What is
-merely odd is a warning: one line for the engineer, else "".
+merely odd is a warning to the engineer.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message, Term, warning
 from records.errors import RecordError
 from spectra.arrays import FloatArray
 
@@ -32,14 +33,14 @@ def check_count(stated: str, held: int, *, path: Path, name: str = "NPTS") -> No
     raise RecordError(f"{path}: {name} says {stated[:20]} samples, the file holds {held}; {remedy}")
 
 
-def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: float, path: Path) -> str:
+def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: float, path: Path) -> Message | None:
     """Refuse samples whose peak is another than `stated` in the header by 2 %; return a warning above 0.05 %.
 
     Both are in `unit`, and what is printed is rounded to `digits`. Nothing is known where the header states none or
     zero.
     """
     if not stated or not samples.size:
-        return ""
+        return None
     found = float(np.max(np.abs(samples)))
     off = abs(found - abs(stated))
     if not off <= OTHER_PEAK * abs(stated) + digits:
@@ -48,7 +49,7 @@ def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: 
             "the unit or the data are damaged, get the file again"
         )
     if off <= SAME_PEAK * abs(stated) + digits:
-        return ""
+        return None
     return describe_disagreement("stated peak", abs(stated), "largest sample", found)
 
 
@@ -60,16 +61,19 @@ def check_same(
         raise RecordError(f"{path}: {name} is {value:.10g}, {other_name} {other:.10g}; {REMEDY}")
 
 
-def disagreement(name: str, value: float | None, other_name: str, other: float | None, *, slack: float) -> str:
+def disagreement(
+    name: str, value: float | None, other_name: str, other: float | None, *, slack: float
+) -> Message | None:
     """Return a warning about two values of one thing, where both are known, that differ by more than `slack`."""
     known = value is not None and other is not None
-    return describe_disagreement(name, value, other_name, other) if known and not abs(value - other) <= slack else ""  # type: ignore[operator]
+    return describe_disagreement(name, value, other_name, other) if known and not abs(value - other) <= slack else None  # type: ignore[operator]
 
 
-def describe_disagreement(name: str, value: object, other_name: str, other: object) -> str:
-    """Word a warning about two values of one thing."""
+def describe_disagreement(name: str, value: object, other_name: str, other: object) -> Message:
+    """Word a warning about two values of one thing; the names are fixed terms."""
     one, two = (f"{each:.10g}" if isinstance(each, float) else str(each)[:40] for each in (value, other))
-    return f"its {name} is {one}, but its {other_name} is {two}; one of them may be damaged"
+    names = {"name": Term(name), "other_name": Term(other_name)}
+    return warning("header-disagrees", value=one, other=two, **names)
 
 
 def check_duration(name: str, stated: float | None, *, size: int, dt: float, slack: float, path: Path) -> None:
@@ -97,7 +101,9 @@ def check_time_of_peak(stated: float | None, samples: FloatArray, dt: float, *, 
         )
 
 
-def check_integral(velocity: FloatArray, acceleration: FloatArray, dt: float, *, path: Path, name: str) -> str:
+def check_integral(
+    velocity: FloatArray, acceleration: FloatArray, dt: float, *, path: Path, name: str
+) -> Message | None:
     """Refuse accelerations whose step by the velocities beside them is not `dt` [s]; return a warning.
 
     Both are in one unit of length. Gains of velocity over BLOCK steps are fitted by the trapezoidal rule. In files of
@@ -105,12 +111,12 @@ def check_integral(velocity: FloatArray, acceleration: FloatArray, dt: float, *,
     peaks times the step.
     """
     if velocity.size != acceleration.size or velocity.size <= 4 * BLOCK:
-        return ""
+        return None
     total = np.concatenate(([0.0], np.cumsum(0.5 * (acceleration[1:] + acceleration[:-1]))))
     gained, summed = velocity[BLOCK:] - velocity[:-BLOCK], total[BLOCK:] - total[:-BLOCK]
     power, gains = float(summed @ summed), float(gained @ gained)
     if not power > 0.0 or not gains > 0.0:
-        return ""
+        return None
     step = float(gained @ summed) / power
     alike = float(gained @ summed) ** 2 / (power * gains)
     if alike > ALIKE and abs(step - dt) > SAME_STEP * dt:
@@ -119,4 +125,4 @@ def check_integral(velocity: FloatArray, acceleration: FloatArray, dt: float, *,
             "step, the unit or the data are damaged: get the file again, or correct it"
         )
     off = float(np.max(np.abs(gained / dt - summed))) / float(np.max(np.abs(acceleration)))
-    return f"the velocities of {name} are not the integral of its accelerations" if off > SAME_GAIN else ""
+    return warning("velocities-disagree", name=name) if off > SAME_GAIN else None

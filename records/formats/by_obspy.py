@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.header_overrides import GIVE_UNIT, HeaderOverrides
 from records.formats.samples import acceleration_factor, number
@@ -157,12 +158,12 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
     if response is None:
         unit = str(overrides.unit)
         factor = acceleration_factor(unit, line=0, path=path)
-        samples, source = factor * np.asarray(trace.data, dtype=np.float64), f"unit {unit} as given"
+        samples = factor * np.asarray(trace.data, dtype=np.float64)
+        history: tuple[Message, ...] = (note("read-from-given", format=name, unit=unit),)
     else:
-        samples, source = (
-            _without_response(trace, response, path=path),
-            f"response of {Path(overrides.response or '').name}",
-        )
+        samples = _without_response(trace, response, path=path)
+        file = Path(overrides.response or "").name
+        history = (note("read-from-response", format=name, file=file), note("mean-removed"))
     channel = trace.stats.channel
     return make_record(
         f"{path.stem} {trace.id}",
@@ -172,7 +173,7 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
         event=_text(trace, "kevnm"),
         station=".".join(part for part in (trace.stats.network, trace.stats.station) if part),
         component=channel,
-        processing_history=(f"read from {name}, {source}", *(["mean taken off"] if response is not None else [])),
+        processing_history=history,
         azimuth=_azimuth(trace, channel),
         distance=None if (km := _number(trace, "dist")) is None else 1000.0 * km,
         earthquake=Earthquake(

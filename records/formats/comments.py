@@ -34,7 +34,7 @@ KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
     "component": lambda record: record.component,
     "azimuth [deg]": lambda record: None if record.azimuth is None else degrees(record.azimuth),
     "samples": lambda record: float(record.npts),
-    "trail": lambda record: "; ".join(record.processing_history),
+    "trail": lambda record: "; ".join(map(str, record.processing_history)),
 }
 """What is written, in this order, where it is known."""
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from assess.messages.message import note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.cosmos_header import check_header
@@ -96,7 +97,7 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         event=_title(lines[start + 1]),
         station=station,
         component=component,
-        processing_history=(f"read from {NAME}, unit {series[4]}", lines[start].split("(")[0].strip()),
+        processing_history=(note("read-from", format=NAME, unit=series[4]), lines[start].split("(")[0].strip()),
         azimuth=azimuth_of(f"{degrees:.0f}") if degrees and 0 < degrees <= 360 else azimuth_of(component),
         distance=_metres(_known(reals, DISTANCE)),
         earthquake=_earthquake(lines[start:at], reals),

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from assess.messages.message import Message
 from records.formats.agreement import (
     check_duration,
     check_same,
@@ -51,7 +52,7 @@ def check_header(
     *,
     path: Path,
     line: int,
-) -> list[str]:
+) -> list[Message | None]:
     """Refuse step [s], length, peak and azimuth that are not the same everywhere; return warnings about the rest.
 
     Parameters
@@ -84,7 +85,7 @@ def _known(values: FloatArray, index: int) -> float | None:
     return number(str(values[index]), unknown=(UNKNOWN,)) if index < values.size else None
 
 
-def _places(words: str, reals: FloatArray) -> Iterator[str]:
+def _places(words: str, reals: FloatArray) -> Iterator[Message | None]:
     """Yield warnings about where the site and the epicentre are, sign and all."""
     for *names, pattern, at in PLACES:
         found = pattern.search(words)
@@ -93,13 +94,13 @@ def _places(words: str, reals: FloatArray) -> Iterator[str]:
             yield disagreement(name, printed, NUMBER, _known(reals, at + i), slack=1e-3)
 
 
-def _start(words: str, integers: FloatArray, reals: FloatArray) -> str:
+def _start(words: str, integers: FloatArray, reals: FloatArray) -> Message | None:
     """Return a warning about when the recorder started, to the second."""
     found = RECORDER.search(words)
     seconds, numbers = _known(reals, SECONDS), [_known(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
     if found is None or seconds is None or None in numbers:
-        return ""
+        return None
     again = iso(*(f"{each:.0f}" for each in numbers), str(seconds))
     one, two, three, *clock = found.groups()
     printed = iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
-    return describe_disagreement("start", printed, NUMBER, again) if printed[:19] != again[:19] else ""
+    return describe_disagreement("start", printed, NUMBER, again) if printed[:19] != again[:19] else None

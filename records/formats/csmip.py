@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import note, whole_number
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_integral, check_peak
 from records.formats.csmip_header import check_header
@@ -102,7 +103,7 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
     samples, uneven = uniform_numbers(lines[at + 1 : end], first=at + 2, path=path)
     check_count(parts["n"], samples.size, path=path, name=f"line {at + 1}")
     peak = (PEAK_1 if first else PEAK_2).search("\n".join(header))
-    odd = ""
+    odd = None
     if peak:
         own = acceleration_factor(peak[2], line=at + 1, path=path)  # printed beside the peak, apart from the unit
         odd = check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=6e-4, path=path)
@@ -121,8 +122,8 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
         station=_station(header, NAME_OF_STATION - first),
         component=chan[2],
         processing_history=(
-            f"read from {NAME} volume {1 if first else 2}, unit {unit}",
-            *(["uncorrected"] if first else []),
+            note("read-from-volume", format=NAME, volume=whole_number(1 if first else 2), unit=unit),
+            *([note("uncorrected")] if first else []),
         ),
         azimuth=azimuth_of(chan[2]),
         earthquake=_earthquake(header),

@@ -10,6 +10,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_same, check_time_of_peak
 from records.formats.corners import nyquist_warning
@@ -36,7 +37,7 @@ CHANNEL = re.compile(r"\bChan\s+\d+\s*:\s*(\d+)\s*deg", re.IGNORECASE)
 
 def check_header(
     header: Sequence[str], name: str, samples: FloatArray, dt: float, *, path: Path, first: bool
-) -> tuple[str, ...]:
+) -> tuple[Message | None, ...]:
     """Refuse step [s], count, length, time of the peak and azimuth that are not the same everywhere; return warnings.
 
     Parameters
@@ -61,7 +62,7 @@ def check_header(
     check_time_of_peak(when, samples, dt, slack=0.006, path=path)
     _check_azimuths(header[: TEXT[first]], name, _at(_block(header, TEXT[first], INTEGERS), AZIMUTH), path=path)
     band = BAND.search(text)
-    return (nyquist_warning(number(band[2] or band[1]), dt) if band else "",)
+    return (nyquist_warning(number(band[2] or band[1]), dt) if band else None,)
 
 
 def _of(pattern: re.Pattern[str], text: str) -> float | None:

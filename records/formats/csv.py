@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.comments import parse_comments, record_fields
 from records.formats.header_overrides import GIVE_UNIT, HeaderOverrides
@@ -65,12 +66,12 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
         columns = read_columns(path)
     except ColumnError as error:
         raise RecordError(str(error)) from None
-    seconds, si, words = _units(columns, overrides.unit, path=path)
+    seconds, si, reading = _units(columns, overrides.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
     known = parse_comments(columns.comments)
     _refuse_cut(known.get("samples", ""), len(columns.values), path=path)
-    before = (f"before that: {known['trail']}",) if known.get("trail") else ()
-    history = (f"read from {NAME}, {words}", *before)
+    before = (note("before-reading", trail=known["trail"]),) if known.get("trail") else ()
+    history = (reading, *before)
     return (
         make_record(
             path.stem, si * columns.values[:, 1], dt, path=str(path), processing_history=history, **record_fields(known)
@@ -87,8 +88,8 @@ def _refuse_cut(stated: str, found: int, *, path: Path) -> None:
         )
 
 
-def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, float, str]:
-    """Return what times and accelerations are multiplied by, and that in words."""
+def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, float, Message]:
+    """Return what times and accelerations are multiplied by, and how they were read."""
     time, acceleration = columns.units
     stated = acceleration or unit
     if stated is None:
@@ -102,7 +103,7 @@ def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, fl
         si = factor_of(stated, known=ACCELERATION_UNITS)
     except ColumnError as error:
         raise RecordError(f"{path}: {error}") from None
-    return seconds, si, f"unit {stated}" + ("" if acceleration else " as given, for the file does not say")
+    return seconds, si, note("read-from" if acceleration else "read-from-given", format=NAME, unit=stated)
 
 
 def _step(time: FloatArray, *, path: Path) -> float:

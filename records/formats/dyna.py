@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from assess.messages.message import Message, Quantity, note
 from records.errors import RecordError
 from records.formats.agreement import (
     check_count,
@@ -78,7 +79,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             event=_event(text),
             station=_station(text),
             component=text.get("STREAM", ""),
-            processing_history=(f"read from {NAME}, unit {unit}", *_processing(text)),
+            processing_history=(note("read-from", format=NAME, unit=unit), *_processing(text)),
             longest_period=usable_period(low),
             azimuth=azimuth_of(text.get("STREAM", "")),
             distance=_metres(text.get("EPICENTRAL_DISTANCE_KM", "")),
@@ -127,19 +128,22 @@ def _event(text: dict[str, str]) -> str:
     return next((name for name in names if re.search(r"[^\W\d_]", name)), "")
 
 
-def _processing(text: dict[str, str]) -> tuple[str, ...]:
-    """Return the filter that the source has applied, in words."""
+def _processing(text: dict[str, str]) -> tuple[Message, ...]:
+    """Return the filter that the source has applied."""
     low, high = (number(text.get(f"{side}_CUT_FREQUENCY_HZ", "")) for side in ("LOW", "HIGH"))
     if low is None and high is None:
         return ()
-    return (f"filtered by the source: {low or 0:.6g} to {'-' if high is None else f'{high:.6g}'} Hz",)
+    begin = Quantity(low or 0.0, "frequency", 6)
+    if high is None:
+        return (note("filtered-by-source-from", low=begin),)
+    return (note("filtered-by-source", low=begin, high=Quantity(high, "frequency", 6)),)
 
 
-def _misnamed(text: dict[str, str], path: Path) -> str:
+def _misnamed(text: dict[str, str], path: Path) -> Message | None:
     """Return a warning where the name of the file, network.station.location.stream.…, has another stream."""
     stream, named = text.get("STREAM", ""), NAMED.match(path.name)
     if not stream or named is None or named[1] == stream:
-        return ""
+        return None
     return describe_disagreement("STREAM", stream, "file's name", named[1])
 
 

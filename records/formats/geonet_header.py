@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_peak, check_same, check_time_of_peak, disagreement
 from records.formats.samples import number
@@ -32,7 +33,7 @@ DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*
 
 def check_header(
     header: Sequence[str], name: str, samples: FloatArray, dt: float, *, path: Path, line: int
-) -> list[str]:
+) -> list[Message | None]:
     """Refuse step [s], size, peak and azimuth that `header`, from `line` on, does not say alike; return warnings.
 
     Parameters
@@ -92,7 +93,7 @@ def _check_azimuth(name: str, again: float | None, *, path: Path, line: int) -> 
         )
 
 
-def _places(line: str, numbers: Sequence[float | None]) -> Iterator[str]:
+def _places(line: str, numbers: Sequence[float | None]) -> Iterator[Message | None]:
     """Yield warnings about the site's latitude and longitude, which the numbers repeat without a sign."""
     for words, value, at in zip(("latitude", "longitude"), coordinates(line), (LATITUDE, LONGITUDE), strict=True):
         parts = [each or 0.0 for each in numbers[at : at + 3]]

@@ -15,6 +15,7 @@ import re
 from datetime import datetime
 from pathlib import Path
 
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_integral
 from records.formats.geonet_header import COLUMNS, NUMBER_LINES, TEXT_LINES, UNIT, check_header, coordinates
@@ -90,7 +91,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
         event=_place(lines[start + 6]),
         station=_station(lines[start + 1]),
         component=name,
-        processing_history=(f"read from {NAME}, unit {UNIT}", lines[start + 11].strip()),
+        processing_history=(note("read-from", format=NAME, unit=UNIT), lines[start + 11].strip()),
         azimuth=azimuth_of(name),
         distance=_kilometres(lines[start + 8], "Dist"),
         earthquake=_earthquake(lines[start + 7], lines[start + 8]),
@@ -99,7 +100,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
     )
 
 
-def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, FloatArray, str]:
+def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, FloatArray, Message | None]:
     """Return accelerations and velocities of the component at index `start`, as printed and complete, and a warning."""
     points = _found(POINTS, lines, start + 9, path=path)[1]
     size = count(points, name="Number of points", line=start + 10, path=path)

@@ -13,6 +13,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from assess.messages.message import note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.corners import filter_warning
@@ -69,8 +70,8 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             station=text.get("Station Code / Name", ""),
             component=component,
             processing_history=(
-                f"read from {NAME}, unit {found[1]}",
-                *([f"filtered by the source: {cut} Hz"] if cut else []),
+                note("read-from", format=NAME, unit=found[1]),
+                *([note("filtered-by-source-as", corners=cut)] if cut else []),
             ),
             azimuth=azimuth_of(component),
             earthquake=Earthquake(time=iso_of(text.get("Event Date & Time", ""))),

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Quantity, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.header_overrides import HeaderOverrides
@@ -68,7 +69,10 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             path=str(path),
             station=header["Station Code"],
             component=component,
-            processing_history=(f"read from {NAME}, unit {unit}", f"mean of {scale * offset:.6g} {unit} taken off"),
+            processing_history=(
+                note("read-from", format=NAME, unit=unit),
+                note("mean-removed-of", mean=Quantity(scale * offset, figures=6), unit=unit),
+            ),
             azimuth=azimuth_of(component),
             earthquake=_earthquake(header),
             site=_site(header, component),

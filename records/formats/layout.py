@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
+from assess.messages.message import Message, warning, whole_number
 from records.errors import RecordError
 
 UNIFORM = 0.99  # of the lines, from which on a format is one
@@ -32,7 +33,7 @@ class Form(NamedTuple):
     printed: tuple[Printed, ...]
 
 
-def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
+def check_layout(lines: Sequence[str], *, first: int, path: Path) -> Message | None:
     """Refuse a number that is printed otherwise than all the others; return a warning about columns that are uneven.
 
     Files without one format get no warning, and a 0 may be printed in any way, unless it is the
@@ -45,7 +46,7 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
         of=sum(number * len(forms[shape].printed) for shape, number in counts.items()),
     )
     if usual is None:
-        return ""
+        return None
     for where, field in _odd_fields(lines, forms, usual):
         if not ZERO.fullmatch(field) or not any(map(str.strip, lines[where + 1 :])):
             raise RecordError(
@@ -53,7 +54,7 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
                 "characters are lost, get the file again"
             )
     at = _uneven(lines, counts, forms)
-    return "" if at is None else f"the columns of line {first + at} are not those of the others; characters may be lost"
+    return None if at is None else warning("columns-uneven", line=whole_number(first + at))
 
 
 def _shapes(lines: Sequence[str]) -> Iterator[str]:

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_same, describe_disagreement
 from records.formats.corners import filter_warning
@@ -76,7 +77,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     _check_beside(dt, path=path)
     low, high = _corners(lines[3])
     title = parse_title(lines[1].strip())
-    history = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)
+    history = (_reading(found[1].lower(), title.date),)
     return (
         make_record(
             path.stem,
@@ -112,11 +113,17 @@ def _corners(line: str) -> tuple[float | None, float | None]:
     return corners.get(True), corners.get(False)
 
 
-def _misnamed(component: str, path: Path) -> str:
+def _reading(unit: str, date: str) -> Message:
+    if not date:
+        return note("read-from", format=NAME, unit=unit)
+    return note("read-from-event", format=NAME, unit=unit, date=date)
+
+
+def _misnamed(component: str, path: Path) -> Message | None:
     """Return a warning where the name of the file, as PEER gives it, has another direction than the header."""
     named = NAMED.fullmatch(path.stem)
     if named is None or not component.isdigit() or int(component) % 360 == int(named[1]) % 360:
-        return ""
+        return None
     return describe_disagreement("component", component, "file's name", named[1])
 
 

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Term, note
 from records.errors import RecordError
 from records.formats import peer_at2
 from records.formats.agreement import check_count, check_same
@@ -92,14 +93,14 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     if unit is None:
         raise RecordError(f"{path}: the file does not state the unit of its accelerations; {GIVE_UNIT}")
     dt = _step(header, overrides, path=path)
-    source = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
+    reading = note("read-from" if header.unit else "read-from-given", format=Term("plain numbers"), unit=unit)
     return (
         make_record(
             path.stem,
             acceleration_factor(unit, line=1, path=path) * samples,
             dt,
             path=str(path),
-            processing_history=(f"read from {NAME} numbers, {source}",),
+            processing_history=(reading,),
             warnings=(uneven,),
         ),
     )

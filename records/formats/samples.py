@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message
 from records.errors import RecordError
 from records.formats.layout import check_layout
 from spectra.arrays import FloatArray
@@ -51,7 +52,7 @@ def _parsed(text: str) -> FloatArray | None:
     return None
 
 
-def uniform_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:
+def uniform_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, Message | None]:
     """Return all numbers in `lines`, and a warning about uneven columns; refuse one printed otherwise."""
     values = numbers(lines, first=first, path=path)
     return values, check_layout(lines, first=first, path=path)

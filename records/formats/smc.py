@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.messages.message import Message, note
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, disagreement
 from records.formats.header_overrides import HeaderOverrides
@@ -72,7 +73,10 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             event=event[6] if event else "",
             station=station[1] if station else "",
             component=component,
-            processing_history=(f"read from {NAME}, unit {UNIT} by the format", lines[0].strip(" 0123456789").lower()),
+            processing_history=(
+                note("read-from-by-format", format=NAME, unit=UNIT),
+                lines[0].strip(" 0123456789").lower(),
+            ),
             azimuth=azimuth_of(component),
             distance=_metres(_known(reals, 16)),
             earthquake=_earthquake(event, reals),
@@ -84,7 +88,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 def _samples(
     lines: list[str], integers: FloatArray, reals: FloatArray, dt: float, *, path: Path
-) -> tuple[FloatArray, tuple[str, ...]]:
+) -> tuple[FloatArray, tuple[Message | None, ...]]:
     """Return the samples as printed, checked against count, peaks and their times; and warnings."""
     after = TEXT_LINES + INTEGER_LINES + REAL_LINES
     after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
@@ -109,7 +113,7 @@ def _warnings(
     reals: FloatArray,
     *,
     path: Path,
-) -> Iterator[str]:
+) -> Iterator[Message | None]:
     """Refuse a direction that is another in the integers; warnings about what the text says again."""
     azimuth = number(component)
     known = _known(integers, AZIMUTH) if _known(integers, VERTICAL) == 90.0 else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from assess.results import GroundMotionResult, RequirementResult, Results
+from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
 from reports.chapters.cells import MECHANISM
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say
@@ -130,7 +130,7 @@ def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
     )
     return (
         Verbatim(one.code),
-        Verbatim(one.clause),
+        Term(one.clause),
         Term(one.what),
         None if one.value is None else quantity(one.value, dimension),
         say("{sense} {limit}", sense=Verbatim(SENSES[one.sense]), limit=quantity(one.limit, dimension)),
@@ -142,6 +142,12 @@ def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
 
 def _nonempty(texts: Iterable[str]) -> list[str]:
     return [text for text in texts if text]
+
+
+def _processing(record: RecordResult) -> tuple[Text, ...]:
+    """Return what was done to a record; lines of its file are verbatim, and older results hold the English alone."""
+    texts = tuple(Verbatim(each) if isinstance(each, str) else each for each in record.processing)
+    return texts or tuple(map(Term, record.trail))
 
 
 def processing(results: Results) -> Table:
@@ -157,7 +163,7 @@ def processing(results: Results) -> Table:
             Verbatim(record.id),
             Verbatim(record.station),
             Verbatim(record.path),
-            Listing(tuple(map(Term, record.trail)), ""),
+            Listing(_processing(record), ""),
         )
         for record in results.records
     )

@@ -124,7 +124,7 @@ def _parameter(results: Results, key: str) -> float | None:
     return found if isinstance(found, float) else None
 
 
-def running(results: Results) -> tuple[Text, ...]:
+def running_head(results: Results) -> tuple[Text, ...]:
     """Return what each page says besides the title: reference, revision and status."""
     matter = results.report
     said: list[Text] = [Verbatim(text) for text in (reference(results),) if text]

@@ -8,6 +8,7 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
+from reports.chapters.value_titles import value_word
 from reports.language.texts import Listing, Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
 
 KINDS: Mapping[str, Phrase] = {
@@ -72,7 +73,8 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
         yield say("Its base is {height} above the ground.", height=quantity(height, "length", 3))
     if carried.height_m is not None:
         yield say(
-            "In the time histories the ground motion is amplified up to it ({method}).", method=Verbatim(carried.method)
+            "In the time histories the ground motion is amplified up to it ({method}).",
+            method=value_word(Verbatim(carried.method)),
         )
     elif mechanism.above_ground and mechanism.histories:
         yield say("The time histories apply the ground motion to it unamplified.")

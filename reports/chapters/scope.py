@@ -34,7 +34,7 @@ def sections(results: Results) -> list[Section]:
             1,
             (*nonempty(methods.table(results)), *nonempty(methods.rules(results)), *_uncompared(results)),
         ),
-        Section(say("References"), 1, (Items(references.cited(results)),)),
+        Section(say("References"), 1, (Items(references.cited_works(results)),)),
     ]
 
 

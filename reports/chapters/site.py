@@ -12,16 +12,18 @@ from scipy.constants import g
 from assess.messages.message import Quantity
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
+from reports.chapters.assumptions import stated_source
 from reports.document import NOTHING, Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
-from reports.language.spectrum_parameters import parameter_rows
+from reports.language.spectrum_parameters import NAMES, parameter_rows
 from reports.language.texts import Paragraph, Term, Text, Verbatim, quantity, say
 from reports.project_text import project_text
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")
 ABREAST = 3  # parameters in a row
+ON_PAGE_1 = (NAMES["limit_state"][0], NAMES["use_coefficient"][0])
 
 
 def sections(results: Results) -> list[Section]:
@@ -39,7 +41,7 @@ def _hazard(results: Results) -> Iterator[Block]:
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
     yield from nonempty(hazard(results))
-    yield from nonempty(calculated(results, results.spectrum))
+    yield from nonempty(calculated_parameters(results, results.spectrum))
     figures = tuple(_figures(results, results.spectrum))
     yield Row(figures) if len(figures) > 1 else figures[0]
 
@@ -102,10 +104,12 @@ def hazard(results: Results) -> Table:
     return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated(results: Results, spectrum: SpectrumResult) -> Table:
+def calculated_parameters(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
     found: list[tuple[Cell, ...]] = [
-        (name, _short(value)) for name, value, source in _parameters(results, spectrum) if source == CALCULATED
+        (name, _short(value))
+        for name, value, source in _parameters(results, spectrum)
+        if source == CALCULATED and name not in ON_PAGE_1
     ]
     blank: tuple[Cell, ...] = (NOTHING, NOTHING)
     found += [blank] * (-len(found) % ABREAST)
@@ -134,7 +138,7 @@ def _once(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
     """Yield the rows, with a source that is repeated said once."""
     before: Cell = None
     for name, value, source in rows:
-        repeated = source == before and isinstance(source, Verbatim)
+        repeated = source == before and source not in (CALCULATED, say("given"), say("default"))
         yield name, value, say("as above") if repeated else source
         before = source
 
@@ -149,7 +153,7 @@ def _origin(results: Results, name: str) -> Text:
     for place in (key, SPECTRUM, "site"):
         stated = project_text(results, f"report.sources.{place}")
         if stated:
-            return Verbatim(stated)
+            return stated_source(stated)
     return say("given")
 
 

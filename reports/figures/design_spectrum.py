@@ -14,7 +14,13 @@ LONGEST = 4.0  # s: of the period axis, as far as most codes give their spectra
 
 
 def draw(spectrum: SpectrumResult, locale: Locale) -> Figure:
-    """Draw pseudo-acceleration [g] over period [s], with the corner periods marked."""
+    """Draw pseudo-acceleration [g] over period [s], with the corner periods marked.
+
+    Parameters
+    ----------
+    spectrum : of the site
+    locale : of the labels
+    """
     end = min(LONGEST, max(spectrum.period_s))
     with report_style():
         figure = sheet(2.8, locale)

@@ -53,8 +53,12 @@ def write(
         )
 
 
-def write_tags(axes: Axes, labels: Sequence[Label], *, window: tuple[float, float]) -> None:
-    """Write each label in a white box over its point, or beside it with a line where another box is there already."""
+def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
+    """Write each label in a white box over its point, or beside it with a line where another box is there already.
+
+    The axes are in points.
+    """
+    window = axes.get_xlim()[1], axes.get_ylim()[1]
     taken: list[Box] = []
     for label in labels:
         (x, y), (wide, high) = label.at, extent(label.text)

@@ -17,7 +17,6 @@ from assess.results import Displaced, Drawing, DrawnLoad, MechanismResult, Named
 from reports.figures.labels import Label, write
 from reports.figures.scale import Scale, table_scale
 from reports.figures.style import (
-    BLOCKS,
     FIXED,
     HALF,
     INK,
@@ -29,6 +28,7 @@ from reports.figures.style import (
     bare_sheet,
     label,
     report_style,
+    shade,
 )
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
@@ -207,11 +207,6 @@ def _turned(axes: Axes, drawing: Drawing, window: Window, layout: Layout, locale
         _hinge(axes, hinge, POSITIVE)
     named = [(hinge.at, label(hinge.name, 14), POSITIVE) for hinge in displaced.hinges]
     write(axes, _labels(axes, named, layout), window=_points(layout))
-
-
-def shade(block: int) -> str:
-    """Return the colour of a block, from 0 at the base; grey where it does not move."""
-    return FIXED if block < 0 else BLOCKS[block % len(BLOCKS)]
 
 
 def _points(layout: Layout) -> tuple[float, float]:

@@ -46,7 +46,16 @@ def beside_target(
     *,
     width: float = HALF,
 ) -> Figure:
-    """Draw the suite; rules: limits of the ratio of its mean to the target, without any the range that was fitted."""
+    """Draw the spectra of a suite of records beside their target.
+
+    Parameters
+    ----------
+    motion : mean and target of the suite
+    records : as scaled
+    rules : limits of the ratio of the mean to the target; without any the range that was fitted is shown
+    locale : of the labels
+    width : of the figure [in]
+    """
     with report_style():
         figure = sheet(2.6, locale, width=width)
         axes = figure.subplots()

@@ -11,7 +11,19 @@ _WHOLE = 12  # figures of a whole number
 
 
 def cell_text(cell: Cell, column: Column, locale: Locale) -> str:
-    """Return a cell in the letters of a locale, a number in the unit of its column; a dash where there is nothing."""
+    """Return a cell in the letters of a locale.
+
+    Parameters
+    ----------
+    cell : of a table
+    column : whose unit a number has
+    locale : language and units
+
+    Returns
+    -------
+    str
+        A dash where there is nothing.
+    """
     if cell is None:
         return NOTHING
     if isinstance(cell, bool):

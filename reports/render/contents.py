@@ -12,7 +12,7 @@ from reportlab.platypus import Table as Grid
 
 from reports.figures.style import INK
 from reports.render.page import DeferredCanvas, Heading
-from reports.render.typeset import STYLES, fitted, width_of
+from reports.render.typeset import STYLES, cut_to_width, width_of
 
 COLUMN = 10  # lines up to which they stand in one column
 _STYLE = "contents"
@@ -35,7 +35,7 @@ class Entry(Flowable):
         canvas = self.canv
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
         _set(canvas)
-        text = fitted(self.heading.short, self.width - _FOR_NUMBER, _STYLE)
+        text = cut_to_width(self.heading.short, self.width - _FOR_NUMBER, _STYLE)
         canvas.drawString(0, self.height - STYLES[_STYLE].fontSize, text)
         canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.height), relative=1)
         self.free = self.width - width_of(text, _STYLE)

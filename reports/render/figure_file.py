@@ -9,9 +9,10 @@ from matplotlib.figure import Figure
 
 from assess.outputs.single import write_file
 from reports.figures.style import report_style
-from reports.render.png import write_png
 from reports.render.svg import picture, write_svg
 from reports.render.vector import trace_figure
+
+DPI = 200
 
 
 def _svg(figure: Figure, path: Path, creator: str) -> None:
@@ -20,29 +21,31 @@ def _svg(figure: Figure, path: Path, creator: str) -> None:
 
 def _pdf(figure: Figure, path: Path, creator: str) -> None:
     with report_style():
-        figure.savefig(path, format="pdf", metadata={"Creator": creator, "CreationDate": None})
+        figure.savefig(path, metadata={"Creator": creator, "CreationDate": None})
 
 
-def _png(figure: Figure, path: Path, creator: str) -> None:
-    write_png(trace_figure(figure), path, creator=creator)
+def write_png(figure: Figure, path: Path, creator: str) -> None:
+    """Write a figure as pixels. creator: name and version of the program."""
+    with report_style():
+        figure.savefig(path, dpi=DPI, metadata={"Software": creator})
 
 
-WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pdf": _pdf, ".png": _png}
+WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pdf": _pdf, ".png": write_png}
 
 
 def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
-    """Write a figure to a file, whole or not at all.
+    """Write a figure in the report's style to a file, whole or not at all.
 
     Parameters
     ----------
-    figure : drawn in the report's style
-    path : its ending names the form: a key of WRITERS
-    creator : name and version of the program, for the properties of the file
+    figure : of matplotlib
+    path : its ending names the form
+    creator : for the metadata of the file
 
     Returns
     -------
     Path
-        the path written
+        The path written.
     """
     with write_file(path, command="a command that draws a figure") as made:
         WRITERS[path.suffix.lower()](figure, made, creator)

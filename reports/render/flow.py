@@ -30,7 +30,7 @@ class Part:
     is_whole: bool = False
     needs_room: bool = False
 
-    def placed(self) -> Iterator[Flowable]:
+    def place(self) -> Iterator[Flowable]:
         """Yield what the part puts into the story."""
         if self.is_whole:
             yield KeepTogether(self.flowables)

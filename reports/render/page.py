@@ -19,7 +19,7 @@ from reports.language.lettering import truncate
 from reports.language.locale import Locale
 from reports.language.texts import count, say
 from reports.render.frame_words import origin
-from reports.render.typeset import REGULAR, STYLES, fitted, markup, width_of
+from reports.render.typeset import REGULAR, STYLES, cut_to_width, markup, width_of
 
 PAPER = {"A4": A4, "letter": LETTER}
 _SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
@@ -110,9 +110,9 @@ class Pages(BaseDocTemplate):
         _small(canvas)
         canvas.setStrokeColor(HexColor(GRID))
         said = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
-        running = fitted(" · ".join(said), _RUNNING_SHARE * self.width, "running")
+        running = cut_to_width(" · ".join(said), _RUNNING_SHARE * self.width, "running")
         room = self.width - width_of(running, "running") - _GAP
-        canvas.drawString(left, head, fitted(printable(text(document.title)), room, "running"))
+        canvas.drawString(left, head, cut_to_width(printable(text(document.title)), room, "running"))
         canvas.drawRightString(right, head, running)
         canvas.line(left, head - 3.5, right, head - 3.5)
         canvas.drawString(left, _FOOT, truncate(printable(text(origin(document))), _LONGEST))

@@ -66,7 +66,7 @@ class Story:
             if first:
                 yield PageStart(self.pages.height, parts, self.blocks.placed[before:])
             for part in parts:
-                yield from part.placed()
+                yield from part.place()
 
     def _parts(self, first: int, end: int) -> Iterator[Part]:
         """Yield the parts of sections; headings without blocks stay with the next one."""

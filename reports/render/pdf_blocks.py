@@ -36,7 +36,7 @@ from reports.language.texts import Kind, Text
 from reports.render.frame_words import SIGNATURE_HEADS, verdict_word
 from reports.render.pdf_marks import replay
 from reports.render.pdf_tables import TINT, sheet_grid, table_grid
-from reports.render.typeset import BOLD, REGULAR, STYLES, captioned, markup, paragraph, width_of
+from reports.render.typeset import BOLD, REGULAR, STYLES, markup, paragraph, titled_caption, width_of
 from reports.render.vector import FigureMarks
 
 _CAPTION = 26 * mm  # left for a caption below a figure as high as the page
@@ -174,7 +174,7 @@ class Blocks:
         return [grid]
 
     def _caption(self, kind: Kind, name: str, caption: Text) -> Flowable:
-        return captioned(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
+        return titled_caption(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
 
     def _figure(self, block: Figure, room: tuple[float, float]) -> list[Flowable]:
         drawing = Drawing(self.drawings, block.name, room)

@@ -5,44 +5,45 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context
 from typing import Any
 
 from assess.workers import become_worker, end_on_error, hold_signals
 
-
-class _Here(Executor):
-    """An executor that works at once, in this process."""
-
-    def __init__(self, subject: object) -> None:
-        self._subject = subject
-
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        done: Future[Any] = Future()
-        done.set_result(fn(self._subject, *args, **kwargs))
-        return done
+Submit = Callable[..., Future[Any]]
+"""Asks for a function's answer; the function gets the subject, then the arguments."""
+_kept: object = None  # the subject; set in copies of this process only
 
 
-class _Copies(ProcessPoolExecutor):
-    """Copies of this process, which need not import anything again, nor be sent the subject.
+@contextmanager
+def processes(jobs: int, subject: object) -> Iterator[Submit]:
+    """Provide `jobs` copies of this process to work on a subject, however large; this one at 1 and if not on Linux.
 
-    Copies have no threads but their own. None of this program's holds a lock at that moment: those of the dynamics have
-    ended, that of the progress bar locks its console only, to which no copy writes. Python warns all the same.
+    Copies need not import anything again, and have no threads but their own. None of this program's holds a lock at
+    that moment: those of the dynamics have ended, that of the progress bar locks its console only, to which no copy
+    writes. Python warns all the same.
     """
+    if jobs == 1 or sys.platform != "linux":
+        yield lambda function, *arguments: _done(function(subject, *arguments))
+        return
+    fork = get_context("fork")
+    pool = ProcessPoolExecutor(jobs, mp_context=fork, initializer=become_worker, initargs=(_keep, subject))
 
-    def __init__(self, jobs: int, subject: object) -> None:
-        super().__init__(jobs, mp_context=get_context("fork"), initializer=become_worker, initargs=(_keep, subject))
-
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+    def submit(function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         with hold_signals(), warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*use of fork", category=DeprecationWarning)
-            return super().submit(_of_kept, fn, *args, **kwargs)
+            return pool.submit(_of_kept, function, *arguments)
+
+    with end_on_error(pool):
+        yield submit
 
 
-Pool = _Here | _Copies
-_kept: object = None  # the subject; set in copies only
+def _done(answer: object) -> Future[Any]:
+    done: Future[Any] = Future()
+    done.set_result(answer)
+    return done
 
 
 def _keep(subject: object) -> None:
@@ -50,20 +51,5 @@ def _keep(subject: object) -> None:
     _kept = subject
 
 
-def _of_kept(fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
-    return fn(_kept, *args, **kwargs)
-
-
-@contextmanager
-def processes(jobs: int, subject: object) -> Iterator[Pool]:
-    """Provide a pool of `jobs` processes besides this one; at 1, and where a process cannot be copied, this one.
-
-    A function that is submitted gets the `subject` before its arguments: that need not be sent, however large it is.
-    An error ends the rest at once.
-    """
-    if jobs == 1 or sys.platform != "linux":
-        yield _Here(subject)
-        return
-    pool = _Copies(jobs, subject)
-    with end_on_error(pool):
-        yield pool
+def _of_kept(function: Callable[..., Any], *arguments: Any) -> Any:
+    return function(_kept, *arguments)

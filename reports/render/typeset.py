@@ -81,7 +81,7 @@ def paragraph(text: str, style: str, *, colour: str = "", bullet: str | None = N
     return Paragraph(markup(text), chosen, bulletText=bullet)
 
 
-def captioned(title: str, caption: str, style: str = "caption") -> Paragraph:
+def titled_caption(title: str, caption: str, style: str = "caption") -> Paragraph:
     """Return "Figure 5. What it shows"."""
     return Paragraph(f"<b>{markup(title)}.</b> {markup(caption)}", STYLES[style])
 
@@ -91,7 +91,7 @@ def formula(text: str) -> str:
     return mark_up(markup(text), index=(_INDEX, "</sub>"), power=(_POWER, "</super>"))
 
 
-def fitted(text: str, width: float, style: str) -> str:
+def cut_to_width(text: str, width: float, style: str) -> str:
     """Return a text cut to a width [pt], with an ellipsis at its end."""
     if width_of(text, style) <= width:
         return text

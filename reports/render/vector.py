@@ -1,7 +1,7 @@
 """A matplotlib figure as marks: lines, areas and letters instead of pixels.
 
-`trace` lets the figure draw itself once onto a recorder; pdf_marks.py puts the marks on a page of the PDF, svg.py and
-png.py write them to a file of their own.
+`trace` lets the figure draw itself once onto a recorder; pdf_marks.py puts the marks on a page of the PDF, svg.py
+writes them to a file of their own.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from reports.document import Document
 from reports.figures.style import report_style
-from reports.render.processes import Pool
+from reports.render.processes import Submit
 
 Rgba = tuple[float, float, float, float]
 Rectangle = tuple[float, float, float, float]
@@ -138,9 +138,9 @@ class Drawings(Mapping[str, FigureMarks]):
         return len(self._futures)
 
 
-def trace_figures(document: Document, *, pool: Pool) -> Drawings:
-    """Trace every figure of the document once, by a `pool` that works on the document; by name."""
-    return Drawings({figure.name: pool.submit(trace_at, place) for place, figure in enumerate(document.figures)})
+def trace_figures(document: Document, submit: Submit) -> Drawings:
+    """Trace every figure of the document once, by processes that work on the document; by name."""
+    return Drawings({figure.name: submit(trace_at, place) for place, figure in enumerate(document.figures)})
 
 
 def trace_at(document: Document, place: int) -> FigureMarks:

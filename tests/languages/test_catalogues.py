@@ -54,7 +54,7 @@ def test_italian_has_a_decimal_comma_and_plural_forms() -> None:
     italian = Locale("it")
     assert italian.text(quantity(0.25, "ground acceleration")) == "0,25\u00a0g"
     impacts = [italian.text(say_count("{number} impact", "{number} impacts", number)) for number in (1, 2)]
-    assert impacts == ["1 impatto", "2 impatti"]
+    assert impacts == ["1 urto", "2 urti"]
 
 
 def test_a_language_does_not_change_texts_of_the_user() -> None:

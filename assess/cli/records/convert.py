@@ -58,11 +58,11 @@ def convert(
     found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
     wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
     used = choose_records(found, component=component, turned=wanted.turns)
-    print_warnings([*map(record_warning, used), *warnings_among(used)])
+    print_warnings([*map(record_warning, used), *map(str, warnings_among(used))])
     record = process(used, wanted)
     stamp = stamp_of_files("records convert", files, wanted, component, unit, step, to_unit)
     _write(text_of(record, output, unit=to_unit, stamp=stamp), output, inputs=files)
-    print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.processing_history)}")
+    print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(map(str, record.processing_history))}")
 
 
 def _write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:

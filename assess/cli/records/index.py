@@ -59,5 +59,7 @@ def index(
         listed = candidates(connection)
     described = sum(one.magnitude is not None for one in listed)
     met = None if table is None else match_flatfile(listed, table)
-    print_warnings(["" if met is None else met.warning, *(candidate_warning(one) for one in listed)])
+    print_warnings(
+        ["" if met is None or met.warning is None else met.warning.text, *(candidate_warning(one) for one in listed)]
+    )
     print((json_text if as_json else table_text)(found, place, described=described, merged=met), end="")

@@ -28,6 +28,6 @@ def list_records(
     from records.reading import read_records
 
     found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
-    print_warnings([*map(record_warning, found), *warnings_among(found)])
+    print_warnings([*map(record_warning, found), *map(str, warnings_among(found))])
     text = json_text if as_json else csv_text if as_csv else table_text
     print(text(found), end="")

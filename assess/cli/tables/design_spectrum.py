@@ -9,7 +9,7 @@ from scipy.constants import g
 
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
-from assess.messages.message import Message, Quantity, warning
+from assess.messages.message import Message, Quantity, locate
 from assess.results.json import dumps_spectrum
 from assess.results.stamp import origin
 from assess.study.site_results import spectrum_result
@@ -60,7 +60,7 @@ def json_text(spectrum: Spectrum) -> str:
 
 def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...] = ()) -> None:
     """Print on stderr what to consider before using the spectrum; messages: on the options given."""
-    found = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
+    found = locate(spectrum.warnings, "site.spectrum")
     print(messages_text((*messages, *found)), end="", file=sys.stderr)
 
 

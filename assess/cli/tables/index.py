@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from assess.project.key_text import escape_text
-from assess.study.record_set import cell_text
+from assess.study.record_set import cell_message
 from records.flatfile_match import FlatfileMatch
 from records.indexing import IndexSummary
 
@@ -37,7 +37,7 @@ def json_text(found: IndexSummary, place: Path, *, described: int, merged: Flatf
 
 def _flatfile(merged: FlatfileMatch) -> list[str]:
     counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
-    bad = [f"flatfile, {cell_text(cell)}: impossible value; ignored" for cell in merged.bad[:MAX_CELLS]]
+    bad = [f"flatfile, {cell_message(cell)}" for cell in merged.bad[:MAX_CELLS]]
     more = (
         [f"flatfile: {len(merged.bad) - MAX_CELLS} more bad cells; --json lists all"]
         if len(merged.bad) > MAX_CELLS
@@ -51,4 +51,4 @@ def _as_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
         return None
     bad = [asdict(cell) for cell in merged.bad]
     counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
-    return {**counts, "bad_cells": bad, "warning": merged.warning or None}
+    return {**counts, "bad_cells": bad, "warning": None if merged.warning is None else merged.warning.text}

@@ -52,7 +52,7 @@ def csv_text(records: Sequence[Record]) -> str:
 def json_text(records: Sequence[Record]) -> str:
     """Write the `records` of results.json, unscaled, with further properties and measures."""
     listed = [
-        _properties(record) | {"trail": list(record.processing_history), "spectrum": _spectrum(record)}
+        _properties(record) | {"trail": list(map(str, record.processing_history)), "spectrum": _spectrum(record)}
         for record in records
     ]
     return json.dumps(listed, ensure_ascii=False, allow_nan=False, indent=1) + "\n"

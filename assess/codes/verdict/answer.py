@@ -13,7 +13,7 @@ from assess.codes.verdict.missing_keys import missing_keys
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict.target import whole
-from assess.messages.message import Message, message
+from assess.messages.message import Message, Term, message
 from assess.short_repr import ShortRepr
 
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
@@ -249,7 +249,7 @@ def _unanswered(
     """Return the answer where no method was answered: the most refined one gives the reason and the missing keys."""
     missing = (*missing_keys(one.name, silent), *(() if lacking is None else (lacking,)))
     if not silent:
-        names = ", ".join(method.procedure for rank in ranks for method in rank) or "none"
+        names = ", ".join(method.procedure for rank in ranks for method in rank) or Term("none")
         reason = message("no-deciding-method", {"state": state.name, "methods": names})
         return Found(Answer(state.name, Decision.INCOMPLETE, "", None, None, reason), (), missing)
     check = silent[0]

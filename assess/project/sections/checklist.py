@@ -20,8 +20,15 @@ def checklist(report: Report, mechanisms: Mapping[str, Mechanism]) -> tuple[Chec
 
     An item that some mechanisms examine and `not_examined` names too is examined in part: it counts as not examined.
 
-    Raises the error of a key of the file for an item that the list does not have, that is named twice, or that is
-    absent and yet examined.
+    Parameters
+    ----------
+    report : the section of the project file
+    mechanisms : of the project, by name
+
+    Raises
+    ------
+    ProjectError
+        An item is not in the list, is named twice, or is absent and yet examined.
     """
     building_type = report.building_type
     if building_type is None:

@@ -32,25 +32,11 @@ from reports.render.processes import processes
 def rest(_, seconds):
     time.sleep(seconds)
 try:
-    with raise_on_signals(), processes(2, None) as pool:
-        made = [pool.submit(rest, seconds) for seconds in (0.0, *[60.0] * 9)]
+    with raise_on_signals(), processes(2, None) as submit:
+        made = [submit(rest, seconds) for seconds in (0.0, *[60.0] * 9)]
         made[0].result()
         print("ready", flush=True)
         made[1].result()
-except Terminated as ended:
-    sys.exit(128 + ended.number)
-"""
-WRITER = """
-import sys, time
-import reports.writing
-from reports.report_process import report_writer
-from assess.outputs.signals import Terminated, raise_on_signals
-reports.writing.write_all = lambda *_, **__: time.sleep(60.0)
-try:
-    with raise_on_signals(), report_writer(2) as begin:
-        wait = begin("walls", None, print)
-        print("ready", flush=True)
-        wait()
 except Terminated as ended:
     sys.exit(128 + ended.number)
 """
@@ -69,7 +55,7 @@ def members(session: int) -> list[int]:
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["KILL", "TERM", "INT"])
-@pytest.mark.parametrize("program", [SPAWNED, COPIED, WRITER], ids=["spawned", "copied", "writer"])
+@pytest.mark.parametrize("program", [SPAWNED, COPIED], ids=["spawned", "copied"])
 def test_no_worker_outlives_its_parent(program: str, number: int, tmp_path: Path) -> None:
     script = tmp_path / "program.py"
     script.write_text(program)

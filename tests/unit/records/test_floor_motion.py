@@ -64,7 +64,7 @@ def test_its_peak_is_that_of_the_motion_between_its_samples(frequency: float) ->
 
 
 def test_what_was_done_stands_in_the_trail() -> None:
-    assert "first mode of 2.5 Hz" in floor_motion(noise(), frequency=2.5, shape=1.0).processing_history[-1]
+    assert "first mode of 2.5 Hz" in str(floor_motion(noise(), frequency=2.5, shape=1.0).processing_history[-1])
 
 
 def test_the_kernel_is_the_same_compiled_and_plain() -> None:

@@ -44,7 +44,7 @@ def test_every_dress_of_line_four(tmp_path: Path, step: str, dt: float, end: str
     assert record.dt == dt
     np.testing.assert_allclose(record.acceleration, np.array(VALUES) * g, rtol=1e-12)
     assert (record.id, record.event, record.station, record.component) == ("a", "Somewhere", "Some School", "21")
-    assert record.processing_history == ("read from PEER AT2, unit g, event of 7/21/1952",)
+    assert [str(step) for step in record.processing_history] == ["read from PEER AT2, unit g, event of 7/21/1952"]
 
 
 @pytest.mark.parametrize(

@@ -41,4 +41,4 @@ def test_a_record_is_a_copy_that_stays_as_it_is() -> None:
         record.acceleration[0] = 1.0
     half = scale(record, -0.5)
     assert half.acceleration.tolist() == [0.0, -0.5, 1.0]
-    assert half.processing_history[-1] == "scaled by -0.5"
+    assert str(half.processing_history[-1]) == "scaled by -0.5"

@@ -536,8 +536,8 @@ def drawings(document: Document) -> Mapping[str, FigureMarks]:
     from reports.render.processes import processes
     from reports.render.vector import trace_figures
 
-    with processes(1, document) as pool:
-        return trace_figures(document, pool=pool)
+    with processes(1, document) as submit:
+        return trace_figures(document, submit)
 
 
 @pytest.fixture(scope="session")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import inf
 
 from assess.codes.check import Outcome, Reason, reason_message
 from assess.results import ComparisonRow, Results
@@ -40,11 +39,6 @@ def test_the_overturning_history_governs(results: Results) -> None:
     assert governing.history(bare) is None
 
 
-def test_rows_of_the_comparison_that_overturned(results: Results) -> None:
-    rows = governing.overturned_rows(results)
-    assert [(row.mechanism, row.level_pga_g, row.procedure) for row in rows] == [("parapet", 0.45, "asce43-05-history")]
-
-
 def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results) -> None:
     """The check fails where its spectrum ends: every place that shows it says so."""
     first, *others = results.mechanisms
@@ -60,9 +54,6 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
     one = replace(first, checks=(*first.checks, worst))
     made = replace(results, mechanisms=(one, *others), comparison=(*results.comparison, row))
     assert not governing.is_overturned(worst)
-    assert row not in governing.overturned_rows(made)
-    assert governing.rows_to_draw(made)[-1].demand_capacity == inf
-    assert governing.rows_to_draw(made)[:-1] == results.comparison
     lines = (
         next(line for line in data_tables.verdicts(made).rows if line[1] == 9.0),
         next(line for line in data_tables.comparison(made).rows if line[1] == 9.0),

@@ -69,7 +69,9 @@ def test_figures_are_pictures_too_where_that_is_asked(alone: Results, tmp_path: 
     write_all(alone, tmp_path, figures=("png",))
     made = sorted((tmp_path / "figures").iterdir())
     assert [path.stem for path in made] == sorted(figure.name for figure in assessment(alone).figures)
-    assert all(path.read_bytes().startswith(b"\x89PNG") for path in made)
+    for content in (path.read_bytes() for path in made):
+        assert content.startswith(b"\x89PNG")
+        assert int.from_bytes(content[content.index(b"pHYs") + 4 :][:4], "big") == round(200 / 0.0254)
 
 
 def test_report_is_small(written: Path) -> None:

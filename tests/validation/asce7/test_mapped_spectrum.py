@@ -91,7 +91,7 @@ def test_f_v_between_the_columns_and_beyond_them(code, site_class, s_1, f_v):
 def test_cases_that_need_a_study_of_the_site_cite_the_clause(code, given, told):
     warnings = made(code, **given).warnings
     assert len(warnings) == told
-    assert all("11.4.8" in text for text in warnings)
+    assert all("11.4.8" in each.text for each in warnings)
 
 
 @pytest.mark.parametrize(

@@ -173,7 +173,7 @@ def test_crack_search_on_a_tapered_wall_by_brute_force(tmp_path):
                             options={"xatol": 1e-10})  # fmt: skip
     assert mechanism.positive.hinges[1][1] == pytest.approx(least.x, abs=3e-5)
     assert f"is least, {least.fun:.4g} with" in str(mechanism.warnings[0])
-    bare = wall_of(tmp_path, body=TAPERED, tensile="0 Pa", mechanism=more).warnings[0]
+    bare = wall_of(tmp_path, body=TAPERED, tensile="0 Pa", mechanism=more).warnings[0].text
     assert "the uplift multiplier is least" in bare
     assert "tension" not in bare
     grid = [uplift_of_tapered(z, N=N, tension=tension) for z in np.linspace(0.2, 5.8, 561)]

@@ -219,7 +219,7 @@ def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None
     assert after.azimuth == pytest.approx(before.azimuth, rel=1e-12)
     np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-14, atol=1e-17)
     assert f"acceleration [{unit}]" in (tmp_path / "b.csv").read_text(encoding="utf-8")
-    assert "read; filtered" in after.processing_history[-1]
+    assert "read; filtered" in str(after.processing_history[-1])
 
 
 def test_a_file_of_ours_that_was_cut_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -246,7 +246,7 @@ def test_spoilt_comments_are_text_or_not_known(tmp_path: Path) -> None:
     (record,) = read_records(tmp_path / "a.csv")
     assert (record.earthquake.magnitude, record.site.vs30, record.azimuth, record.distance) == (None, None, None, None)
     assert record.event == "[b]"
-    assert len(record.processing_history[-1]) < 2100
+    assert len(str(record.processing_history[-1])) < 2100
 
 
 def test_a_component_is_found_whatever_its_capitals(tmp_path: Path) -> None:

@@ -60,7 +60,7 @@ def test_ten_samples_within_1_over_p() -> None:
 
 def test_many_are_counted() -> None:
     (text,) = notices(2.0, *[0.1] * 9)
-    assert "r0 (0.1 s), r1 (0.1 s), r2 (0.1 s) and 6 more is too coarse" in text
+    assert "r0 (0.1 s), r1 (0.1 s), r2 (0.1 s), … is too coarse" in text
 
 
 def results(folder: Path, *, dt: float) -> Results:

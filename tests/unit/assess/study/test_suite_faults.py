@@ -265,7 +265,7 @@ def test_a_suite_made_too_low_is_raised_by_the_least_factor_that_does_and_says_s
     assert 1.0 < factor < 1.0 / 0.85  # ten points side by side at the target need less than the mean at every one
     assert faults(study, lifted) == ()
     assert faults(study, moved(made(7), 0.85 * (factor - 1e-6))) != ()
-    assert all(f"raised by {factor:.6g}" in each.record.processing_history[-1] for each in lifted)
+    assert all(f"raised by {factor:.6g}" in str(each.record.processing_history[-1]) for each in lifted)
     assert raise_artificial(lifted, study.spectrum, (0.04, 5.0), fitting=study.fitting) == lifted
 
 

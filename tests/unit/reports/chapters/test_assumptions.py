@@ -37,7 +37,7 @@ def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
     }
     assert stated["materials.stone.density"] == assumptions.Source("literature", "handbook")
     assert stated["materials.stone.friction"] == assumptions.Source("assumed", "as usual")
-    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumed(made))
+    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumed_values(made))
     assert ["stone: all properties", "literature", "handbook", "–"] in rows(assumptions.sources(made))
 
 
@@ -59,7 +59,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
         building__storeys=given(4),
         report__sources__building__storeys=given("assumed: by its windows"),
     )
-    table = assumptions.assumed(made)
+    table = assumptions.assumed_values(made)
     assert [row[0] for row in rows(table)] == ["Number of storeys", "Vertical over horizontal spectrum"]
     assert table.muted == {1}
 
@@ -67,7 +67,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
 def test_a_value_of_several_mechanisms_has_one_row(results: Results) -> None:
     keys = [f"mechanisms.{each.name}.interface.model" for each in results.mechanisms]
     made = replace(results, project=dict.fromkeys(keys, default("rigid")))
-    assert rows(assumptions.assumed(made)) == [
+    assert rows(assumptions.assumed_values(made)) == [
         ["Model of the joints", "rigid", "default of the program", "all mechanisms"]
     ]
 
@@ -76,7 +76,7 @@ def test_defaults_of_a_code_that_answered_nothing_do_not_matter(results: Results
     made = with_project(
         results, procedures__nzsee2017__masonry=default("rubble"), procedures__dmi2008__confidence_factor=default(1.0)
     )
-    assert [row[0] for row in rows(assumptions.assumed(made))] == ["Confidence factor"]
+    assert [row[0] for row in rows(assumptions.assumed_values(made))] == ["Confidence factor"]
 
 
 def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
@@ -101,7 +101,7 @@ HAZARD = [{"return_period": years, "a_g": 1.0, "f_0": 2.4, "t_c_star": 0.3} for 
 def test_a_list_of_tables_is_one_row(results: Results) -> None:
     source = given("assumed: like the next town")
     made = with_project(results, site__spectrum__hazard=given(HAZARD), report__sources__site__spectrum__hazard=source)
-    ((name, where, stated, _),) = assumptions.assumed(made).rows
+    ((name, where, stated, _),) = assumptions.assumed_values(made).rows
     assert [name, where] == [NAMES["hazard"][0], say("see {table}", table=Reference("Table", "hazard"))]
     assert letters(stated) == "assumed: like the next town"
     assert site.hazard(made).rows
@@ -111,7 +111,7 @@ def test_loads_that_no_table_shows_are_counted(results: Results) -> None:
     bare = replace(results, mechanisms=tuple(replace(each, loads=()) for each in results.mechanisms))
     key = f"mechanisms.{results.mechanisms[0].name}.loads"
     project = {key: given([{"kind": "mass"}]), f"report.sources.{key}": given("assumed: as usual")}
-    assert rows(assumptions.assumed(replace(bare, project=project))) == [
+    assert rows(assumptions.assumed_values(replace(bare, project=project))) == [
         ["Loads", "1 set of values", "assumed: as usual", "M1"]
     ]
 
@@ -120,10 +120,10 @@ def test_a_list_of_tables_that_no_table_shows_is_counted(results: Results) -> No
     made = with_project(
         results, site__layers=given([{"depth": 1.0}] * 2), report__sources__site=given("assumed: as there")
     )
-    assert rows(assumptions.assumed(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
+    assert rows(assumptions.assumed_values(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
 
 
 def test_a_parameter_of_the_spectrum_has_its_name(results: Results) -> None:
     source = given("assumed: by the map")
     made = with_project(results, site__spectrum__soil=given("B"), report__sources__site__spectrum__soil=source)
-    assert rows(assumptions.assumed(made)) == [["subsoil category", "B", "assumed: by the map", "–"]]
+    assert rows(assumptions.assumed_values(made)) == [["subsoil category", "B", "assumed: by the map", "–"]]

@@ -69,9 +69,9 @@ def test_a_report_without_a_title_says_what_it_is(results: Results) -> None:
 
 
 def test_each_page_has_reference_revision_and_status(results: Results) -> None:
-    running = [letters(text) for text in front_matter.running(replace(results, report=FULL))]
+    running = [letters(text) for text in front_matter.running_head(replace(results, report=FULL))]
     assert running == ["GH-07", "revision 1", "for approval"]
-    assert front_matter.running(replace(results, project={}, report=ReportMatter())) == ()
+    assert front_matter.running_head(replace(results, project={}, report=ReportMatter())) == ()
 
 
 def test_the_logo_is_a_photograph(results: Results) -> None:

@@ -72,7 +72,7 @@ def test_methods_say_their_part_and_those_that_decide_come_first(results: Result
 
 
 def test_references_are_those_of_these_results(results: Results) -> None:
-    cited = [letters(text) for text in references.cited(results)]
+    cited = [letters(text) for text in references.cited_works(results)]
     assert len(set(cited)) == len(cited)
     assert any("ASCE/SEI 7-16" in text for text in cited)
     assert not any("NZSEE" in text or "Zhang" in text for text in cited)

@@ -51,7 +51,7 @@ def test_parameters_have_their_units_and_sources(results: Results) -> None:
     assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
     assert rows["Damping ratio"] == "0.05\ndefault"
     assert "T_L, long-period transition" not in rows
-    calculated = site.calculated(replace(results, project=project), results.spectrum)
+    calculated = site.calculated_parameters(replace(results, project=project), results.spectrum)
     cells = [told([cell]) for row in calculated.rows for cell in row]  # type: ignore[list-item]  all are texts
     assert cells[cells.index("T_L, long-period transition") + 1] == "6 s"
     assert {len(row) for row in calculated.rows} == {2 * site.ABREAST}

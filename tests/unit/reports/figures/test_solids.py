@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from reports.figures.solids import Plane, Surface, connected, cut, plane_of, weld
+from reports.figures.solids import Plane, Surface, body_numbers, cut, plane_of, weld
 
 
 def box(size: tuple[float, float, float] = (1.0, 2.0, 3.0), at: tuple[float, float, float] = (0, 0, 0)) -> Surface:
@@ -42,7 +42,7 @@ def test_loose_triangles_are_one_body_again() -> None:
     corners = np.concatenate([box().corners, box(at=(5.0, 0.0, 0.0)).corners])
     surface = weld(corners)
     assert len(surface.vertices) == 16
-    assert len(set(connected(surface).tolist())) == 2
+    assert len(set(body_numbers(surface).tolist())) == 2
 
 
 def test_the_plane_of_a_ring_looks_upwards() -> None:

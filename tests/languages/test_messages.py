@@ -1,0 +1,113 @@
+"""No message holds an English sentence that was composed: its values are numbers, names, terms and other messages."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+
+import pytest
+
+from assess.examples import copy_example
+from assess.messages.message import Message
+from assess.messages.texts import TEXTS
+from assess.project.build import build
+from assess.project.schema import load
+from assess.results.json import dumps, loads
+from assess.study.run import run
+from tests.support.examples import example_study
+
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("assess", "records", "spectra")
+MAKERS = frozenset({"message", "warning", "note", "reason_message"})
+WORDS = re.compile(r"[a-z]{2,} [a-z]{2,}")
+QUICK = ("casa_grande_table", "chiesa", "lnec_houses", "nepal_monuments", "san_leonardo_church", "single_wall")
+OTHERS = ("casa_grande", "casa_grande_flexible", "san_leonardo_spire", "san_leonardo_tower")
+QUOTED = frozenset(
+    {
+        ("direction-left-out", "why"),  # an error of the mechanism in that direction
+        ("not-assessed-low", "why"),  # an error of the case
+        ("not-assessed-high", "why"),
+        ("file-not-read", "why"),  # an error of the file
+        ("flatfile-columns-missing", "known"),  # names of columns
+    }
+)
+"""Keys and values that quote errors or files as they are."""
+
+
+def messages_in(data: object) -> Iterator[Message]:
+    """Every message within data, those that stand in others too."""
+    if isinstance(data, Message):
+        yield data
+        yield from messages_in(tuple(data.values.values()))
+    elif is_dataclass(data):
+        yield from (each for field in fields(data) for each in messages_in(getattr(data, field.name)))
+    elif isinstance(data, dict):
+        yield from messages_in(tuple(data.values()))
+    elif isinstance(data, tuple | list) and not (data and isinstance(data[0], float)):
+        yield from (each for part in data for each in messages_in(part))
+
+
+def composed(data: object) -> set[tuple[str, str, str]]:
+    """Keys and values of messages that hold words."""
+    return {
+        (each.key, name, value)
+        for each in messages_in(data)
+        for name, value in each.values.items()
+        if isinstance(value, str) and WORDS.search(value) and (each.key, name) not in QUOTED
+    }
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_no_message_of_results_holds_a_sentence(name: str, tmp_path: Path) -> None:
+    results = run(build(load(copy_example(name, tmp_path / name))))
+    assert next(messages_in(results), None) is not None
+    assert composed(results) == set()
+    assert set(messages_in(loads(dumps(results)))) == set(messages_in(results))
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_no_message_of_a_study_holds_a_sentence(name: str) -> None:
+    assert composed(example_study(name).messages) == set()
+
+
+def test_a_sentence_in_a_message_is_found() -> None:
+    inner = Message("mesh", "note", "", "", {"step": "2 holes of this mesh closed"})
+    assert composed((Message("of-record", "note", "", "", {"what": inner}),)) == {
+        ("mesh", "step", "2 holes of this mesh closed")
+    }
+
+
+def made(tree: ast.AST) -> Iterator[tuple[ast.Call, str, ast.AST]]:
+    """The values of each message that a module makes."""
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        if isinstance(call.func, ast.Name) and call.func.id in MAKERS:
+            yield from ((call, each.arg or "", each.value) for each in call.keywords)
+            for given in (each for each in call.args if isinstance(each, ast.Dict)):
+                for key, value in zip(given.keys, given.values, strict=True):
+                    yield call, str(getattr(key, "value", "")), value
+
+
+def written(value: ast.AST) -> str:
+    """The letters of a literal, with gaps left blank; those of a choice, one after the other."""
+    if isinstance(value, ast.JoinedStr):
+        return "".join(written(part) or "\0" for part in value.values)
+    if isinstance(value, ast.IfExp):
+        return f"{written(value.body)}\0{written(value.orelse)}"
+    return value.value if isinstance(value, ast.Constant) and isinstance(value.value, str) else ""
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_no_message_is_made_with_a_sentence(folder: str) -> None:
+    found = set()
+    for file in sorted((ROOT / folder).rglob("*.py")):
+        for call, name, value in made(ast.parse(file.read_text(encoding="utf-8"))):
+            if re.search(r"[a-z]{2,} |[a-z]{2,}\0| [a-z]{2,}", written(value)) and name not in {"where", "severity"}:
+                found.add(f"{file.relative_to(ROOT)}:{call.lineno} {name}")
+    assert found == set()
+
+
+def test_no_text_of_a_message_is_only_a_gap() -> None:
+    assert not [key for key, text in TEXTS.items() if re.fullmatch(r"\{\w+\}", text)]

@@ -172,6 +172,8 @@ def action_text(results: Results, found: Verdict) -> Text:
         known.append(say("stated for {limit_state}", limit_state=Verbatim(action.limit_state)))
     if action.return_period_years:
         known.append(say("return period {years}", years=quantity(action.return_period_years, "return period", 3)))
+    elif action.limit_state:
+        known.append(say("return period not stated"))
     if use_class_of(results):
         known.append(say("class of use {name}", name=Verbatim(use_class_of(results))))
     return listing(known, "")

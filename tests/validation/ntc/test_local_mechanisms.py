@@ -228,4 +228,4 @@ def test_an_element_that_begins_to_rock_is_not_displaced_less_than_before():
     checks = nonlinear.assess(rocker, at, options=Options(limit_states=("SLC",)))
     ratios = [check.ratio for check in checks]
     assert ratios == sorted(ratios)
-    assert any("as it begins to rock" in step.description for check in checks for step in check.steps)
+    assert any("as it begins to rock" in step.remark for check in checks for step in check.steps)

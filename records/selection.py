@@ -15,6 +15,7 @@ from typing import Literal
 
 import numpy as np
 
+from assess.messages.message import Said, Term, note, whole_number
 from records.band import Band, truncate_band
 from records.candidates import DAMPING, Candidate
 from records.errors import RecordError
@@ -34,6 +35,8 @@ KNOWN: Mapping[str, Callable[[Candidate], float | None]] = {
     "vs30": lambda one: one.vs30,
 }
 """What files may not say, by the name of its filter."""
+NAMES = {"magnitude": Term("magnitude"), "distance": Term("distance"), "vs30": Term("vs30")}
+DIFFERENT, ANY = Term("of different earthquakes"), Term("to choose from")
 
 
 @dataclass(frozen=True)
@@ -98,7 +101,7 @@ class Selection:
     choices: tuple[Choice, ...]
     misfit: float
     greedy: float | None
-    counted: tuple[tuple[str, int], ...]
+    counted: tuple[tuple[Said, int], ...]
 
 
 def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criteria) -> Selection:
@@ -124,11 +127,11 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
     groups = event_groups([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
-        ("components", len(candidates)),
+        (Term("components"), len(candidates)),
         *((step, len(left)) for step, left in known),
-        ("that pass the filters", len(passed)),
-        ("within the limits of the scale factor", len(choices)),
-        ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),
+        (Term("that pass the filters"), len(passed)),
+        (Term("within the limits of the scale factor"), len(choices)),
+        (DIFFERENT if criteria.one_per_event else ANY, len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
         steps = ", ".join(f"{number} {step}" for step, number in counted)
@@ -159,14 +162,15 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
     return not filters.events or any(part.lower() in name for part in filters.events)
 
 
-def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
+def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[Said, Sequence[Candidate]]]:
     """List what is left of the horizontal components after each step that drops those with an unknown value."""
-    steps = [("horizontal at the free surface", level)]
+    steps: list[tuple[Said, Sequence[Candidate]]] = [(Term("horizontal at the free surface"), level)]
     for name, of in KNOWN.items():
         before = steps[-1][1]
         if getattr(filters, name) is not None:
             left = [one for one in before if of(one) is not None]
-            steps.append((f"of known {name} ({len(before) - len(left)} unknown)", left))
+            unknown = whole_number(len(before) - len(left))
+            steps.append((note("selection-known", name=NAMES[name], unknown=unknown), left))
     return steps
 
 

@@ -15,7 +15,6 @@ from typing import Literal
 
 import numpy as np
 
-from assess.messages.message import Said, Term, note, whole_number
 from records.band import Band, truncate_band
 from records.candidates import DAMPING, Candidate
 from records.errors import RecordError
@@ -35,8 +34,18 @@ KNOWN: Mapping[str, Callable[[Candidate], float | None]] = {
     "vs30": lambda one: one.vs30,
 }
 """What files may not say, by the name of its filter."""
-NAMES = {"magnitude": Term("magnitude"), "distance": Term("distance"), "vs30": Term("vs30")}
-DIFFERENT, ANY = Term("of different earthquakes"), Term("to choose from")
+STEPS: Mapping[str, str] = {
+    "all": "components",
+    "horizontal": "horizontal at the free surface",
+    "magnitude": "of known magnitude",
+    "distance": "of known distance",
+    "vs30": "of known vs30",
+    "passed": "that pass the filters",
+    "scaled": "within the limits of the scale factor",
+    "apart": "of different earthquakes",
+    "free": "to choose from",
+}
+"""What is left after each step of a selection, in words."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +110,7 @@ class Selection:
     choices: tuple[Choice, ...]
     misfit: float
     greedy: float | None
-    counted: tuple[tuple[Said, int], ...]
+    counted: tuple[tuple[str, int], ...]
 
 
 def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criteria) -> Selection:
@@ -127,11 +136,11 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
     groups = event_groups([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
-        (Term("components"), len(candidates)),
+        (STEPS["all"], len(candidates)),
         *((step, len(left)) for step, left in known),
-        (Term("that pass the filters"), len(passed)),
-        (Term("within the limits of the scale factor"), len(choices)),
-        (DIFFERENT if criteria.one_per_event else ANY, len(set(groups.tolist()))),
+        (STEPS["passed"], len(passed)),
+        (STEPS["scaled"], len(choices)),
+        (STEPS["apart" if criteria.one_per_event else "free"], len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
         steps = ", ".join(f"{number} {step}" for step, number in counted)
@@ -162,15 +171,14 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
     return not filters.events or any(part.lower() in name for part in filters.events)
 
 
-def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[Said, Sequence[Candidate]]]:
+def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
     """List what is left of the horizontal components after each step that drops those with an unknown value."""
-    steps: list[tuple[Said, Sequence[Candidate]]] = [(Term("horizontal at the free surface"), level)]
+    steps = [(STEPS["horizontal"], level)]
     for name, of in KNOWN.items():
         before = steps[-1][1]
         if getattr(filters, name) is not None:
             left = [one for one in before if of(one) is not None]
-            unknown = whole_number(len(before) - len(left))
-            steps.append((note("selection-known", name=NAMES[name], unknown=unknown), left))
+            steps.append((STEPS[name], left))
     return steps
 
 

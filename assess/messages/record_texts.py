@@ -40,8 +40,6 @@ RECORD_TEXTS: Mapping[str, str] = {
     "filter-above": "its filter ends at {corner}, but its motion does not with a step of {step}; check the step",
     "filter-below": "its filter begins at {corner}, its motion below that with a step of {step}; check the step",
     "filter-beyond-step": "its filter ends at {corner}, its step of {step} holds {most} at most; check the step",
-    # selection
-    "selection-known": "of known {name} ({unknown} unknown)",
     # how a record was read and processed
     "read-from": "read from {format}, unit {unit}",
     "read-from-given": "read from {format}, unit {unit} as given, for the file does not say",

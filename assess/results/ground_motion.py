@@ -21,11 +21,10 @@ class EquivalentPeriods(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Remaining(ShortRepr):
-    """The number of candidates left after a step of the selection. step: the English of said."""
+    """The number of candidates left after a step of the selection."""
 
     step: str
     number: int
-    said: Term | Message | None = None
 
 
 @dataclass(frozen=True, repr=False)

@@ -178,7 +178,7 @@ def selection_result(found: Selection) -> SelectionResult:
         one_per_event=of.one_per_event,
         least_factor=of.scale_limits[0],
         largest_factor=of.scale_limits[1],
-        remaining=tuple(Remaining(str(step), number, step) for step, number in found.counted),
+        remaining=tuple(Remaining(step, number) for step, number in found.counted),
         misfit=found.misfit,
         greedy_misfit=found.greedy,
     )

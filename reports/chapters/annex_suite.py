@@ -80,7 +80,7 @@ def periods(results: Results, motion: GroundMotionResult) -> Table:
 def selection_steps(motion: GroundMotionResult) -> Table:
     """Tabulate the number of records left after each step of the selection."""
     steps = () if motion.selection is None else motion.selection.remaining
-    rows = tuple((one.said or Term(one.step), one.number) for one in steps)
+    rows = tuple((Term(one.step), one.number) for one in steps)
     columns = (Column(say("Records")), Column(say("Number")))
     return Table("selection", say("Records left after each step of the selection."), columns, rows, small=True)
 
@@ -130,7 +130,7 @@ def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
     )
     return (
         Verbatim(one.code),
-        Verbatim(one.clause),
+        Term(one.clause),
         Term(one.what),
         None if one.value is None else quantity(one.value, dimension),
         say("{sense} {limit}", sense=Verbatim(SENSES[one.sense]), limit=quantity(one.limit, dimension)),

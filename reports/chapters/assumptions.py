@@ -147,9 +147,20 @@ def source_of(results: Results, key: str, value: Resolved) -> Source:
     """Return the source of a value: of the longest key of the sources that its own key begins with."""
     stated = [start for start in _stated(results) if key == start or key.startswith(f"{start}.")]
     if stated and value.given:
-        kind, _, words = str(_stated(results)[max(stated, key=len)]).partition(":")
-        return Source(kind.strip(), words.strip())
+        return _source(str(_stated(results)[max(stated, key=len)]))
     return Source("" if value.given else DEFAULT)
+
+
+def _source(line: str) -> Source:
+    kind, _, words = line.partition(":")
+    return Source(kind.strip(), words.strip())
+
+
+def stated_source(line: str) -> Text:
+    """Return a line of [report.sources] as a text: its kind in the language, and the words of the user."""
+    source = _source(line)
+    kind = KINDS.get(source.kind, Verbatim(source.kind))
+    return say("{kind}: {words}", kind=kind, words=Verbatim(source.words)) if source.words else kind
 
 
 def _stated(results: Results) -> dict[str, str]:

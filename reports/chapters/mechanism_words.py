@@ -23,6 +23,16 @@ MODELS: Mapping[str, Phrase] = {
     "flexible-thesis": say("flexible, by the thesis"),
     "semi-flexible": say("semi-flexible"),
 }
+AMPLIFICATIONS: Mapping[str, Text] = {
+    "modal-filter": say("filtered by the first mode"),
+    "srss": say("thesis eq. 3.48"),
+    "srss-relative": say("thesis eq. 3.48, for pulses 3.47"),
+    "ec8": say("EN 1998-1, 4.3.5.2, for a rigid part"),
+    "ec8-resonance": say("EN 1998-1, 4.3.5.2, at resonance"),
+    "ec8-printed": say("thesis eq. 3.49"),
+    "nzs1170.5": say("NZS 1170.5, 8.3"),
+}
+"""How the motion of the ground is carried up a building, by the methods of the project file."""
 AXES: Mapping[int, str] = {0: "+x", 90: "+y", 180: "−x", -180: "−x", -90: "−y"}
 MOST = 5
 """Loads that are named in a sentence; of more only the number is given."""
@@ -64,7 +74,8 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
         yield say("Its base is {height} above the ground.", height=quantity(height, "length", 3))
     if carried.height_m is not None:
         yield say(
-            "In the time histories the ground motion is amplified up to it ({method}).", method=Verbatim(carried.method)
+            "In the time histories the ground motion is amplified up to it ({method}).",
+            method=AMPLIFICATIONS.get(carried.method, Verbatim(carried.method)),
         )
     elif mechanism.above_ground and mechanism.histories:
         yield say("The time histories apply the ground motion to it unamplified.")

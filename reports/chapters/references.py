@@ -32,11 +32,10 @@ OF_PROCEDURE: Mapping[str, Verbatim] = {
         "2014."
     ),
     "dmi2008": Verbatim(
-        "D.M. 14 gennaio 2008, Norme tecniche per le costruzioni, and Circolare 2 febbraio 2009 n. 617, C8A.4."
+        "D.M. 14 gennaio 2008, Norme tecniche per le costruzioni; Circolare 2 febbraio 2009 n. 617, C8A.4."
     ),
     "ntc2018": Verbatim(
-        "D.M. 17 gennaio 2018, Norme tecniche per le costruzioni, and Circolare 21 gennaio 2019 n. 7, C7.2.3 and "
-        "C8.7.1.2."
+        "D.M. 17 gennaio 2018, Norme tecniche per le costruzioni; Circolare 21 gennaio 2019 n. 7, C7.2.3, C8.7.1.2."
     ),
     "nzsee2017": Verbatim(
         "NZSEE, SESOC, NZGS, MBIE and EQC (2017). The seismic assessment of existing buildings, part C8: Unreinforced "

@@ -9,6 +9,7 @@ from scipy.constants import g
 
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
+from reports.chapters.assumptions import stated_source
 from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
@@ -125,7 +126,7 @@ def _once(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
     """Yield the rows, with a source that is repeated said once."""
     before: Cell = None
     for name, value, source in rows:
-        repeated = source == before and isinstance(source, Verbatim)
+        repeated = source == before and source not in (CALCULATED, say("given"), say("default"))
         yield name, value, say("as above") if repeated else source
         before = source
 
@@ -140,7 +141,7 @@ def _origin(results: Results, name: str) -> Text:
     for place in (key, SPECTRUM, "site"):
         stated = project_text(results, f"report.sources.{place}")
         if stated:
-            return Verbatim(stated)
+            return stated_source(stated)
     return say("given")
 
 

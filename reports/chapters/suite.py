@@ -125,4 +125,4 @@ def _rule_row(rule: RequirementResult) -> tuple[Cell, ...]:
     found = None if rule.value is None else quantity(rule.value, dimension)
     limit = say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=quantity(rule.limit, dimension))
     colour, word = MET[rule.verdict]
-    return (Term(rule.what), Verbatim(rule.clause), found, limit, Graded(colour, word))
+    return (Term(rule.what), Term(rule.clause), found, limit, Graded(colour, word))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import atan2, radians
+from math import radians
 from typing import Any
 
 import numpy as np
@@ -12,31 +12,23 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from assess.results import MechanismResult, Results
-from reports.document import Model, Part, Place, Wire
+from reports.document import Model, Wire
 from reports.figures.building import Building, Moving, Outcome, building_of
+from reports.figures.faces import Hatching, Look, paint_bodies
 from reports.figures.labels import Label, write_tags
-from reports.figures.projection import (
-    INCH,
-    RAISED,
-    Camera,
-    Hatching,
-    Room,
-    draw_triad,
-    eye_of,
-    fit_camera,
-    paint_bodies,
-)
-from reports.figures.scale_bar import round_length, write_arm
+from reports.figures.model import places, scene_model
+from reports.figures.projection import Camera, Room, fit_camera, scene_sheet
 from reports.figures.sight import project_faces, split_line, visible_middle
-from reports.figures.style import FIXED, INK, STONE_EDGE, VERDICT, WIDTH, bare_sheet, report_style
+from reports.figures.style import FIXED, INK, VERDICT, WIDTH, report_style
 from reports.language.locale import Locale
 from reports.language.texts import Paragraph, Phrase, Text, say
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import FloatArray
 
 ROOM = Room(wide=WIDTH, tall=3.6, left=0.8, around=0.2)
 SHARP = radians(40)  # angle between faces from which on their common edge is drawn
 LEGEND = 0.24  # height [in]
 HINGE = "#101820"
+CRACK = (0, (2, 1.5))
 HATCHED: Mapping[Outcome, Hatching] = {
     "fail": Hatching(3.2, radians(45), "#8a2a0c"),
     "incomplete": Hatching(5.5, radians(-45), "#8a6100"),
@@ -49,22 +41,19 @@ def draw(results: Results, locale: Locale) -> Figure:
     building = building_of(results)
     if building is None:
         raise ValueError("no mechanism has geometry that can be drawn in space")
-    camera, (wide, high) = fit_camera(building.direction, scene_points(building, building.moving), ROOM)
+    camera = fit_camera(building.direction, scene_points(building, building.moving), ROOM)
     with report_style():
-        figure = bare_sheet(high + LEGEND, locale)
-        share = high / (high + LEGEND)
-        axes = figure.add_axes((0.5 * (1.0 - wide / WIDTH), 1.0 - share, wide / WIDTH, share))
-        axes.set(xlim=(0.0, wide * INCH), ylim=(0.0, high * INCH))
-        axes.set_axis_off()
+        figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND)
         paint_building(axes, building, camera, dict(enumerate(building.moving)))
         faces, owner = project_faces(building.surface, building.owner, camera)
-        for moving in building.moving:
+        tags = []
+        for place, moving in enumerate(building.moving):
             draw_lines(axes, moving, camera, faces)
-        _tags(axes, building, camera, faces, owner)
-        arm = round_length(0.35 / camera.scale, locale)
-        draw_triad(axes, camera, at=(2.0, 10.0), arm=arm)
-        write_arm(axes, arm, at=(2.0, 2.0), locale=locale)
-        _legend(figure, building, locale)
+            seen = visible_middle(faces[owner == place], faces)
+            x, y, _ = (camera.project(moving.middle) if seen is None else seen).tolist()
+            tags.append(Label(moving.title, (x, y)))
+        write_tags(axes, tags)
+        _legend(figure, axes, building, locale)
         return figure
 
 
@@ -90,26 +79,20 @@ def model_of_key_plan(results: Results) -> Model | None:
     building = building_of(results)
     if building is None:
         return None
-    parts = []
-    for owner in np.unique(building.owner).tolist():
-        colour = FIXED if owner < 0 else VERDICT[building.moving[owner].outcome]
-        triangles = building.surface.triangles[building.owner == owner].tolist()
-        parts.append(Part(colour, tuple((a, b, c) for a, b, c in triangles)))
-    eye = eye_of(building.direction)[2]
-    seen = (atan2(float(eye[1]), float(eye[0])), RAISED)
+    colours = {owner: _colour(building, owner) for owner in np.unique(building.owner).tolist()}
     wires = tuple(wire for moving in building.moving for wire in _wires(moving))
-    return Model(_places(building.surface.vertices), tuple(parts), wires, STONE_EDGE, SHARP, seen)
+    return scene_model(building.surface, building.owner, colours, wires, SHARP, building.direction)
+
+
+def _colour(building: Building, owner: int) -> str:
+    return FIXED if owner < 0 else VERDICT[building.moving[owner].outcome]
 
 
 def _wires(moving: Moving) -> Iterator[Wire]:
     """Yield the cracks of a part and its axes of rotation, the first of these named."""
-    yield from (Wire(_places(ring), INK, dashed=True) for ring in moving.cracks)
+    yield from (Wire(places(ring), INK, dashed=True) for ring in moving.cracks)
     for place, line in enumerate(moving.hinges):
-        yield Wire(_places(line), HINGE, moving.title if place == 0 else "")
-
-
-def _places(points: FloatArray) -> tuple[Place, ...]:
-    return tuple((x, y, z) for x, y, z in np.round(points, 4).tolist())
+        yield Wire(places(line), HINGE, moving.title if place == 0 else "")
 
 
 def scene_points(building: Building, shown: Sequence[Moving]) -> FloatArray:
@@ -124,13 +107,13 @@ def paint_building(axes: Axes, building: Building, camera: Camera, shown: Mappin
     colours = dict.fromkeys(range(-1, len(building.moving)), FIXED)
     colours |= {place: VERDICT[moving.outcome] for place, moving in shown.items()}
     hatched = {place: HATCHED[moving.outcome] for place, moving in shown.items() if moving.outcome in HATCHED}
-    paint_bodies(axes, building.surface, building.owner, camera, colours=colours, sharp=SHARP, hatched=hatched)
+    paint_bodies(axes, building.surface, building.owner, camera, Look(colours, hatched, SHARP))
 
 
 def draw_lines(axes: Axes, moving: Moving, camera: Camera, faces: FloatArray) -> None:
     """Draw the axes of rotation of a part, thick, and its cracks, dashed; what `faces` hide of them is dotted."""
     for ring in moving.cracks:
-        _draw_line(axes, camera.project(ring), faces, colour=INK, width=0.7, dash=(0, (2, 1.5)))
+        _draw_line(axes, camera.project(ring), faces, colour=INK, width=0.7, dash=CRACK)
     for line in moving.hinges:
         _draw_line(axes, camera.project(line), faces, colour=HINGE, width=1.8, dash="-")
 
@@ -141,29 +124,14 @@ def _draw_line(axes: Axes, line: FloatArray, faces: FloatArray, *, colour: str, 
         axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **look)
 
 
-def _tags(axes: Axes, building: Building, camera: Camera, faces: FloatArray, owner: IntArray) -> None:
-    """Number the parts where they are seen."""
-    tags = []
-    for place, moving in enumerate(building.moving):
-        seen = visible_middle(faces[owner == place], faces)
-        at = camera.project(moving.middle[None])[0] if seen is None else seen
-        tags.append(Label(moving.title, (float(at[0]), float(at[1]))))
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    write_tags(axes, tags, window=(right - left, high - low))
-
-
-def _legend(figure: Figure, building: Building, locale: Locale) -> None:
+def _legend(figure: Figure, axes: Axes, building: Building, locale: Locale) -> None:
     """Explain the colours that appear, hinges and cracks."""
-    handles: list[Patch] = []
-    for outcome, word in WORDS.items():
-        if any(moving.outcome == outcome for moving in building.moving):
-            handles.append(Patch(facecolor=VERDICT[outcome], edgecolor=INK, linewidth=0.5, label=locale.text(word)))
+    found = {moving.outcome for moving in building.moving}
+    colours = [(VERDICT[outcome], word) for outcome, word in WORDS.items() if outcome in found]
     if (building.owner < 0).any():
-        name = locale.text(say("does not move"))
-        handles.append(Patch(facecolor=FIXED, edgecolor=INK, linewidth=0.5, label=name))
-    axes = figure.axes[0]
+        colours.append((FIXED, say("does not move")))
+    patches = [Patch(facecolor=ink, edgecolor=INK, linewidth=0.5, label=locale.text(word)) for ink, word in colours]
     lines = axes.plot([], [], color=HINGE, linewidth=1.8, label=locale.text(say("axis of rotation")))
     if any(moving.cracks for moving in building.moving):
-        name = locale.text(say("crack"))
-        lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=(0, (2, 1.5)), label=name)
-    figure.legend(handles=[*handles, *lines], loc="lower center", ncols=6, borderaxespad=0.1)
+        lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=CRACK, label=locale.text(say("crack")))
+    figure.legend(handles=[*patches, *lines], loc="lower center", ncols=6, borderaxespad=0.1)

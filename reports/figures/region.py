@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,9 +24,9 @@ class Region:
     sides: tuple[tuple[Plane, float], ...]
 
     @property
-    def size(self) -> float:
-        """The largest size of its bodies [m]."""
-        return float(max(self.view.size))
+    def slack(self) -> float:
+        """The distance [m] within which places are one."""
+        return NEAR * float(max(self.view.size))
 
     @property
     def volume(self) -> float:
@@ -35,31 +35,28 @@ class Region:
 
     def holds(self, points: FloatArray) -> BoolArray:
         """Return whether points [m, 3] lie in it."""
-        slack = NEAR * self.size
-        inside = ((points >= self.box[0] - slack) & (points <= self.box[1] + slack)).all(axis=1)
+        inside = ((points >= self.box[0] - self.slack) & (points <= self.box[1] + self.slack)).all(axis=1)
         for plane, side in self.sides:
             inside &= side * plane.heights(points) > -1e-6
         return np.asarray(inside)
 
     def is_like(self, other: Region) -> bool:
         """Return whether two mechanisms move the same part about the same axes."""
-        if len(self.view.axes) != len(other.view.axes) or np.abs(self.box - other.box).max() > NEAR * self.size:
-            return False
-        mine, its = (np.array([axis.ends for axis in region.view.axes]) for region in (self, other))
-        return not mine.size or float(np.abs(mine - its).max()) <= NEAR * self.size
+        mine, its = (np.array([region.box, *(axis.ends for axis in region.view.axes)]) for region in (self, other))
+        return mine.shape == its.shape and np.allclose(mine, its, rtol=0.0, atol=self.slack)
 
 
 def region_of(mechanism: MechanismResult, view: View) -> Region:
     """Return where a mechanism moves masonry of its view."""
     triangles, moves = np.array(view.triangles), np.array(view.block_of) >= 0
     points = np.array(view.vertices)[np.unique(triangles[moves] if moves.any() else triangles)]
-    planes, slack = (plane_of(np.array(ring)) for ring in view.sections), 0.2 * NEAR * float(max(view.size))
-    return Region(mechanism, view, box_of(points), tuple(_sides(points, planes, slack)))
+    return Region(mechanism, view, box_of(points), tuple(_sides(points, view)))
 
 
-def _sides(points: FloatArray, planes: Iterable[Plane], slack: float) -> Iterator[tuple[Plane, float]]:
-    """Yield the planes that have all points on one side, and which: 1 for that of the normal, else -1."""
-    for plane in planes:
+def _sides(points: FloatArray, view: View) -> Iterator[tuple[Plane, float]]:
+    """Yield the planes of the sections that have all points on one side, and which: 1 for that of the normal."""
+    slack = 0.2 * NEAR * float(max(view.size))
+    for plane in (plane_of(np.array(ring)) for ring in view.sections):
         heights = plane.heights(points)
         if heights.min() >= -slack or heights.max() <= slack:
             yield plane, 1.0 if heights.min() >= -slack else -1.0
@@ -71,16 +68,3 @@ def cuts(regions: Sequence[Region]) -> list[Plane]:
     rings = dict.fromkeys(ring for region in regions for ring in region.view.sections)
     whole = [region.box[0] for region in regions if not region.view.sections and region.box[0, 2] > lowest + NEAR]
     return [*(plane_of(np.array(ring)) for ring in rings), *(Plane(corner, upright) for corner in whole)]
-
-
-def middle_of(corners: FloatArray, box: FloatArray) -> FloatArray:
-    """Return a point [3] of the surface of a part, near its middle; the middle of its box where it has none."""
-    middle = box.mean(axis=0)
-    if not len(corners):
-        return np.asarray(middle)
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    mean = np.average(corners.mean(axis=1), axis=0, weights=area)
-    if (np.abs(mean - middle) < 0.25 * (box[1] - box[0])).all() and len(corners) <= 12:
-        return np.asarray(mean)
-    points = corners.mean(axis=1)
-    return np.asarray(points[np.linalg.norm(points - mean, axis=1).argmin()])

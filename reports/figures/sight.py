@@ -14,39 +14,33 @@ from spectra.arrays import BoolArray, FloatArray, IntArray
 
 STEPS = 60  # pieces of a line
 FEW, GRID = 200, 5  # triangles of a part up to which points are taken on a grid over each, and points along its sides
-BEHIND = 0.02  # of the bodies' size: what is nearer to a face is on it
-
-
-def is_hidden(points: FloatArray, faces: FloatArray, *, slack: float) -> BoolArray:
-    """Return whether each of points [k, 3] lies behind one of the faces [m, 3, 3] by more than `slack` [m]."""
-    tree = shapely.STRtree(np.asarray(shapely.polygons(faces[:, :, :2])))
-    point, face = tree.query(np.asarray(shapely.points(points[:, :2])), predicate="intersects")
-    nearer = plane_heights(faces[face], points[point, :2]) > points[point, 2] + slack
-    found = np.zeros(len(points), dtype=np.bool_)
-    found[point[nearer]] = True
-    return found
+BEHIND = 0.02  # of the bodies' depth: what is nearer to a face is on it
 
 
 def project_faces(surface: Surface, owner: IntArray, camera: Camera) -> tuple[FloatArray, IntArray]:
     """Return the faces that look at the eye as the camera sees them [m, 3, 3], and the owner of each [m]."""
     corners = surface.corners
     front = normals(corners) @ camera.frame[2] > EDGE_ON
-    return camera.project(corners[front].reshape(-1, 3)).reshape(-1, 3, 3), owner[front]
+    return camera.project(corners[front]), owner[front]
 
 
-def slack_of(faces: FloatArray) -> float:
-    """Return the distance [m] from a face within which things are on it."""
-    return BEHIND * float(np.ptp(faces[:, :, 2]))
+def is_hidden(points: FloatArray, faces: FloatArray) -> BoolArray:
+    """Return whether each of points [k, 3] lies behind one of the faces [m, 3, 3]."""
+    slack = BEHIND * float(np.ptp(faces[:, :, 2]))
+    tree = shapely.STRtree(np.asarray(shapely.polygons(faces[:, :, :2])))
+    point, face = tree.query(np.asarray(shapely.points(points[:, :2])), predicate="intersects")
+    nearer = plane_heights(faces[face], points[point, :2]) > points[point, 2] + slack
+    return np.isin(np.arange(len(points)), point[nearer])
 
 
 def split_line(line: FloatArray, faces: FloatArray) -> Iterator[tuple[FloatArray, bool]]:
     """Yield the pieces [j, 3] of a line of points [k, 3], each with whether it is hidden."""
     along = np.linspace(0.0, len(line) - 1.0, STEPS * (len(line) - 1) if len(line) < 4 else 4 * len(line))
     points = np.column_stack([np.interp(along, np.arange(len(line)), line[:, axis]) for axis in range(3)])
-    hidden = is_hidden(points, faces, slack=slack_of(faces))
+    hidden = is_hidden(points, faces)
     turns = np.flatnonzero(np.diff(hidden)) + 1
     for start, end in zip([0, *turns], [*turns, len(points)], strict=True):
-        yield points[start : min(end + 1, len(points))], bool(hidden[start])
+        yield points[start : end + 1], bool(hidden[start])
 
 
 def visible_middle(own: FloatArray, faces: FloatArray) -> FloatArray | None:
@@ -55,9 +49,8 @@ def visible_middle(own: FloatArray, faces: FloatArray) -> FloatArray | None:
         return None
     shares = _grid() if len(own) <= FEW else np.full((1, 3), 1.0 / 3.0)
     points = np.einsum("sc,jci->jsi", shares, own).reshape(-1, 3)
-    side, other = own[:, 1, :2] - own[:, 0, :2], own[:, 2, :2] - own[:, 0, :2]
-    weight = np.repeat(np.abs(side[:, 0] * other[:, 1] - side[:, 1] * other[:, 0]), len(shares))
-    seen = ~is_hidden(points, faces, slack=slack_of(faces)) & (weight > 0.0)
+    weight = np.repeat(shapely.area(shapely.polygons(own[..., :2])), len(shares))
+    seen = ~is_hidden(points, faces) & (weight > 0.0)
     if not seen.any():
         return None
     middle = np.average(points[seen, :2], axis=0, weights=weight[seen])
@@ -68,5 +61,5 @@ def _grid() -> FloatArray:
     """Return shares of the corners [s, 3] of points over a triangle, none on its sides."""
     at = np.arange(GRID) + 1.0 / 3.0
     first, second = (each.ravel() / GRID for each in np.meshgrid(at, at))
-    inside = first + second < 1.0
-    return np.asarray(np.column_stack([first, second, 1.0 - first - second])[inside])
+    shares = np.column_stack([first, second, 1.0 - first - second])
+    return np.asarray(shares[shares[:, 2] > 0.0])

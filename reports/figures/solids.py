@@ -1,17 +1,19 @@
-"""Surfaces of triangles: cut by planes, and divided into connected bodies."""
+"""Surfaces of triangles: cut by planes, divided into connected bodies, and compared by the ground they stand on."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from spectra.arrays import BoolArray, FloatArray, IntArray
+from spectra.arrays import FloatArray, IntArray
 
 WELD = 6  # decimals [m] to which vertices are one
 FLAT = 1e-9  # of its plane: a vertex nearer is on it [m]
+SHARED = 0.3  # of the smaller: bodies that share more of their ground and height cannot both stand there
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ def weld(corners: FloatArray) -> Surface:
     """Return the surface of loose triangles [m, 3, 3]: vertices in one place are one, triangles without area go."""
     vertices, index = np.unique(np.round(corners.reshape(-1, 3), WELD), axis=0, return_inverse=True)
     triangles = index.reshape(-1, 3)
-    return Surface(vertices, triangles[_has_area(triangles)])
+    return Surface(vertices, triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)])
 
 
 def cut(corners: FloatArray, plane: Plane) -> FloatArray:
@@ -82,6 +84,19 @@ def body_numbers(surface: Surface) -> IntArray:
     return np.asarray(body[a])
 
 
-def _has_area(triangles: IntArray) -> BoolArray:
-    a, b, c = triangles.T
-    return np.asarray((a != b) & (b != c) & (c != a))
+def are_one_in_the_other(one: Surface, other: Surface) -> bool:
+    """Return whether two surfaces share so much ground and height that they cannot both stand there."""
+    boxes = np.array([box_of(one.vertices), box_of(other.vertices)])
+    low, high = boxes[:, 0].max(axis=0), boxes[:, 1].min(axis=0)
+    if (high <= low).any() or high[2] - low[2] <= SHARED * np.ptp(boxes[..., 2], axis=1).min():
+        return False
+    mine, its = ground_of(one), ground_of(other)
+    shared = shapely.area(shapely.intersection(mine, its))
+    return bool(shared > SHARED * min(shapely.area(mine), shapely.area(its)))
+
+
+def ground_of(surface: Surface) -> shapely.Geometry:
+    """Return the ground that lies under a surface."""
+    faces = surface.corners[:, :, :2]
+    (x, y), (u, v) = (faces[:, 1] - faces[:, 0]).T, (faces[:, 2] - faces[:, 0]).T
+    return shapely.union_all(shapely.polygons(faces[x * v - y * u > FLAT]))

@@ -148,6 +148,11 @@ class _Sheet(Figure):
         return file.getvalue()
 
 
+def shade(block: int) -> str:
+    """Return the colour of a block, from 0 at the base; grey where it does not move."""
+    return FIXED if block < 0 else BLOCKS[block % len(BLOCKS)]
+
+
 def legend_below(figure: Figure, *, columns: int, axes: Axes | None = None) -> None:
     """Put one legend below all axes, where it covers no curve. axes: whose names it has, the first without it."""
     handles, names = (axes or figure.axes[0]).get_legend_handles_labels()

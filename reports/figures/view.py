@@ -10,16 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import View
-from reports.figures.projection import INCH, Camera, Room, draw_arrow, draw_triad, fit_camera, paint_bodies
-from reports.figures.scale_bar import round_length, write_arm
+from reports.figures.faces import Look, paint_bodies
+from reports.figures.projection import Camera, Room, draw_arrow, fit_camera, scene_sheet
 from reports.figures.solids import Surface
-from reports.figures.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, WIDTH, bare_sheet, label, report_style
+from reports.figures.style import INK, NEGATIVE, POSITIVE, WIDTH, label, report_style, shade
 from reports.language.locale import Locale
 from spectra.arrays import FloatArray
 
 ROOM = Room(wide=5.2, tall=3.0, left=0.75, around=0.25)
 BEYOND = 0.07  # of the bodies' size: how far an axis is drawn beyond them
-SHARP, SHARP_IN_SCANS = radians(35), radians(65)  # angle between faces from which on their common edge is drawn
 NAME = (11.0, 8.5)  # room of the name of an axis [pt]
 
 
@@ -29,26 +28,24 @@ def draw(view: View, positive: int, locale: Locale) -> Figure:
     positive : of the axes, how many from the first on are those of the positive side
     """
     surface = Surface(np.array(view.vertices), np.array(view.triangles))
-    size = float(max(view.size))
+    along, size = np.array(view.direction), float(max(view.size))
     lines = [extend_line(np.array(axis.ends), BEYOND * size) for axis in view.axes]
-    arrow = direction_arrow(surface.vertices, np.array(view.direction), size)
-    camera, (wide, high) = fit_camera(np.array(view.direction), np.concatenate([surface.vertices, arrow, *lines]), ROOM)
+    arrow = direction_arrow(surface.vertices, along, size)
+    camera = fit_camera(along, np.concatenate([surface.vertices, arrow, *lines]), ROOM)
     with report_style():
-        figure = bare_sheet(high, locale)
-        axes = figure.add_axes((0.5 * (1.0 - wide / WIDTH), 0.0, wide / WIDTH, 1.0))
-        axes.set(xlim=(0.0, wide * INCH), ylim=(0.0, high * INCH))
-        axes.set_axis_off()
-        sharp = SHARP if len(view.triangles) == view.given else SHARP_IN_SCANS
-        colours = {block: FIXED if block < 0 else BLOCKS[block % len(BLOCKS)] for block in set(view.block_of)}
-        paint_bodies(axes, surface, np.array(view.block_of), camera, colours=colours, sharp=sharp)
+        figure, axes = scene_sheet(camera, WIDTH, locale)
+        look = Look({block: shade(block) for block in view.block_of}, {}, sharp_angle(view))
+        paint_bodies(axes, surface, np.array(view.block_of), camera, look)
         for ring in view.sections:
             axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
         _axes(axes, view, camera, lines, positive)
-        draw_arrow(axes, *camera.project(arrow)[:, :2], width=1.6)
-        arm = round_length(0.3 / camera.scale, locale)
-        draw_triad(axes, camera, at=(6.0, 11.0), arm=arm)
-        write_arm(axes, arm, at=(6.0, 3.0), locale=locale)
+        draw_arrow(axes, camera.project(arrow), width=1.6)
         return figure
+
+
+def sharp_angle(view: View) -> float:
+    """Return the angle between faces from which on their common edge is drawn [rad], larger for scans."""
+    return radians(35 if len(view.triangles) == view.given else 65)
 
 
 def extend_line(ends: FloatArray, length: float) -> FloatArray:

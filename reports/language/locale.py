@@ -78,7 +78,7 @@ class Locale:
     @text.register
     def _(self, text: Listing) -> str:
         written = [self.text(each) for each in text.texts]
-        comma = "; " if any(", " in each for each in written) else ", "
+        comma = "; " if any(", " in each or (self.point == "," in each) for each in written) else ", "
         if len(written) < 2 or not text.join:
             return comma.join(written)
         last = {"and": "{first} and {last}", "or": "{first} or {last}"}[text.join]

@@ -41,7 +41,8 @@ class Phrase:
 
 @dataclass(frozen=True)
 class Listing:
-    """Several texts in a row: "a, b and c"; apart by semicolons where a text has a comma of its own.
+    """Several texts in a row: "a, b and c"; apart by semicolons where a text has a comma of its own, as a
+    decimal comma.
 
     join : the word before the last, "" for none
     """

@@ -47,9 +47,9 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "describe_disagreement": (0, 2),
     "disagreement": (0, 2),
     "caveats_of": tuple(range(6)),
-    "check_limit": (3,),
-    "no_answer": (3,),
-    "_answered": (3,),
+    "check_limit": (1, 3),
+    "no_answer": (1, 3),
+    "_answered": (1, 3),
     "FreePeriod": (1, 3),
     "Unvaried": (2,),
     "LimitState": (1,),
@@ -58,6 +58,7 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "Edition": (0, 1, 2),
     "Ultimate": tuple(range(6)),
     "PossibleMechanism": (2,),
+    "_number": (2,),
 }
 """By the name of a function, its arguments that are terms."""
 KEYWORDS = frozenset(
@@ -68,7 +69,7 @@ KEYWORDS = frozenset(
     }
 )  # fmt: skip
 """Keywords whose literals are terms, whatever is called with them."""
-OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("clause",)}
+OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("clause",), "replace": ("description",)}
 """Further keywords, of single functions."""
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {
@@ -84,6 +85,7 @@ CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/controls/equilibrium.py": ("VERTICAL", "HORIZONTAL"),
     "assess/study/controls/hand_multiplier.py": ("QUANTITY",),
     "records/compliance/requirement.py": ("CAVEAT",),
+    "records/selection.py": ("STEPS",),
     "assess/codes/asce41_13/clauses.py": ("PLACES",),
     "assess/codes/asce41_13/slenderness.py": ("PERMITTED", "SEISMICITY"),
     "assess/codes/en1998_1/clauses.py": ("ELEMENTS",),

@@ -86,5 +86,5 @@ def ratio_steps(clause: str, demands: Demands | None, *, capacity: float) -> tup
     """Write the last line of the sheet."""
     if demands is None:
         return ()
-    given = {"demand": (demands.largest, "m/s2"), "a0*": (capacity, "m/s2")}
-    return (step("demand / a0*", "ratio", clause, "demand / a0*", demands.largest / capacity, given=given),)
+    given = {"D": (demands.largest, "m/s2"), "a0*": (capacity, "m/s2")}
+    return (step("D / a0*", "ratio", clause, "D / a0*", demands.largest / capacity, given=given),)

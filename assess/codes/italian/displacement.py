@@ -105,7 +105,7 @@ def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
     """Write the last line of the sheet."""
     held = "no less than as it begins to rock" if demanded == answer.before else ""
     remark = held if demanded else "no motion below uplift"
-    symbol, given = f"demand / {answer.symbol}", {"demand": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
+    symbol, given = f"D / {answer.symbol}", {"D": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
     return step(symbol, "ratio", clause, symbol, demanded / answer.ultimate, given=given, remark=remark)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import shapely
 
-from reports.figures.faces import Faces, are_separated, front_faces, painting_order, visible_edges
+from reports.figures.faces import normals, occluding_pairs, painting_order, visible_edges
+from reports.figures.solids import Surface
 
 CUBE = np.array([(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CORNER = np.array([1.0, 1.0, 1.0]) / np.sqrt(3.0)
@@ -19,7 +19,7 @@ def triangle(x: float, y: float, z: float, *, size: float = 1.0, rise: float = 0
 
 
 def test_the_edges_of_a_cube_are_sharp_and_its_diagonals_are_not() -> None:
-    drawn = visible_edges(CUBE, TRIANGLES, eye=CORNER, sharp=1.0)
+    drawn = visible_edges(Surface(CUBE, TRIANGLES), CORNER, 1.0)
     corners = CUBE[TRIANGLES]
     lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
     facing = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ CORNER > 0.0
@@ -27,11 +27,10 @@ def test_the_edges_of_a_cube_are_sharp_and_its_diagonals_are_not() -> None:
 
 
 def test_three_faces_of_a_cube_look_at_an_eye_in_its_corner_and_their_rim_is_drawn_however_blunt() -> None:
-    drawn = visible_edges(CUBE, TRIANGLES, eye=CORNER, sharp=3.0)
-    seen = front_faces(Faces(CUBE[TRIANGLES], drawn, np.zeros(12, dtype=np.int64)), CORNER)
-    assert len(seen.corners) == 6
-    assert np.all(seen.normals.sum(axis=1) == pytest.approx(1.0))
-    assert seen.edges.sum() == 6  # the hexagon that the eye sees as the border
+    drawn = visible_edges(Surface(CUBE, TRIANGLES), CORNER, 3.0)
+    seen = normals(CUBE[TRIANGLES]) @ CORNER > 0.0
+    assert seen.sum() == 6
+    assert drawn[seen].sum() == 6  # the hexagon that the eye sees as the border
 
 
 def test_order_is_by_depth_where_faces_cover_one_another_not_by_their_middles() -> None:
@@ -75,12 +74,9 @@ def test_random_faces_are_drawn_as_a_depth_buffer_would_show_them(seed: int) -> 
     assert np.array_equal(painted[clear], np.argmax(depth, axis=1)[clear])
 
 
-@pytest.mark.parametrize("turn", [1, -1])
-def test_triangles_are_apart_where_shapely_finds_no_common_area(turn: int) -> None:
-    rng = np.random.default_rng(1)
-    pairs = rng.uniform(0.0, 1.0, (400, 2, 3, 2)) * [[[[1.0]], [[0.7]]]]
-    pairs[:100, 1, :2] = pairs[:100, 0, 1::-1]  # a common edge
-    found = are_separated(pairs[:, 0, ::turn], pairs[:, 1], by=-1e-9)
-    common = shapely.area(shapely.intersection(shapely.polygons(pairs[:, 0]), shapely.polygons(pairs[:, 1])))
-    assert np.array_equal(found, common < 1e-12)
-    assert 50 < found.sum() < 350
+def test_neighbours_do_not_cover_one_another() -> None:
+    lower = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    beside = np.array([[1.0, 0.0, 0.0], [1.0, 1.0, 9.0], [0.0, 1.0, 0.0]])
+    above = lower + np.array([0.2, 0.2, 3.0])
+    behind, before = occluding_pairs(np.array([lower, beside, above]))
+    assert set(zip(behind.tolist(), before.tolist(), strict=True)) == {(0, 2), (1, 2)}

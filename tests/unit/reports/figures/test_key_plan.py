@@ -16,8 +16,8 @@ from assess.results.inputs import Resolved
 from assess.results.view import Axis
 from reports.figures import key_plan, place
 from reports.figures.building import building_of, moved_by
-from reports.figures.projection import Hatching, hatch
-from reports.figures.scale_bar import round_length
+from reports.figures.faces import Hatching, hatch
+from reports.figures.projection import round_length
 from reports.figures.style import FIXED, VERDICT
 from reports.language.locale import Locale
 

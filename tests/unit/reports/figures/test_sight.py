@@ -17,8 +17,8 @@ BOTH = np.concatenate([SQUARE, FAR])
 
 
 def test_a_point_is_hidden_behind_a_face_and_not_on_or_before_it() -> None:
-    points = np.array([[1.0, 1.0, 0.0], [1.0, 1.0, 5.0], [1.0, 1.0, 9.0], [-1.0, 1.0, 0.0]])
-    assert is_hidden(points, SQUARE, slack=0.1).tolist() == [True, False, False, False]
+    points = np.array([[1.0, 1.0, 0.0], [1.0, 1.0, 5.0], [1.0, 1.0, 9.0], [-3.0, 1.0, 0.0]])
+    assert is_hidden(points, BOTH).tolist() == [True, False, False, False]
 
 
 def test_a_line_is_split_where_it_goes_behind_a_face() -> None:

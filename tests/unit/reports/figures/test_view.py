@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import product
-
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
-from reports.figures.projection import paint_faces
-from reports.figures.view import NAME, avoid_names
+from reports.figures.faces import Hatching, Look, paint_bodies
+from reports.figures.projection import fit_camera
+from reports.figures.solids import Surface
+from reports.figures.view import NAME, ROOM, avoid_names
 
 
 def test_a_name_is_lowered_until_both_can_be_read() -> None:
@@ -20,13 +21,18 @@ def test_a_name_is_lowered_until_both_can_be_read() -> None:
         np.testing.assert_array_equal(avoid_names(clear, [first]), clear)
 
 
-@pytest.mark.parametrize("drawn", list(product((False, True), repeat=3)))
-def test_a_face_is_followed_by_its_drawn_edges_and_no_other(drawn: tuple[bool, bool, bool]) -> None:
-    corners = np.array([[0.0, 0.0], [3.0, 0.0], [1.0, 2.0]])
-    shapes, inks = paint_faces(corners[None], np.array([drawn]), np.array([[0.5, 0.6, 0.7]]))
-    np.testing.assert_array_equal(shapes[0], corners)
-    np.testing.assert_array_equal(inks[0], [0.5, 0.6, 0.7])
-    passed = {frozenset(map(tuple, shape.tolist())) for shape in shapes[1:]}
-    ends = [tuple(corner) for corner in corners.tolist()]
-    assert passed == {frozenset({ends[k], ends[(k + 1) % 3]}) for k in range(3) if drawn[k]}
-    assert len(inks) == len(shapes) == 1 + sum(drawn)
+def test_a_face_is_followed_by_its_hatching_and_its_drawn_edges() -> None:
+    surface = Surface(np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 0.0, 2.0]]), np.array([[0, 1, 2]]))
+    camera = fit_camera(np.array([1.0, 0.0, 0.0]), surface.vertices, ROOM)
+    axes = Figure().subplots()
+    look = Look({0: "#804020"}, {0: Hatching(20.0, 0.0, "#000000")}, 1.0)
+    paint_bodies(axes, surface, np.zeros(1, dtype=np.int64), camera, look)
+    (painted,) = axes.collections
+    face, *lines = [path.vertices[:3] for path in painted.get_paths()]
+    corners = camera.project(surface.corners[0])[:, :2]
+    np.testing.assert_allclose(face, corners)
+    assert len(lines) > 6
+    assert all(line[0, 1] == pytest.approx(line[1, 1]) for line in lines[:-3])
+    passed = {frozenset(map(tuple, np.round(line[:2], 6).tolist())) for line in lines[-3:]}
+    ends = [tuple(corner) for corner in np.round(corners, 6).tolist()]
+    assert passed == {frozenset({ends[k], ends[(k + 1) % 3]}) for k in range(3)}

@@ -19,7 +19,7 @@ from assess.results.ground_motion import (
 )
 from assess.results.histories import HistoryResult, SuiteResult, Trace
 from assess.results.inputs import Input, Program, Resolved
-from assess.results.joints import BranchMoment, HingeForceResult, InterfaceCurves
+from assess.results.joints import BranchMoment, ContactSheet, HingeForceResult, InterfaceCurves
 from assess.results.loads import Lasting, LoadResult
 from assess.results.mechanism import MechanismResult
 from assess.results.oscillator import BranchCurve, Curve, LinearisedResult, OscillatorResult
@@ -50,6 +50,7 @@ __all__ = [
     "ChecklistItem",
     "ChecklistOutcome",
     "ComparisonRow",
+    "ContactSheet",
     "Control",
     "ControlKind",
     "CriticalBand",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from assess.codes.calculation_step import Step
 from assess.codes.check import BranchName
 from assess.results.values import Floats, Point
 from assess.short_repr import ShortRepr
@@ -23,6 +24,14 @@ class InterfaceCurves(ShortRepr):
 
     rigid: BranchMoment
     fixed_hinges: BranchMoment
+
+
+@dataclass(frozen=True, repr=False)
+class ContactSheet(ShortRepr):
+    """The contact of a joint that yields or crushes, as the lines of a calculation sheet. hinge: with ' if negative."""
+
+    hinge: str
+    steps: tuple[Step, ...]
 
 
 @dataclass(frozen=True, repr=False)

@@ -12,7 +12,7 @@ from assess.results.directions import DirectionCandidate, DirectionSweep
 from assess.results.drawing import Drawing
 from assess.results.envelopes import EnvelopeResult
 from assess.results.histories import HistoryResult, SuiteResult
-from assess.results.joints import HingeForceResult, InterfaceCurves
+from assess.results.joints import ContactSheet, HingeForceResult, InterfaceCurves
 from assess.results.loads import LoadResult
 from assess.results.oscillator import Curve, OscillatorResult
 from assess.results.view import View
@@ -64,3 +64,4 @@ class MechanismResult(ShortRepr):
     above_ground: bool | None = None
     ground_known_from: str = ""
     restitution_said: tuple[Term | Message, ...] = ()
+    contact_sheets: tuple[ContactSheet, ...] = ()

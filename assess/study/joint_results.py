@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import isfinite
 from typing import Any
 
@@ -17,7 +17,8 @@ from assess.mechanisms.statics import compressions
 from assess.mechanisms.table import NODES
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
-from assess.results import BranchMoment, InterfaceCurves
+from assess.results import BranchMoment, ContactSheet, InterfaceCurves
+from assess.study.joint_steps import contact_sheets
 from spectra.arrays import FloatArray
 
 POINTS = 200  # of a curve, at most
@@ -34,6 +35,15 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
             forces = compressions(chain)
             found += [_rigid(name, force) for name, force in zip(names[len(found) :], forces, strict=False)]
     return tuple(found)
+
+
+def sheets_of_joints(mechanism: Mechanism, oscillator: Oscillator, names: Sequence[str]) -> Iterator[ContactSheet]:
+    """Yield the calculation sheets of the joints of both branches that yield or crush."""
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    for chain, side, rest in zip(chains, oscillator.branches, oscillator.equilibria, strict=False):
+        if chain.joints:
+            yield from contact_sheets(FlexibleChain(chain, mechanism.name), side, names, equilibrium=rest)
+        names = names[len(chain.hinges) :]
 
 
 def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:

@@ -31,7 +31,7 @@ from assess.study.amplification_results import UNAMPLIFIED
 from assess.study.drawing import draw
 from assess.study.endurance import load_results
 from assess.study.grounding import Grounded
-from assess.study.joint_results import interface_curves, interface_results
+from assess.study.joint_results import interface_curves, interface_results, sheets_of_joints
 from assess.study.oscillator_results import curve_of, oscillator_result, overturning_rotations, rigid_branches
 from assess.study.study import Equation
 from assess.study.view import view
@@ -96,6 +96,7 @@ def mechanism_result(
         else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=oscillator.equilibrium_negative),
         curve=curve_of(oscillator),
         interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
+        contact_sheets=tuple(sheets_of_joints(mechanism, oscillator, [hinge.name for hinge in drawn.hinges])),
         interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,
         amplification=amplification,
         checks=tuple(checks),

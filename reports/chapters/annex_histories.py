@@ -72,6 +72,9 @@ def _factors(mechanism: MechanismResult) -> list[Text]:
     factors = [one.factor for one in mechanism.amplification.factors]
     if not factors:
         return []
+    if len(set(factors)) == 1:
+        factor = quantity(factors[0], figures=3)
+        return [say("The peak acceleration there is {factor} times that of the ground.", factor=factor)]
     return [
         say(
             "Peak accelerations there are {least} to {most} times those of the ground.",

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-from assess.results import MechanismResult
+from assess.results import ContactSheet, MechanismResult
 from reports import governing, joints
 from reports.chapters.cells import BRANCHES
-from reports.document import Block, Cell, Column, Figure, Prose, Table
+from reports.document import Block, Cell, Column, Figure, Prose, Sheet, Table
 from reports.figures import contact, moment_rotation
-from reports.language.texts import Listing, Phrase, Text, Verbatim, quantity, say
+from reports.language.texts import Listing, Phrase, Text, Verbatim, quantity, say, say_count
 
 RIGID, UNLIMITED, NEVER = say("rigid"), say("unlimited"), say("never")
 MODELS = {
@@ -19,6 +20,7 @@ MODELS = {
     "flexible-thesis": say("flexible, thesis 6.50"),
     "semi-flexible": say("semi-flexible"),
 }
+PRIMED = "'"  # of hinges of the negative branch
 LEAST_SHARE = 0.005  # of a joint below which a part is called less than 1 %
 
 
@@ -40,7 +42,34 @@ def blocks(mechanism: MechanismResult, stem: str) -> list[Block]:
         Prose((at_peak(mechanism),)),
         Figure(f"{stem}-moment", moment, partial(moment_rotation.draw, mechanism)),
         Figure(f"{stem}-contact", pressed, partial(contact.draw, mechanism)),
+        *sheets(mechanism, stem),
     ]
+
+
+def sheets(mechanism: MechanismResult, stem: str) -> list[Sheet]:
+    """Return the calculation sheet of each joint that is unlike those before it, its force at rest to its stresses."""
+    found: dict[tuple[str, ...], list[ContactSheet]] = {}
+    for each in mechanism.contact_sheets:
+        found.setdefault(_as_printed(each), []).append(each)
+    return [_sheet(alike, stem) for alike in found.values()]
+
+
+def _as_printed(sheet: ContactSheet) -> tuple[str, ...]:
+    return tuple(f"{each.symbol} {each.subject} {each.substituted}" for each in sheet.steps)
+
+
+def _sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:
+    first, hinges = alike[0], Listing(tuple(Verbatim(each.hinge) for each in alike))
+    name = f"{stem}-contact-{first.hinge.replace(PRIMED, '-negative')}"
+    caption = say_count(
+        "Contact of joint {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the "
+        "stresses where the multiplier is largest (m) and at overturning (u).",
+        "Contact of joints {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the "
+        "stresses where the multiplier is largest (m) and at overturning (u).",
+        len(alike),
+        hinges=hinges,
+    )
+    return Sheet(name, caption, first.steps)
 
 
 def table(mechanism: MechanismResult, *, name: str) -> Table:

@@ -8,7 +8,6 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.chapters.value_titles import value_word
 from reports.language.texts import Listing, Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
 
 KINDS: Mapping[str, Phrase] = {
@@ -24,6 +23,16 @@ MODELS: Mapping[str, Phrase] = {
     "flexible-thesis": say("flexible, by the thesis"),
     "semi-flexible": say("semi-flexible"),
 }
+AMPLIFICATIONS: Mapping[str, Text] = {
+    "modal-filter": say("filtered by the first mode"),
+    "srss": say("thesis eq. 3.48"),
+    "srss-relative": say("thesis eq. 3.48, for pulses 3.47"),
+    "ec8": say("EN 1998-1, 4.3.5.2, for a rigid part"),
+    "ec8-resonance": say("EN 1998-1, 4.3.5.2, at resonance"),
+    "ec8-printed": say("thesis eq. 3.49"),
+    "nzs1170.5": say("NZS 1170.5, 8.3"),
+}
+"""How the motion of the ground is carried up a building, by the methods of the project file."""
 AXES: Mapping[int, str] = {0: "+x", 90: "+y", 180: "−x", -180: "−x", -90: "−y"}
 ON_GROUND = 0.005  # height of a base that is on the ground [m]
 FOUND = ("hinges-found-positive", "hinges-found-negative")  # notes that belong on the page
@@ -74,7 +83,7 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
     if carried.height_m is not None:
         yield say(
             "In the time histories the ground motion is amplified up to it ({method}).",
-            method=value_word(Verbatim(carried.method)),
+            method=AMPLIFICATIONS.get(carried.method, Verbatim(carried.method)),
         )
     elif mechanism.above_ground and mechanism.histories:
         yield say("The time histories apply the ground motion to it unamplified.")

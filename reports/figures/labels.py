@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties
@@ -24,33 +25,34 @@ LED = 20.0  # a name farther off than this has a line to its point [pt]
 
 @dataclass(frozen=True)
 class Label:
-    """A name for a point; `at` [pt] from the lower left corner of the panel."""
+    """A name for a point of the axes; an empty one keeps its point free of other names."""
 
     text: str
     at: tuple[float, float]
     colour: str = INK
 
 
-def write(
-    axes: Axes, labels: Sequence[Label], *, window: tuple[float, float], drawn: Sequence[tuple[float, float]] = ()
-) -> None:
-    """Write the labels into a panel of a size `window` [pt], each where it covers least.
-
-    drawn : points [pt] of lines that the names should leave free
-    """
-    for label, (x, y) in zip(labels, offsets(labels, window=window, drawn=drawn), strict=True):
-        leader = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 3}
-        axes.annotate(
-            label.text,
-            label.at,
-            xytext=(x, y),
-            xycoords="axes points",
-            textcoords="offset points",
-            color=label.colour,
-            fontsize=SIZE,
-            annotation_clip=False,
-            arrowprops=leader if max(abs(x), abs(y)) > LED else None,
-        )
+def write(axes: Axes, labels: Sequence[Label]) -> None:
+    """Write the labels, each where it covers least. The figure has 72 dots to the inch."""
+    left, low, right, high = axes.get_window_extent().extents
+    places = axes.transData.transform([label.at for label in labels]).tolist()
+    taken = [(x - MARK, y - MARK, x + MARK, y + MARK) for x, y in places]
+    leader = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 3}
+    for label, place in zip(labels, places, strict=True):
+        if label.text:
+            box = least_covered(boxes_around(place, extent(label.text)), taken, (left, low, right, high), 0.5)
+            taken.append(box)
+            offset = box[0] - place[0], box[1] - place[1]
+            axes.annotate(
+                label.text,
+                label.at,
+                xytext=offset,
+                textcoords="offset points",
+                color=label.colour,
+                fontsize=SIZE,
+                annotation_clip=False,
+                arrowprops=leader if max(map(abs, offset)) > LED else None,
+            )
 
 
 def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
@@ -58,18 +60,14 @@ def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
 
     The axes are in points.
     """
-    window = axes.get_xlim()[1], axes.get_ylim()[1]
-    taken: list[Box] = []
+    inside, taken = (0.0, 0.0, axes.get_xlim()[1], axes.get_ylim()[1]), list[Box]()
     for label in labels:
-        (x, y), (wide, high) = label.at, extent(label.text)
-        wide, high = wide + 2 * PAD, high + 2 * PAD
-        over = ((-0.5 * wide, -0.5 * high), (x - 0.5 * wide, y - 0.5 * high, x + 0.5 * wide, y + 0.5 * high))
-        choices = [over, *candidates(label, (wide, high))]
-        costs = [cost(box, taken, window) + 0.1 * place for place, (_, box) in enumerate(choices)]
-        (left, low), box = choices[costs.index(min(costs))]
+        (x, y), (wide, high) = label.at, (side + 2 * PAD for side in extent(label.text))
+        over = (x - 0.5 * wide, y - 0.5 * high, x + 0.5 * wide, y + 0.5 * high)
+        box = least_covered([over, *boxes_around((x, y), (wide, high))], taken, inside, 0.1)
         taken.append(box)
-        middle = (x + left + 0.5 * wide, y + low + 0.5 * high)
-        if box is not over[1]:
+        middle = 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])
+        if box is not over:
             axes.plot([x, middle[0]], [y, middle[1]], color=INK, linewidth=0.5, zorder=6)
             axes.plot([x], [y], "o", color=INK, markersize=1.8, zorder=6)
         frame = {"boxstyle": "round,pad=0.18", "facecolor": "white", "edgecolor": label.colour, "linewidth": 0.5}
@@ -78,39 +76,25 @@ def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
         )
 
 
-def offsets(
-    labels: Sequence[Label], *, window: tuple[float, float], drawn: Sequence[tuple[float, float]] = ()
-) -> list[tuple[float, float]]:
-    """Return the offset from each point to the lower left corner of its name [pt], least covered place first."""
-    taken = [(x - MARK, y - MARK, x + MARK, y + MARK) for x, y in (*(label.at for label in labels), *drawn)]
-    found = []
-    for label in labels:
-        choices = candidates(label, extent(label.text))
-        costs = [cost(box, taken, window) + 0.5 * place for place, (_, box) in enumerate(choices)]
-        offset, box = choices[costs.index(min(costs))]
-        found.append(offset)
-        taken.append(box)
-    return found
-
-
-def candidates(label: Label, size: tuple[float, float]) -> list[tuple[tuple[float, float], Box]]:
-    """Return places for a name of a size [pt], nearest first: the offset of its lower left corner, and its box."""
-    (x, y), (wide, high) = label.at, size
+def boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[Box]:
+    """Return places for a name of a size beside a point [pt], nearest first."""
+    (x, y), (wide, high) = point, size
     made = []
-    for far in DISTANCES:
-        for right, up in WAYS:
-            step = far if right == 0 or up == 0 else 0.6 * far
-            left = right * step - wide * (1 - right) / 2
-            low = up * step - high * (1 - up) / 2
-            made.append(((left, low), (x + left, y + low, x + left + wide, y + low + high)))
+    for far, (right, up) in product(DISTANCES, WAYS):
+        step = far if right == 0 or up == 0 else 0.6 * far
+        left, low = x + right * step - wide * (1 - right) / 2, y + up * step - high * (1 - up) / 2
+        made.append((left, low, left + wide, low + high))
     return made
 
 
-def cost(box: Box, taken: Sequence[Box], window: tuple[float, float]) -> float:
-    """Return the area [pt2] that a box covers of others, plus that outside the window, which counts more."""
-    inside = overlap(box, (0.0, 0.0, *window))
-    area = (box[2] - box[0]) * (box[3] - box[1])
-    return sum(overlap(box, other) for other in taken) + 3.0 * (area - inside)
+def least_covered(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
+    """Return the box that covers the least area of others and outside the panel; each later one counts `step` more."""
+
+    def cost(place: int) -> float:
+        outside = overlap(boxes[place], boxes[place]) - overlap(boxes[place], inside)
+        return sum(overlap(boxes[place], other) for other in taken) + 3.0 * outside + step * place
+
+    return boxes[min(range(len(boxes)), key=cost)]
 
 
 def overlap(one: Box, other: Box) -> float:

@@ -33,7 +33,6 @@ from reports.figures.style import (
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
 
-INCH = 72.0  # pt
 TALLEST, LOWEST = 2.5, 0.9  # of the figure, of a panel [in]
 LEFT, BOTTOM, TOP, GAP = 0.42, 0.36, 0.2, 0.08  # around and between the panels [in]
 BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
@@ -74,8 +73,8 @@ def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
     with report_style():
         figure = bare_sheet(layout.panel[1] + BOTTOM + TOP, locale, width=HALF)
         rest, turned = (add_panel(figure, column, layout, window, metres) for column in (0, 1))
-        _at_rest(rest, drawing, window, layout, locale)
-        _turned(turned, drawing, window, layout, locale)
+        _at_rest(rest, drawing, window, locale)
+        _turned(turned, drawing, window, locale)
         return figure
 
 
@@ -145,21 +144,20 @@ def add_panel(figure: Figure, column: int, layout: Layout, window: Window, metre
     return axes
 
 
-def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout, locale: Locale) -> None:
+def _at_rest(axes: Axes, drawing: Drawing, window: Window, locale: Locale) -> None:
     axes.set_title(locale.text(say("at rest")), loc="left")
     _ground(axes, drawing, window)
-    for ring, block in zip(drawing.blocks, drawing.block_of, strict=True):
-        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
+    _outlines(axes, drawing, linewidth=0.9)
     _centroids(axes, drawing.centroids)
     if len(drawing.centroids) > 1:
         axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
     _loads(axes, drawing.loads, window)
     for hinge, colour in hinges_with_colour(drawing):
         _hinge(axes, hinge, colour)
-    _direction(axes, layout)
-    shafts = [end for load in drawing.loads for end in shaft(arrow_ends(load, window.arrow))]
-    drawn = [each.at for each in _labels(axes, [(at, "", INK) for at in shafts], layout)]
-    write(axes, _labels(axes, names(drawing, window), layout), window=_points(layout), drawn=drawn)
+    _direction(axes)
+    arrows = [np.array(arrow_ends(load, window.arrow)) for load in drawing.loads if load.towards is not None]
+    shafts = [Label("", (x, z)) for tail, head in arrows for x, z in np.linspace(tail, head, 5).tolist()]
+    write(axes, [*names(drawing, window), *shafts])
 
 
 def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
@@ -169,55 +167,40 @@ def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
     return list(zip(drawing.hinges, colours, strict=True))
 
 
-def names(drawing: Drawing, window: Window) -> list[tuple[Point, str, str]]:
-    """Return what is named at rest, where, and in which colour: hinges, centroids, loads (an arrow at its free end)."""
-    made = [(hinge.at, label(hinge.name, 14), colour) for hinge, colour in hinges_with_colour(drawing)]
+def names(drawing: Drawing, window: Window) -> list[Label]:
+    """Return the names of hinges, centroids and loads at rest, that of an arrow at its free end."""
+    made = [Label(label(hinge.name, 14), hinge.at, colour) for hinge, colour in hinges_with_colour(drawing)]
     if len(drawing.centroids) > 1:
-        made += [(at, f"G{place}", INK) for place, at in enumerate(drawing.centroids, start=1)]
-    made.append((drawing.centroid, "G", INK))
+        made += [Label(f"G{place}", at) for place, at in enumerate(drawing.centroids, start=1)]
+    made.append(Label("G", drawing.centroid))
     for load in drawing.loads:
         tail, head = arrow_ends(load, window.arrow) or (load.at, load.at)
-        made.append(({"force": tail, "tie": head, "mass": load.at}[load.kind], label(load.name, 24), LOAD))
+        at = {"force": tail, "tie": head, "mass": load.at}[load.kind]
+        made.append(Label(label(load.name, 24), at, LOAD))
     return made
 
 
-def shaft(ends: tuple[Point, ...]) -> list[Point]:
-    """Return points along an arrow, close enough together that no name fits between them."""
-    if not ends:
-        return []
-    (x0, z0), (x1, z1) = ends
-    return [(x0 + part * (x1 - x0), z0 + part * (z1 - z0)) for part in (0.0, 0.25, 0.5, 0.75, 1.0)]
-
-
-def _turned(axes: Axes, drawing: Drawing, window: Window, layout: Layout, locale: Locale) -> None:
+def _turned(axes: Axes, drawing: Drawing, window: Window, locale: Locale) -> None:
     """Draw the mechanism displaced to its positive side over its outlines at rest and on its negative side."""
     displaced, back = drawing.displaced, drawing.displaced_negative
     angle = quantity(displaced.rotation_rad, "rotation", 2)
     axes.set_title(locale.text(say("displaced, φ = {angle}", angle=angle)), loc="left")
     _ground(axes, drawing, window)
     for ring in () if back is None else back.blocks:
-        axes.add_artist(Polygon(ring, facecolor="none", edgecolor=NEGATIVE, linewidth=0.7, linestyle=(0, (4, 2))))
-    for ring, block in zip(displaced.blocks, displaced.block_of, strict=True):
-        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.8))
+        axes.add_artist(Polygon(ring, fill=False, edgecolor=NEGATIVE, linewidth=0.7, linestyle=(0, (4, 2))))
+    _outlines(axes, displaced, linewidth=0.8)
     for ring in drawing.blocks:
-        axes.add_artist(Polygon(ring, facecolor="none", edgecolor=MUTED, linewidth=0.6, linestyle=(0, (1, 1.5))))
+        axes.add_artist(Polygon(ring, fill=False, edgecolor=MUTED, linewidth=0.6, linestyle=(0, (1, 1.5))))
     _centroids(axes, displaced.centroids)
     _loads(axes, displaced.loads, window)
     for hinge in displaced.hinges:
         _hinge(axes, hinge, POSITIVE)
-    named = [(hinge.at, label(hinge.name, 14), POSITIVE) for hinge in displaced.hinges]
-    write(axes, _labels(axes, named, layout), window=_points(layout))
+    write(axes, [Label(label(hinge.name, 14), hinge.at, POSITIVE) for hinge in displaced.hinges])
 
 
-def _points(layout: Layout) -> tuple[float, float]:
-    return layout.panel[0] * INCH, layout.panel[1] * INCH
-
-
-def _labels(axes: Axes, named: Sequence[tuple[Point, str, str]], layout: Layout) -> list[Label]:
-    """Return labels with their points as distances from the panel's corner [pt]."""
-    (left, _), (low, _) = axes.get_xlim(), axes.get_ylim()
-    scale = layout.scale * INCH
-    return [Label(text, ((at[0] - left) * scale, (at[1] - low) * scale), colour) for at, text, colour in named]
+def _outlines(axes: Axes, scene: Drawing | Displaced, *, linewidth: float) -> None:
+    for ring, block in zip(scene.blocks, scene.block_of, strict=True):
+        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=linewidth))
 
 
 def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
@@ -255,16 +238,8 @@ def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
             axes.annotate("", head, xytext=tail, arrowprops=style, annotation_clip=False)
 
 
-def _direction(axes: Axes, layout: Layout) -> None:
+def _direction(axes: Axes) -> None:
     """Draw the direction of motion, along +x, as an arrow above the panel."""
     arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
-    right, height = layout.panel[0] * INCH, layout.panel[1] * INCH + 7.0
-    axes.annotate(
-        "",
-        (right, height),
-        xytext=(right - 26.0, height),
-        xycoords="axes points",
-        textcoords="axes points",
-        arrowprops=arrow,
-        annotation_clip=False,
-    )
+    end = 1.0, 1.0 + 7.0 / axes.get_window_extent().height
+    axes.annotate("", end, (-26.0, 0.0), "axes fraction", "offset points", arrowprops=arrow, annotation_clip=False)

@@ -30,6 +30,7 @@ PROJECT = project_toml(
     },
     records={"files": ["motion.csv"]},
     analysis={"levels": ["0.2 g"]},
+    report={"detail": "full"},
 )
 
 
@@ -98,12 +99,14 @@ def test_histories_and_clauses_say_where_their_input_acts(found):
 
 
 def test_the_report_says_so(found, report):
-    assert report.count("The time histories act at the base of the mechanism, 4.77 m above the ground") == 3
-    assert "The inputs differ: the time histories of srss, <b>filter</b> & co and code act at the base" in report
+    assert report.count("Its base is 4.77 m above the ground.") == 3
+    for method in ("thesis eq. 3.48", "filtered by the first mode", "NZS 1170.5, 8.3"):
+        assert f"In the time histories the ground motion is amplified up to it ({method})." in report
+    assert "The time histories of M2, M3 and M4 have the motion at the base of the mechanism" in report
     assert "G = 0.4 E" in report
     assert "motion, scaled to the site’s spectrum, at the ground and at the base of the mechanism" in report
     factor = found["srss"]["amplification"]["factors"][0]["factor"]
-    assert f"Peak accelerations at the base are {factor:.3g} times those at the ground" in report
+    assert f"The peak acceleration there is {factor:.3g} times that of the ground." in report
 
 
 def test_results_are_read_back_and_reported_again(outputs, tmp_path):

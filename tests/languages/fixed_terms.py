@@ -69,7 +69,7 @@ KEYWORDS = frozenset(
     }
 )  # fmt: skip
 """Keywords whose literals are terms, whatever is called with them."""
-OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("clause",)}
+OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("clause",), "replace": ("description",)}
 """Further keywords, of single functions."""
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {

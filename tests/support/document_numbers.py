@@ -7,16 +7,24 @@ import dataclasses
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import isfinite, pi
+from statistics import median
+from typing import Any
 
+import numpy as np
 from scipy.constants import g
 
 from assess.messages.message import Quantity
-from assess.results import Results
+from assess.results import MechanismResult, Results
+from reports.assessment import assessment
+from reports.chapters.controls import EXACT
 from reports.document import Column, Document, Figure, Table
 from reports.language.locale import Locale
 from reports.language.units import UNITS
 from reports.render.cell_text import cell_text
 from tests.support.written_numbers import read_number
+
+FIXED = (EXACT,)
+"""Numbers of the program that a sentence names: below which difference a control is within rounding."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +111,55 @@ def _numbers(node: object) -> Iterator[float]:
             yield from _numbers(each)
 
 
+def derived_numbers(results: Results) -> list[float]:
+    """Return the numbers that a report works out from results: compared capacities, and what joints carry at peaks."""
+    capacities = [
+        [check.capacity_pga_g for check in mechanism.checks if check.capacity_pga_g and check.reading == "letter"]
+        for mechanism in results.mechanisms
+    ]
+    quotients = [one / other for found in capacities for one in found for other in found]
+    widest = [max(found) / min(found) for found in map(_of_each_procedure, results.mechanisms) if len(found) > 1]
+    pressed = [number for mechanism in results.mechanisms for number in _at_peaks(mechanism)]
+    return sorted([*quotients, *([median(widest)] if widest else []), *pressed])
+
+
+def _of_each_procedure(mechanism: MechanismResult) -> list[float]:
+    """Return the least PGA at capacity of a mechanism by each clause [g]."""
+    found: dict[str, float] = {}
+    for check in mechanism.checks:
+        if check.capacity_pga_g is not None and check.reading == "letter":
+            found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, check.capacity_pga_g))
+    return list(found.values())
+
+
+def _at_peaks(mechanism: MechanismResult) -> Iterator[float]:
+    """Yield stress, resultant, open and crushed share (also in percent) of each joint at the peak of each history."""
+    sides = (mechanism.oscillator, mechanism.oscillator_negative)
+    rest = [side.equilibrium_rad for side in sides if side is not None]
+    peaks = {abs(one.max_rotation_rad) + more for one in mechanism.histories if one.max_rotation_rad for more in rest}
+    curves: list[dict[str, Any]] = [each["curve"] for each in mechanism.interfaces if each["curve"] is not None]
+    for curve in curves:
+        for key in ("peak_stress_pa", "resultant_m", "open_share", "crushed_share"):
+            for value in np.interp(sorted(peaks), curve["mechanism_rotation_rad"], curve[key]):
+                yield from (float(value), 100.0 * float(value))
+
+
 def is_known(value: float, known: list[float]) -> bool:
     """Return whether a number is one of those known, to rounding."""
     place = bisect.bisect_left(known, abs(value) * (1 - 1e-12) - 1e-300)
     return not isfinite(value) or (place < len(known) and known[place] <= abs(value) * (1 + 1e-12) + 1e-300)
+
+
+def strange_numbers(results: Results) -> set[tuple[str, str]]:
+    """Return the numbers of a full report, with where they are, that are not of its results.
+
+    What is not in results is worked out from them, is a small whole number, a count or a place in a list, or is a fixed
+    number of the program, said in a sentence.
+    """
+    document = assessment(results, detail="full")
+    known = sorted([*numbers_of(results), *derived_numbers(results), *FIXED])
+    return {
+        (each.where, each.text)
+        for each in shown_numbers(document, document.writer)
+        if not is_known(each.value, known) and not (each.value == int(each.value) and 0 <= each.value < 1000)
+    }

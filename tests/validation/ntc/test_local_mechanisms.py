@@ -124,7 +124,7 @@ def test_floor_acceleration_and_activation_at_height(rocker):
 @pytest.mark.parametrize(("T0", "ordinate"), [(0.15, 1.7501), (0.3, 3.1782), (0.66, 0.6461), (1.0, 0.3126)])
 def test_free_elements_at_height_feel_the_floor_spectrum_at_their_period(rocker, T0, ordinate):
     """S_eZ(T0) of C7.2.6 [g], 5 % damping (C8.7.1.9)."""
-    at = top(free_period=FreePeriod(T0, "given", ""))
+    at = top(free_period=FreePeriod(T0))
     (check,) = linear.assess(rocker, at, options=Options(limit_states=("SLD",)))
     assert check.demand / g == pytest.approx(ordinate, rel=2e-4)
     assert check.capacity_pga_g == pytest.approx(0.1 / LC1 * 0.2 / ordinate, rel=MODEL)
@@ -132,7 +132,7 @@ def test_free_elements_at_height_feel_the_floor_spectrum_at_their_period(rocker,
 
 def test_free_elements_at_the_ground_feel_the_ground_spectrum_at_their_period(rocker):
     """On the level branch S_e = a_g S F_0."""
-    (check,) = linear.assess(rocker, ground(free_period=FreePeriod(0.3, "given", "")), options=Options())
+    (check,) = linear.assess(rocker, ground(free_period=FreePeriod(0.3)), options=Options())
     assert check.demand == pytest.approx(PGA * F_0 / 2, rel=1e-4)
 
 
@@ -224,8 +224,8 @@ def test_an_element_that_begins_to_rock_is_not_displaced_less_than_before():
     rocker = equivalent_block("pinnacle", p=2.0, uplift=0.3, radius=1.0).oscillator
     tower = Building(10.0, 3, 1.0, 0.05, {"SLC": FirstMode(1.0, 0.05, "hardly cracked")})
     levels = tuple(float(level) for level in np.linspace(0.04, 0.06, 21) * g / LC1)
-    at = Context(ground().spectrum, levels, 0.0, 9.0, tower, free_period=FreePeriod(1.1, "given", "1.1 s"))
+    at = Context(ground().spectrum, levels, 0.0, 9.0, tower, free_period=FreePeriod(1.1))
     checks = nonlinear.assess(rocker, at, options=Options(limit_states=("SLC",)))
     ratios = [check.ratio for check in checks]
     assert ratios == sorted(ratios)
-    assert any("as it begins to rock" in step.description for check in checks for step in check.steps)
+    assert any("as it begins to rock" in step.remark for check in checks for step in check.steps)

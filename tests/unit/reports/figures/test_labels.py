@@ -5,16 +5,20 @@ from __future__ import annotations
 from itertools import combinations
 
 import pytest
+from matplotlib.figure import Figure
 
-from reports.figures.labels import MARK, Label, extent, offsets, overlap
+from reports.figures.labels import MARK, Label, extent, overlap, write
 
 WINDOW = (300.0, 300.0)
 
 
 def boxes(labels: list[Label]) -> list[tuple[float, float, float, float]]:
+    axes = Figure(figsize=(6.0, 6.0), dpi=72).add_axes((0.1, 0.1, WINDOW[0] / 432.0, WINDOW[1] / 432.0))
+    axes.set(xlim=(0.0, WINDOW[0]), ylim=(0.0, WINDOW[1]))
+    write(axes, labels)
     found = []
-    for label, (x, y) in zip(labels, offsets(labels, window=WINDOW), strict=True):
-        wide, high = extent(label.text)
+    for label, text in zip(labels, axes.texts, strict=True):
+        (wide, high), (x, y) = extent(label.text), text.xyann
         left, low = label.at[0] + x, label.at[1] + y
         found.append((left, low, left + wide, low + high))
     return found

@@ -59,7 +59,7 @@ def test_free_period(support: str, length: float, period: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("branch", "given", "T0"), [(STRAIGHT, None, 0.0), (SOFT, None, 1.0), (STRAIGHT, FreePeriod(0.3, "given", ""), 0.3)]
+    ("branch", "given", "T0"), [(STRAIGHT, None, 0.0), (SOFT, None, 1.0), (STRAIGHT, FreePeriod(0.3), 0.3)]
 )
 def test_period_of(branch, given: FreePeriod | None, T0: float) -> None:
     assert clauses.period_of(branch, replace(GROUND, free_period=given)) == pytest.approx(T0, rel=1e-9)

@@ -10,8 +10,8 @@ from pathlib import Path
 from reports.document import Document, Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
+from reports.render.cell_text import PlainCell, plain_cell
 from reports.render.frame_words import STAMP
-from reports.render.plain_cell import PlainCell, plain_cell
 from reports.render.sheet_table import as_table
 from spectra.formulas import harmless_cell
 

@@ -57,19 +57,25 @@ class Rows(LongTable):
 def table_grid(table: Table, locale: Locale, width: float) -> Rows:
     """Return a table as wide as its cells need, at most `width` [pt]; with the head again on each page."""
     prefix = "small-" if table.small else ""
-    rows = [_letters(table, row, locale) for row in table.rows]
+    rows = [
+        [printable(cell_text(*each, locale)) for each in zip(row, table.columns, strict=True)] for row in table.rows
+    ]
     right = [is_numeric(tuple(row[place] for row in table.rows)) for place in range(len(table.columns))]
     heads = [printable(_head(column, locale)) for column in table.columns]
     widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}head")
     styles = [f"{prefix}{'number' if each else 'cell'}" for each in right]
-    made: list[list[Any]] = [
-        [paragraph(head, f"{prefix}head{'-number' if each else ''}") for head, each in zip(heads, right, strict=True)]
-    ]
-    for place, (cells, texts) in enumerate(zip(table.rows, rows, strict=True)):
+    shown = [f"{prefix}head{'-number' if each else ''}" for each in right]
+    made: list[list[Any]] = [[paragraph(*each) for each in zip(heads, shown, strict=True)]]
+    for place, cells in enumerate(table.rows):
         colour = MUTED if place in table.muted else ""
-        row = zip(cells, texts, styles, widths, strict=True)
-        made.append([_cell(cell, text, style, wide, colour) for cell, text, style, wide in row])
-    return _grid(made, widths, [*_letters_look(f"{prefix}cell"), *_alignment(right), *_tints(table)])
+        made.append([_cell(*each, colour) for each in zip(cells, rows[place], styles, widths, strict=True)])
+    of = STYLES[f"{prefix}cell"]
+    letters = [
+        ("FONT", (0, 0), (-1, -1), of.fontName, of.fontSize, of.leading),
+        ("TEXTCOLOR", (0, 0), (-1, -1), of.textColor),
+    ]
+    sides = [("ALIGN", (place, 0), (place, -1), "RIGHT") for place, each in enumerate(right) if each]
+    return _grid(made, widths, [*letters, *sides, *_tints(table)])
 
 
 def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> Rows:
@@ -88,46 +94,35 @@ def _head(column: Column, locale: Locale) -> str:
 def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width: float, style: str) -> list[float]:
     """Return the widths of columns [pt]: those with a share of `width` have it, the others what their cells need.
 
-    Parameters
-    ----------
     rows : texts, the heads first, which may be folded
     shares : of the width, 0 for a column that shares what is left
-    width : of the table at most [pt]
-    style : of the letters
     """
     free = [place for place, share in enumerate(shares) if not share]
     whole = max(1.0, sum(shares) + _NARROWEST * len(free))
     given = [share * width / whole for share in shares]
-    left = width - sum(given)
     columns = [[row[place] for row in rows] for place in free]
-    least = [_padded(max(map(_word_width(style), column))) for column in columns]
-    lines = [[min(_WIDEST * width, _padded(each)) for each in map(_line_width(style), column)] for column in columns]
+    least = [_padded(max(_word_width(text, style) for text in column)) for column in columns]
+    lines = [[min(_WIDEST * width, _padded(_line_width(text, style))) for text in column] for column in columns]
     wanted = [max(low, *each[1:], 0.0) for low, each in zip(least, lines, strict=True)]
     easy = [max(want, each[0]) for want, each in zip(wanted, lines, strict=True)]
-    for place, found in zip(free, _shared(least, wanted, easy, left, fills=len(free) < len(shares)), strict=True):
-        given[place] = found
+    found = _shared(least, wanted, easy, width - sum(given), fills=len(free) < len(shares))
+    for place, own in zip(free, found, strict=True):
+        given[place] = own
     return given
 
 
 def _shared(
     least: Sequence[float], wanted: Sequence[float], easy: Sequence[float], left: float, *, fills: bool
 ) -> list[float]:
-    """Return what each column gets of the width that is `left`.
+    """Return what each column gets of the width that is `left`, all of it where it `fills` a line.
 
-    Parameters
-    ----------
-    least : widths of the longest words [pt]
-    wanted : of the longest lines of the cells
-    easy : of these and the head on one line
-    left : for all
-    fills : all of it is to be used
+    Needs are: `least`, of the longest words; `wanted`, of the longest lines; `easy`, with the head on one line too.
     """
     if sum(easy) <= left:
         return [each * min(left / sum(easy), left if fills else _LOOSEST) for each in easy]
-    for floor, enough in ((wanted, easy), (least, wanted)):
-        if sum(floor) <= left:
-            return _filled(floor, enough, left)
-    return _filled([0.0] * len(least), least, left)
+    floors = (wanted, least, [0.0] * len(least))
+    floor, enough = next(pair for pair in zip(floors, (easy, wanted, least), strict=True) if sum(pair[0]) <= left)
+    return _filled(floor, enough, left)
 
 
 def _padded(width: float) -> float:
@@ -136,40 +131,30 @@ def _padded(width: float) -> float:
 
 def _filled(floor: Sequence[float], wanted: Sequence[float], left: float) -> list[float]:
     """Return widths from `floor` up to what is `wanted`, the same more for each until nothing is left."""
-    widths, open_ = list(floor), set(range(len(floor)))
-    while open_ and left - sum(widths) > 1e-6:
-        share = (left - sum(widths)) / len(open_)
-        for place in tuple(open_):
-            widths[place] = min(wanted[place], widths[place] + share)
-        open_ = {place for place in open_ if widths[place] < wanted[place]}
+    widths, spare = list(floor), left - sum(floor)
+    order = sorted(range(len(floor)), key=lambda place: wanted[place] - floor[place])
+    for waiting, place in zip(range(len(order), 0, -1), order, strict=True):
+        more = min(wanted[place] - floor[place], spare / waiting)
+        widths[place], spare = floor[place] + more, spare - more
     return widths
 
 
-def _line_width(style: str) -> Any:
-    size = STYLES[style].fontSize
-    return lambda text: width_of(text, style) if len(text) <= _LONG else 0.6 * size * len(text)
+def _line_width(text: str, style: str) -> float:
+    return width_of(text, style) if len(text) <= _LONG else 0.6 * float(STYLES[style].fontSize) * len(text)
 
 
-def _word_width(style: str) -> Any:
-    return lambda text: min(_LEAST, max((width_of(word, style) for word in text[:_LONG].split(" ")), default=0.0))
-
-
-def _letters(table: Table, row: tuple[Cell, ...], locale: Locale) -> list[str]:
-    pairs = zip(row, table.columns, strict=True)
-    return [printable(cell_text(cell, column, locale)) for cell, column in pairs]
+def _word_width(text: str, style: str) -> float:
+    return min(_LEAST, max((width_of(word, style) for word in text[:_LONG].split(" ")), default=0.0))
 
 
 def _cell(cell: Cell, text: str, style: str, width: float, colour: str) -> str | Paragraph:
     """Return the text itself where one line has room for it, which reportlab draws at once, else a paragraph."""
     if isinstance(cell, Graded):
-        return Paragraph(f"<b>{markup(text)}</b>", _coloured(style, INK_OF[cell.outcome]))
+        ink = HexColor(INK_OF[cell.outcome])
+        return Paragraph(f"<b>{markup(text)}</b>", STYLES[style].clone(f"{style}-{cell.outcome}", textColor=ink))
     if not colour and len(text) <= _LONG and width_of(text, style) <= width - 2 * _PADDING:
         return text
     return paragraph(text, style, colour=colour)
-
-
-def _coloured(style: str, colour: str) -> Any:
-    return STYLES[style].clone(f"{style}-{colour}", textColor=HexColor(colour))
 
 
 def _step(row: SheetRow) -> list[Any]:
@@ -184,16 +169,6 @@ def _step(row: SheetRow) -> list[Any]:
         markup(row.result) + beside,
     )
     return [Paragraph(text, style) for text in texts]
-
-
-def _letters_look(style: str) -> Iterator[tuple[Any, ...]]:
-    of = STYLES[style]
-    yield ("FONT", (0, 0), (-1, -1), of.fontName, of.fontSize, of.leading)
-    yield ("TEXTCOLOR", (0, 0), (-1, -1), of.textColor)
-
-
-def _alignment(right: Sequence[bool]) -> Iterator[tuple[Any, ...]]:
-    return (("ALIGN", (place, 0), (place, -1), "RIGHT") for place, each in enumerate(right) if each)
 
 
 def _tints(table: Table) -> Iterator[tuple[Any, ...]]:

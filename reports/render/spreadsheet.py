@@ -6,6 +6,7 @@ import datetime
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 from math import isfinite
 from pathlib import Path
 
@@ -13,15 +14,14 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import Cell, Column, Document, Graded, Table
+from reports.document import Cell, Column, Document, Graded, Sheet, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.lettering import truncate, visible
 from reports.language.locale import Locale
 from reports.language.numerals import numeral
-from reports.language.texts import say
-from reports.render.cell_text import NOTHING, is_numeric
+from reports.language.texts import Kind, say
+from reports.render.cell_text import NOTHING, PlainCell, is_numeric, plain_cell
 from reports.render.frame_words import origin
-from reports.render.plain_cell import PlainCell, plain_cell
 from reports.render.sheet_table import as_table
 from spectra.formulas import is_formula
 
@@ -32,7 +32,6 @@ _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
 _LONG = 500  # rows; numbers of longer tables have no format
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
-
 
 Look = dict[str, str | int]
 """How a cell looks, in xlsxwriter's words."""
@@ -48,6 +47,8 @@ _OUTCOMES: dict[str, Look] = {
 }
 _HEAD: Look = {**_BOLD, "bg_color": "#E3E8ED", "bottom": 1, "bottom_color": "#6B7680", "text_wrap": 1}
 _WRAPPED: Look = {"text_wrap": 1, "valign": "top"}
+_Listed = tuple[str, int, Kind, Table | Sheet]
+"""A line of the contents: the name of a worksheet, the row there, what it shows."""
 
 
 @dataclass(frozen=True)
@@ -60,12 +61,24 @@ class _Book:
 
     def format(self, look: Look) -> Format | None:
         """Return the format of a look; None for that of every cell."""
-        if not look:
-            return None
         key = tuple(look.items())
-        if key not in self.made:
+        if key and key not in self.made:
             self.made[key] = self.book.add_format(look)
-        return self.made[key]
+        return self.made.get(key)
+
+    def write(self, sheet: Worksheet, place: int, at: int, cell: PlainCell, look: Look) -> None:
+        """Write a value at full precision, or text that is never taken for anything else."""
+        made = self.format(look)
+        if isinstance(cell, bool):
+            sheet.write_boolean(place, at, cell, made)
+        elif isinstance(cell, int | float) and isfinite(cell):
+            sheet.write_number(place, at, cell, made)
+        elif cell is not None and cell != "":
+            shown = truncate(visible(cell if isinstance(cell, str) else numeral(cell)), _LONGEST_TEXT)
+            if shown.startswith("<r>"):  # which xlsxwriter takes for markup of its own; in pieces it is text
+                sheet.write_rich_string(place, at, *"<r", shown[2:], *([made] if made else []))
+            else:
+                sheet.write_string(place, at, shown, made)
 
 
 def write_xlsx(document: Document, path: Path) -> Path:
@@ -73,15 +86,21 @@ def write_xlsx(document: Document, path: Path) -> Path:
     locale = document.writer
     contents, last = locale.text(CONTENTS), locale.text(SHEETS)
     names = unique([table.name for table in document.tables], taken=(contents, last))
-    starts = _starts(document)
+    starts = list(accumulate((len(each.steps) + 3 for each in document.sheets), initial=0))  # one row stays empty
     with Workbook(str(path), {"in_memory": True}) as made:
         book = _Book(made, locale)
-        _describe(made, document)
-        listed = [*_listed_tables(document, names, locale), *_listed_sheets(document, last, starts, locale)]
-        _contents(made.add_worksheet(contents), document, listed, book=book)
+        made.set_properties(_properties(document))
+        listed: list[_Listed] = [
+            *((name, 1, "Table", table) for name, table in zip(names, document.tables, strict=True)),
+            *((last, start + 1, "Sheet", each) for start, each in zip(starts, document.sheets, strict=False)),
+        ]
+        _contents(made.add_worksheet(contents), document, listed, book)
         for table, name in zip(document.tables, names, strict=True):
-            _alone(made.add_worksheet(name), table, book=book)
-        _sheets(made.add_worksheet(last), document, starts, book=book)
+            _alone(made.add_worksheet(name), table, book)
+        sheet = made.add_worksheet(last)
+        for start, each in zip(starts, document.sheets, strict=False):
+            _table(sheet, as_table(each, locale), start, book)
+        _finish(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12), head=None)
     return path
 
 
@@ -112,101 +131,54 @@ def number_format(value: float, figures: int) -> str:
     return f"0.{'0' * places}" if places else "0"
 
 
-def _describe(book: Workbook, document: Document) -> None:
+def _properties(document: Document) -> dict[str, object]:
     locale = document.writer
     texts = {"title": locale.text(document.title), "subject": locale.text(document.subject)}
     texts |= {"author": document.program, "keywords": document.stamp}
-    described = {key: truncate(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}
-    book.set_properties({**described, "created": _CREATED})
+    return {"created": _CREATED, **{key: truncate(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}}
 
 
-_Listed = tuple[str, str, str, str]
-"""A line of the contents: the name that is shown, where it leads, the title in the report, the caption."""
-
-
-def _listed_tables(document: Document, names: list[str], locale: Locale) -> list[_Listed]:
-    return [
-        (name, f"'{name}'!A1", _title(table, locale), locale.text(table.caption))
-        for name, table in zip(names, document.tables, strict=True)
-    ]
-
-
-def _title(table: Table, locale: Locale) -> str:
-    return locale.title("Table", table.name) if ("Table", table.name) in locale.titles else NOTHING
-
-
-def _listed_sheets(document: Document, sheet: str, starts: list[int], locale: Locale) -> list[_Listed]:
-    return [
-        (sheet, f"'{sheet}'!A{start + 1}", locale.title("Sheet", each.name), locale.text(each.caption))
-        for start, each in zip(starts, document.sheets, strict=True)
-    ]
-
-
-def _contents(sheet: Worksheet, document: Document, listed: Iterable[_Listed], *, book: _Book) -> None:
+def _contents(sheet: Worksheet, document: Document, listed: Iterable[_Listed], book: _Book) -> None:
     locale = book.locale
-    _write(sheet, 0, 0, locale.text(document.title), book.format(_TITLE))
-    _write(sheet, 1, 0, f"{locale.text(document.subject)}; {locale.text(origin(document))}", book.format(_GREY))
-    _head(sheet, 3, _HEADS, [False] * 3, book=book)
-    for place, (name, target, title, caption) in enumerate(listed, start=4):
-        sheet.write_url(place, 0, f"internal:{target}", book.format(_LINK), name)
-        _write(sheet, place, 1, title, None)
-        _write(sheet, place, 2, caption, None)
+    book.write(sheet, 0, 0, locale.text(document.title), _TITLE)
+    book.write(sheet, 1, 0, f"{locale.text(document.subject)}; {locale.text(origin(document))}", _GREY)
+    _head(sheet, 3, _HEADS, [False] * 3, book)
+    for place, (name, row, kind, block) in enumerate(listed, start=4):
+        sheet.write_url(place, 0, f"internal:'{name}'!A{row}", book.format(_LINK), name)
+        numbered = (kind, block.name) in locale.titles
+        book.write(sheet, place, 1, locale.title(kind, block.name) if numbered else NOTHING, {})
+        book.write(sheet, place, 2, locale.text(block.caption), {})
     sheet.freeze_panes(4, 0)
-    _widths(sheet, (34, 14, 100))
-    _paper(sheet, head=3)
+    _finish(sheet, (34, 14, 100), head=3)
 
 
-def _alone(sheet: Worksheet, table: Table, *, book: _Book) -> None:
+def _alone(sheet: Worksheet, table: Table, book: _Book) -> None:
     """Write a table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, start=0, book=book)
+    _table(sheet, table, 0, book)
     sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
     if table.rows:
         sheet.autofilter(1, 0, len(table.rows) + 1, len(table.columns) - 1)
     few = table.rows[:200]
-    _widths(sheet, [_width(column, [row[at] for row in few], book) for at, column in enumerate(table.columns)])
-    _paper(sheet, head=1)
+    _finish(sheet, [_width(column, [row[at] for row in few], book) for at, column in enumerate(table.columns)], head=1)
 
 
-def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
-    for start, each in zip(starts, document.sheets, strict=True):
-        _table(sheet, as_table(each, book.locale), start=start, book=book)
-    _widths(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12))
-    _paper(sheet, head=None)
-
-
-def _starts(document: Document) -> list[int]:
-    """Return the row of each calculation sheet's caption, from 0; one row stays empty between them."""
-    starts = [0]
-    for each in document.sheets:
-        starts.append(starts[-1] + len(each.steps) + 3)
-    return starts[:-1]
-
-
-def _table(sheet: Worksheet, table: Table, *, start: int, book: _Book) -> None:
+def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
     """Write caption, head and rows from the row `start` on."""
     numeric = [is_numeric(cells) for cells in zip(*table.rows, strict=True)] or [False] * len(table.columns)
-    _write(sheet, start, 0, book.locale.text(table.caption), book.format(_BOLD))
-    _head(sheet, start + 1, table.columns, numeric, book=book)
-    shaped = len(table.rows) <= _LONG
+    book.write(sheet, start, 0, book.locale.text(table.caption), _BOLD)
+    _head(sheet, start + 1, table.columns, numeric, book)
     for place, row in enumerate(table.rows):
         for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
             plain = plain_cell(cell, column, book.locale)
-            look = {**_colours(cell, muted=place in table.muted), **_quoted(plain)}
-            shape = _shape(plain, column) if shaped else {}
-            _write(sheet, start + 2 + place, at, plain, book.format({**look, **shape}))
+            colours = _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
+            shape = _shape(plain, column) if len(table.rows) <= _LONG else {}
+            book.write(sheet, start + 2 + place, at, plain, {**colours, **_quoted(plain), **shape})
 
 
-def _head(sheet: Worksheet, place: int, columns: Iterable[Column], numeric: Iterable[bool], *, book: _Book) -> None:
+def _head(sheet: Worksheet, place: int, columns: Iterable[Column], numeric: Iterable[bool], book: _Book) -> None:
     for at, (column, number) in enumerate(zip(columns, numeric, strict=True)):
         side: Look = {"align": "right"} if number else {"valign": "top"}
-        _write(sheet, place, at, book.locale.heading(column.label, column.dimension), book.format({**_HEAD, **side}))
-
-
-def _colours(cell: Cell, *, muted: bool) -> Look:
-    """Return outcomes in their colours and rows for information in grey."""
-    if muted:
-        return _GREY
-    return _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
+        book.write(sheet, place, at, book.locale.heading(column.label, column.dimension), {**_HEAD, **side})
 
 
 def _shape(cell: PlainCell, column: Column) -> Look:
@@ -221,24 +193,6 @@ def _quoted(cell: PlainCell) -> Look:
     return {"quote_prefix": 1} if isinstance(cell, str) and is_formula(cell) else {}
 
 
-def _write(sheet: Worksheet, place: int, at: int, cell: PlainCell, look: Format | None) -> None:
-    """Write a value at full precision, or text that is never taken for anything else."""
-    if isinstance(cell, bool):
-        sheet.write_boolean(place, at, cell, look)
-    elif isinstance(cell, int | float) and isfinite(cell):
-        sheet.write_number(place, at, cell, look)
-    elif cell is not None and cell != "":
-        _write_text(sheet, place, at, cell if isinstance(cell, str) else numeral(cell), look)
-
-
-def _write_text(sheet: Worksheet, place: int, at: int, text: str, look: Format | None) -> None:
-    shown = truncate(visible(text), _LONGEST_TEXT)
-    if shown.startswith("<r>"):  # which xlsxwriter takes for markup of its own; in pieces it is text
-        sheet.write_rich_string(place, at, *"<r", shown[2:], *([look] if look else []))
-    else:
-        sheet.write_string(place, at, shown, look)
-
-
 def _width(column: Column, cells: Sequence[Cell], book: _Book) -> int:
     """Return characters that a column needs: whole words of its head, and texts; numbers have room in the narrowest."""
     words = [len(word) + 4 for word in book.locale.heading(column.label, column.dimension).split()]
@@ -246,13 +200,10 @@ def _width(column: Column, cells: Sequence[Cell], book: _Book) -> int:
     return min(max([_NARROWEST + 2, *words, *(len(text) + 2 for text in plain if isinstance(text, str))]), _WIDEST)
 
 
-def _widths(sheet: Worksheet, widths: Iterable[int]) -> None:
+def _finish(sheet: Worksheet, widths: Iterable[int], *, head: int | None) -> None:
+    """Set the widths, and the sheet to print across the page, as wide as it, with the head on every page."""
     for place, width in enumerate(widths):
         sheet.set_column(place, place, width)
-
-
-def _paper(sheet: Worksheet, *, head: int | None) -> None:
-    """Set the sheet to print across the page, as wide as it, with the head on every page."""
     sheet.set_landscape()
     sheet.fit_to_pages(1, 0)
     if head is not None:

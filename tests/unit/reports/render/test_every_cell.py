@@ -12,9 +12,8 @@ from openpyxl import load_workbook
 from reports.document import Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
-from reports.render.cell_text import cell_text
+from reports.render.cell_text import PlainCell, cell_text, plain_cell
 from reports.render.csv import field, write_csv
-from reports.render.plain_cell import PlainCell, plain_cell
 from reports.render.sheet_rows import sheet_rows
 from reports.render.sheet_table import as_table
 from reports.render.spreadsheet import write_xlsx

@@ -10,7 +10,7 @@ from openpyxl import load_workbook
 from reports.document import NOTHING, Cell, Column, Document, Graded, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
-from reports.render.plain_cell import plain_cell
+from reports.render.cell_text import plain_cell
 from reports.render.spreadsheet import unique, write_xlsx
 from tests.support.sample_document import HOSTILE, sample_document
 

@@ -101,10 +101,10 @@ def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
-    """Return the least PGA at capacity [g] of each procedure that knows one, of its limit states of collapse."""
+    """Return the least PGA at capacity [g] of each procedure that applies, of its limit states of collapse."""
     found: dict[str, float] = {}
     for check in collapse_checks(checks):
-        if check.capacity_pga_g is not None:
+        if check.capacity_pga_g is not None and check.verdict != Outcome.NOT_APPLICABLE:
             found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, inf))
     return found
 

@@ -32,8 +32,8 @@ FLOOR_CLAUSES: dict[Family, Term] = {
     Family.LINEAR: Term("give [building] height and storeys"),
     Family.DISPLACEMENT: Term("give [building] height and storeys"),
     Family.ELEMENT: Term("give [building] height"),
-    Family.HISTORY: Term('give the mechanism amplification = { method = "modal-filter" }, up to that height'),
-    Family.ENERGY: Term('give the mechanism amplification = { method = "modal-filter" }, up to that height'),
+    Family.HISTORY: Term('the motion at that height is needed: amplification = { method = "modal-filter" }'),
+    Family.ENERGY: Term('the motion at that height is needed: amplification = { method = "modal-filter" }'),
     Family.FRICTION: Term("give the mechanism an amplification, up to that height"),
     Family.SLIDING: Term("the clause has no floor motion"),
 }

@@ -202,7 +202,7 @@ TEXTS: Mapping[str, str] = {
     # reasons of checks
     "within-capacity": "the demand is within {capacity}",
     "beyond-capacity": "the demand exceeds {capacity}",
-    "no-rocking": "no rocking: the demand does not lift the body off its base",
+    "no-rocking": "no rocking: the demand does not start the motion",
     "no-lasting-rotation": "the body lifts off, but the method finds no stable rotation at this demand",
     "moves-on-joints": "the body moves on its flexible joints, but the method finds no stable rotation at this demand",
     "overturns": "overturns: no rotation balances this demand",
@@ -215,9 +215,9 @@ TEXTS: Mapping[str, str] = {
     "too-few-records": "{n} records, of which {fallen} overturn the body; {clause} requires at least {least}",
     "above-building": "the supports of the mechanism are {height} above the ground, higher than the building: check "
     "[building] height and ground_elevation",
-    "ground-motion-at-height": "the highest support of the mechanism is {height} above the ground; with the ground "
+    "ground-motion-at-height": "the mean height of the supports is {height} above the ground; with the ground "
     "motion applied there a check may fail but cannot pass: {remedy}",
-    "scalar-motion-at-height": "the highest support of the mechanism is {height} above the ground; histories scaled "
+    "scalar-motion-at-height": "the mean height of the supports is {height} above the ground; histories scaled "
     "to that height by a single factor miss resonance, so a check may fail but cannot pass: {remedy}",
     "ground-unknown": "the lowest body is {height} from elevation 0 and the ground level is not given: give "
     "[building] ground_elevation, or the mechanism's base_elevation",

@@ -18,7 +18,7 @@ from assess.mechanisms.arch import ArchHinges, Joint, block_of, divide_arch, wea
 from assess.mechanisms.assembly import assemble
 from assess.mechanisms.chain import Chain, Point, format_point, mirror_chain, mirror_point
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.messages.message import Message, Quantity, Value, lengths, message, warning, whole_number
+from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
 from assess.model.definitions import FourHinge, RadialJoints
 from assess.model.pieces import as_one
 from spectra.arrays import FloatArray
@@ -98,7 +98,7 @@ def hinges_message(key: str, found: ArchHinges, joints: int, *, flip: bool) -> M
         x, z = mirror_point(at) if flip else at
         places |= lengths(**{f"{letter}x": x, f"{letter}z": z})
     number, multiplier = whole_number(joints), Quantity(found.multiplier)
-    return warning(key, joints=number, multiplier=multiplier, hinges=message("four-hinges", places))
+    return note(key, joints=number, multiplier=multiplier, hinges=message("four-hinges", places))
 
 
 def lines_of(definition: FourHinge) -> list[Line]:

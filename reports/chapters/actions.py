@@ -31,8 +31,7 @@ def section(results: Results) -> Section:
     blocks: tuple[Block, ...] = (
         Prose(
             (
-                COMBINATIONS.get(basis, AS_THEY_ARE),
-                Paragraph(tuple(_weights(results))),
+                Paragraph((COMBINATIONS.get(basis, AS_THEY_ARE), *_weights(results))),
                 Paragraph(tuple(_directions(results))),
             )
         ),

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from assess.results import Resolved, Results
 from reports import governing
 from reports.chapters.mechanism_list import mechanism_list
-from reports.chapters.project_values import entries
+from reports.chapters.project_values import Entry, entries
 from reports.chapters.value_titles import value_title, value_word
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
-from reports.language.texts import Phrase, Text, Verbatim, say
+from reports.language.spectrum_parameters import NAMES
+from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
 
 SOURCES = "report.sources."
+SPECTRUM = "site.spectrum."
+TABLES: Mapping[str, str] = {"site.spectrum.hazard": "hazard", "mechanisms.*.loads": "actions"}
+"""Lists of tables of the project file, by their keys, and the tables of the report that show them."""
 START = "mechanisms."
 KINDS: Mapping[str, Phrase] = {
     "measured": say("measured"),
@@ -59,7 +63,13 @@ def sections(results: Results) -> list[Section]:
     blocks: list[Block] = nonempty(found)
     if not found.rows:
         blocks = [Prose((say("No value is marked as assumed, and no default of the program affects the results."),))]
-    rest = (*blocks, *_restitution(results), *nonempty(materials(results)), *nonempty(sources(results)))
+    rest = (
+        *blocks,
+        *_restitution(results),
+        *nonempty(materials(results)),
+        *nonempty(sources(results)),
+        *_unstated(results),
+    )
     return [Section(say("Assumptions"), 0, rest)]
 
 
@@ -100,13 +110,29 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         owner, rest = split_key(results, key)
         if kind == DEFAULT and not _matters(results, rest):
             continue
-        for entry in entries(rest, value):
+        for entry in grouped(results, rest, value):
             kept = found.setdefault((entry.key, repr(entry.cell), source.words), (entry.cell, []))
             kept[1].extend([owner] if owner else [])
     for (key, _, words), (cell, owners) in found.items():
-        label = value_title(key) or Verbatim(key)
         where = mechanism_list(results, owners) if owners else None
-        yield label, _worded(cell), _source_text(kind, words), where
+        yield label(key), _worded(cell), _source_text(kind, words), where
+
+
+def grouped(results: Results, key: str, value: Resolved) -> Iterator[Entry]:
+    """Yield a value as cells with their keys; a list of tables as one, which says where the report shows them."""
+    held = value.value
+    if not isinstance(held, Sequence) or not any(isinstance(each, Mapping) for each in held):
+        yield from entries(key, value)
+    elif key in TABLES and (results.spectrum if key.startswith(SPECTRUM) else any(m.loads for m in results.mechanisms)):
+        yield Entry(key, say("see {table}", table=Reference("Table", TABLES[key])))
+    else:
+        yield Entry(key, say_count("{number} set of values", "{number} sets of values", len(held)))
+
+
+def label(key: str) -> Text:
+    """Return the words for a key of the project file; the key itself where there are none."""
+    parameter = NAMES.get(key.removeprefix(SPECTRUM)) if key.startswith(SPECTRUM) else None
+    return value_title(key) or (parameter[0] if parameter else Verbatim(key))
 
 
 def _matters(results: Results, key: str) -> bool:
@@ -179,21 +205,21 @@ def materials(results: Results) -> Table:
         if table == "materials" and last in dict(PROPERTIES):
             cells = [entry.cell for entry in entries(key, value)]
             found.setdefault(name, {})[last] = cells[0] if len(cells) == 1 else None
-    kept = [(key, label) for key, label in PROPERTIES if any(cells.get(key) is not None for cells in found.values())]
+    kept = [(key, title) for key, title in PROPERTIES if any(cells.get(key) is not None for cells in found.values())]
     rows = tuple((Verbatim(name), *(_worded(cells.get(key)) for key, _ in kept)) for name, cells in found.items())
-    columns = (Column(say("Material")), *(Column(label) for _, label in kept))
+    columns = (Column(say("Material")), *(Column(title) for _, title in kept))
     return Table("materials", say("Materials."), columns, rows if kept else ())
 
 
 def sources(results: Results) -> Table:
-    """Tabulate the sources that the project states, but for assumed values, then what is given without a source."""
+    """Tabulate the sources that the project states, but for assumed values."""
     found: dict[str, tuple[Text, Text, str, list[str]]] = {}
-    for label, kind, words, owner in (*_stated_sources(results), *_unstated(results)):
-        row = found.setdefault(repr((label, kind, words)), (label, kind, words, []))
+    for title, kind, words, owner in _stated_sources(results):
+        row = found.setdefault(repr((title, kind, words)), (title, kind, words, []))
         row[-1].extend([owner] if owner else [])
     rows = tuple(
-        (label, kind, Verbatim(words) if words else None, mechanism_list(results, owners) if owners else None)
-        for label, kind, words, owners in found.values()
+        (title, kind, Verbatim(words) if words else None, mechanism_list(results, owners) if owners else None)
+        for title, kind, words, owners in found.values()
     )
     columns = (
         Column(say("Value"), share=0.32),
@@ -210,18 +236,26 @@ def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
         if kind.strip() == ASSUMED:
             continue
         owner, rest = split_key(results, f"{key}.")
-        label = value_title(rest.removesuffix(".")) or Verbatim(key)
-        yield label, KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
+        yield label(rest.removesuffix(".")), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
 
 
-def _unstated(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
+def _unstated(results: Results) -> list[Block]:
+    """Return what is given without a source, each once with the mechanisms that it is for."""
+    found: dict[str, tuple[Text, list[str]]] = {}
     for key, value in results.project.items():
         owner, rest = split_key(results, key)
-        label = value_title(_first(rest))
-        if rest in CHOICES or label is None or not value.given:
+        title = value_title(_first(rest))
+        if rest in CHOICES or title is None or not value.given:
             continue
         if source_of(results, key, value).kind == UNSTATED:
-            yield label, say("not stated"), "", owner
+            found.setdefault(_first(rest), (title, []))[1].extend([owner] if owner else [])
+    if not found:
+        return []
+    values = [
+        say("{value} ({mechanisms})", value=title, mechanisms=mechanism_list(results, owners)) if owners else title
+        for title, owners in found.values()
+    ]
+    return [Prose((say("The project states no source for: {values}.", values=listing(values)),))]
 
 
 def _first(key: str) -> str:

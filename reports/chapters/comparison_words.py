@@ -101,9 +101,21 @@ def _disagreements(results: Results) -> Iterator[Text]:
             family = FAMILIES.get(procedure)
             yield _failing(results, procedure, mechanisms, None if family in told else family)
             told.add(family)
-    passing = [procedure for procedure, mechanisms in failed.items() if not mechanisms]
-    if passing:
-        yield say("All of these are passed by {methods}.", methods=listing(map(procedure_title, passing)))
+    passed: dict[tuple[str, ...], list[str]] = {}
+    for procedure in (name for name, mechanisms in failed.items() if not mechanisms):
+        passed.setdefault(tuple(m.name for m in apart if _passes(results, m, procedure)), []).append(procedure)
+    for which, procedures in passed.items():
+        yield _passing(results, which, procedures, is_all=len(which) == len(apart))
+
+
+def _passing(results: Results, which: tuple[str, ...], procedures: list[str], *, is_all: bool) -> Text:
+    """Return which mechanisms are passed by methods that fail none."""
+    methods, mechanisms = listing(map(procedure_title, procedures)), _numbers(results, which)
+    if is_all:
+        return say("All of these are passed by {methods}.", methods=methods)
+    if len(which) == 1:
+        return say("{mechanism} is passed by {methods}.", mechanism=mechanisms, methods=methods)
+    return say("{mechanisms} are passed by {methods}.", mechanisms=mechanisms, methods=methods)
 
 
 def _own(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
@@ -113,6 +125,11 @@ def _own(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
 def _fails(results: Results, mechanism: MechanismResult, procedure: str) -> bool:
     own = (check for check in _own(results, mechanism) if check.procedure == procedure)
     return any(check.verdict == Outcome.FAIL for check in own)
+
+
+def _passes(results: Results, mechanism: MechanismResult, procedure: str) -> bool:
+    own = (check for check in _own(results, mechanism) if check.procedure == procedure)
+    return any(check.verdict == Outcome.PASS for check in own)
 
 
 def _failing(results: Results, procedure: str, mechanisms: list[str], family: Family | None) -> Text:
@@ -142,8 +159,8 @@ def _spread(results: Results) -> Iterator[Text]:
         )
         return
     yield say(
-        "The largest PGA at capacity of a mechanism by a code is {middle} times its least in the median, and at most "
-        "{largest} times ({mechanism}: {high} over {low}).",
+        "Of each mechanism, the largest PGA at capacity by any method is {middle} times the smallest in the median, "
+        "and at most {largest} times ({mechanism}: {high} over {low}).",
         middle=quantity(median(spread[0] for spread in spreads), "ratio", FIGURES),
         largest=quantity(largest, "ratio", FIGURES),
         mechanism=numbered_title(results, mechanism.name),

@@ -76,6 +76,11 @@ def analysis(results: Results) -> Iterator[Text]:
             ),
         )
     )
+    yield say(
+        "Loads, with their signs, are listed under Combination of actions and drawn on the page of each mechanism with "
+        "its displaced shape, checks and units. Forces at the hinges and every step of the calculation are in annex A "
+        "of the full report."
+    )
 
 
 def _kinds(checks: list[Check]) -> Iterator[Text]:
@@ -126,8 +131,8 @@ def documents() -> Text:
 
 def _judgement() -> Iterator[Block]:
     words = say(
-        "The designer judges whether the results are acceptable, also by comparison with simple calculations of "
-        "their own."
+        "The designer judges whether the program is reliable and fit for this building, from its documentation and "
+        "test cases, and whether the results are acceptable, also by comparison with simple calculations of their own."
     )
     yield Prose((words,))
-    yield Writing(say("Engineer’s judgement of the acceptability of the results"), 45.0)
+    yield Writing(say("Engineer’s judgement of the program and of the acceptability of the results"), 32.0)

@@ -49,7 +49,7 @@ def facts(results: Results) -> tuple[Fact, ...]:
     matter = results.report
     said = (
         (say("Client"), client(results)),
-        (say("Address"), matter.address),
+        (say("Address"), ", ".join(line.strip(" ,") for line in matter.address.splitlines() if line.strip(" ,"))),
         *_coordinates(results),
         *_people(results),
         (say("Reference"), reference(results)),

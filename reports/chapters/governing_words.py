@@ -10,6 +10,7 @@ from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
 from assess.results import MechanismResult, Results
 from reports import governing
+from reports.chapters import premises
 from reports.chapters.check_cells import FIGURES, clause
 from reports.chapters.index_text import index_text, outcome_text
 from reports.document import Facts
@@ -27,6 +28,7 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
         return
     for answer in own.answers:
         yield _governing(governing.at_site(results, mechanism), answer)
+        yield from _floor(governing_check(governing.at_site(results, mechanism), answer))
     yield from _remedy(own, found)
     if own.at_the_limit:
         yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
@@ -46,12 +48,15 @@ def summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
     if own is None:
         return []
     outcome = outcome_text(own.outcome, near=own.at_the_limit)
-    known = [(answer.limit_state, index_text(answer.index)) for answer in own.answers if answer.index is not None]
+    found = [(answer.limit_state, index_text(answer.index)) for answer in own.answers if answer.index is not None]
     indices = [
-        say("{index} at {state}", index=index, state=Verbatim(state)) if len(known) > 1 else index
-        for state, index in known
+        say("{index} at {state}", index=index, state=Verbatim(state)) if len(found) > 1 else index
+        for state, index in found
     ]
     text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
+    known = premises.knowledge_of(results, mechanism)
+    if known is not None:
+        text = say("{verdict}; knowledge level: {knowledge}", verdict=text, knowledge=premises.factor_text(*known))
     return [Facts(((say("Verdict"), text),))]
 
 
@@ -101,6 +106,23 @@ def _governing(checks: tuple[Check, ...], answer: Answer) -> Text:
         allowable=_measured(check.capacity, check.unit),
         ratio=quantity(check.ratio, "ratio", FIGURES),
         clause=by,
+    )
+
+
+def _floor(check: Check | None) -> Iterator[Text]:
+    """Yield which motion of the building a check takes, where it takes that of a floor."""
+    steps = {} if check is None else {step.symbol: step for step in check.steps}
+    share, period = steps.get("γψ"), steps.get("T1")
+    height = next((each.value for each in share.inputs if each.symbol == "Z"), None) if share else None
+    if share is None or share.value is None or period is None or period.value is None or height is None:
+        return
+    yield say(
+        "Its demand takes the motion of the building at {height} above the ground: first-mode share γψ = {share} "
+        "({clause}), elastic first period {period}.",
+        height=quantity(height, "length", FIGURES),
+        share=quantity(share.value, figures=FIGURES),
+        clause=Term(share.clause),
+        period=quantity(period.value, "time", FIGURES),
     )
 
 

@@ -67,6 +67,12 @@ def index_name(found: Verdict) -> str:
     return BASES[found.basis].index.value if found.basis in BASES else ""
 
 
+def least_margin(found: Verdict) -> MechanismVerdict | None:
+    """Return the mechanism that holds up to the lowest action; None where no margin is known."""
+    known = [one for one in found.mechanisms if one.margin is not None]
+    return min(known, key=lambda one: one.margin or 0.0, default=None)
+
+
 def margin_text(one: MechanismVerdict, action: Action) -> Text | None:
     """Return up to which PGA a mechanism passes: "0.18 g, 2.7 × the site’s"; None where it is not known."""
     if one.margin is None:

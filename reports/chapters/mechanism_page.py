@@ -32,7 +32,7 @@ def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Se
         Prose(tuple(_findings(results, mechanism))),
     ]
     if warnings:
-        blocks += [Prose((say("Warnings on this mechanism:"),)), Items(warnings)]
+        blocks += [Prose((say("Remarks on this mechanism:"),)), Items(warnings)]
     title, mark = Verbatim(mechanism_title(mechanism)), mechanism_number(results, mechanism.name)
     return [Section(title, 0, tuple(block for block in blocks if block != Prose(())), starts_page=True, mark=mark)]
 
@@ -54,10 +54,13 @@ def sketch_caption(mechanism: MechanismResult) -> Text:
     """Return the caption of the drawing of a mechanism."""
     turned = quantity(mechanism.drawing.displaced.rotation_rad, "rotation", 2)
     if mechanism.drawing.displaced_negative is None:
-        return say("At rest, and turned by φ = {rotation}. Circles: hinges; crosses: centroids.", rotation=turned)
+        return say(
+            "At rest, and turned by φ = {rotation}; x along the motion. Circles: hinges; crosses: centroids.",
+            rotation=turned,
+        )
     return say(
-        "At rest, and turned by φ = {rotation} to its positive side (dashed: to its negative side). Circles: hinges; "
-        "crosses: centroids.",
+        "At rest, and turned by φ = {rotation} to its positive side (dashed: to its negative side); x along the "
+        "motion. Circles: hinges; crosses: centroids.",
         rotation=turned,
     )
 

@@ -34,6 +34,8 @@ AMPLIFICATIONS: Mapping[str, Text] = {
 }
 """How the motion of the ground is carried up a building, by the methods of the project file."""
 AXES: Mapping[int, str] = {0: "+x", 90: "+y", 180: "−x", -180: "−x", -90: "−y"}
+ON_GROUND = 0.005  # height of a base that is on the ground [m]
+FOUND = ("hinges-found-positive", "hinges-found-negative")  # notes that belong on the page
 MOST = 5
 """Loads that are named in a sentence; of more only the number is given."""
 
@@ -70,6 +72,12 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
     height, carried = mechanism.base_elevation_m, mechanism.amplification
     if height is not None and not mechanism.above_ground:
         yield say("Its base is on the ground.")
+    elif height is not None and abs(height) < ON_GROUND and mechanism.input_height_m is not None:
+        yield say(
+            "Its base is on the ground, and it is held above: the input acts at the mean height of its supports, "
+            "{height}.",
+            height=quantity(mechanism.input_height_m, "length", 3),
+        )
     elif height is not None:
         yield say("Its base is {height} above the ground.", height=quantity(height, "length", 3))
     if carried.height_m is not None:
@@ -124,8 +132,8 @@ def swept_value(value: float, unit: str) -> Text:
 
 
 def warnings(results: Results, mechanism: MechanismResult) -> tuple[Message, ...]:
-    """Return the warnings that concern the mechanism by its name, each once."""
-    found = (each for each in results.warnings if each.severity != Severity.NOTE)
+    """Return the warnings that concern the mechanism by its name, each once, and how its hinges were found."""
+    found = (each for each in results.warnings if each.severity != Severity.NOTE or each.key in FOUND)
     own = {each.text: each for each in found if _concerned(results, each.where) == mechanism.name}
     return tuple(own.values())
 

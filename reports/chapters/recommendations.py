@@ -13,7 +13,7 @@ from reports.chapters.mechanism_list import mechanism_list
 from reports.chapters.sensitivity_ranking import SIDES, flips, is_negligible, span
 from reports.chapters.varied_values import answer_text, input_name, value_text
 from reports.document import Block, Cell, Column, Items, Prose, Section, Table, nonempty
-from reports.language.texts import Text, Verbatim, listing, say
+from reports.language.texts import Text, listing, say
 from reports.titles import numbered_title
 
 
@@ -53,14 +53,15 @@ def _failing(results: Results, found: Verdict) -> list[Block]:
     if not failing:
         return []
     words = say(
-        "The table gives the factor by which the resistance of each failing mechanism has to grow, by the method that "
-        "decides. Works that provide it (ties, anchorage, restraint of thrusts, more thickness) are to be designed and "
-        "assessed again with this program: they change the mechanism, not only its resistance."
+        "The table gives the factor by which the PGA that each failing mechanism bears has to grow, by the method "
+        "that decides. Works that provide it (ties, anchorage, restraint of thrusts, more thickness) are to be "
+        "designed, and the mechanism is to be assessed again with them: they change the mechanism, not only its "
+        "resistance."
     )
     ordered = sorted(failing, key=lambda one: -(lacking_factor(one, found) or 0.0))
     columns = (
         Column(say("Mechanism")),
-        Column(say("Passes up to PGA"), "ground acceleration", 3),
+        Column(say("Holds up to PGA"), "ground acceleration", 3),
         Column(say("PGA to be reached"), "ground acceleration", 3),
         Column(say("Factor needed"), "ratio", 3),
     )
@@ -87,10 +88,7 @@ def survey(results: Results, found: Verdict) -> Iterator[Text]:
         )
     yield from _of_sensitivity(results)
     if not results.sensitivity:
-        yield say(
-            "not known without a study of sensitivity, which the line {line} under [analysis] adds",
-            line=Verbatim("sensitivity = true"),
-        )
+        yield say("what moves the answers most is not known: no sensitivity was studied")
 
 
 def _of_sensitivity(results: Results) -> Iterator[Text]:

@@ -22,6 +22,10 @@ PULSES = Verbatim(
     "Zhang, J. and Makris, N. (2001). Rocking response of free-standing blocks under cycloidal pulses. Journal of "
     "Engineering Mechanics 127(5), 473–483."
 )
+ONE_SIDED = Verbatim(
+    "Sorrentino, L., AlShawa, O. and Decanini, L. D. (2011). The relevance of energy damping in unreinforced masonry "
+    "rocking mechanisms. Experimental and analytic investigations. Bulletin of Earthquake Engineering 9(5), 1617–1642."
+)
 OF_PROCEDURE: Mapping[str, Verbatim] = {
     "asce43-05": Verbatim(
         "ASCE/SEI 43-05. Seismic design criteria for structures, systems, and components in nuclear facilities. "
@@ -75,5 +79,7 @@ def _works(results: Results) -> Iterator[Text]:
         yield from (text for start, text in OF_PROCEDURE.items() if procedure.startswith(start))
     yield HOUSNER
     yield THESIS
+    if any("Sorrentino et al. 2011" in mechanism.restitution_source for mechanism in results.mechanisms):
+        yield ONE_SIDED
     if any(mechanism.envelope is not None for mechanism in results.mechanisms):
         yield PULSES

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from math import isfinite
 
 from assess.codes.check import Check, Outcome, Reason
 from assess.messages.message import Message
@@ -11,8 +12,8 @@ from reports import joints
 from reports.chapters import methods, missing_inputs, references, verdict
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Items, Prose, Section, nonempty
-from reports.language.texts import Paragraph, Term, Text, listing, say, say_count
-from reports.titles import procedure_title
+from reports.language.texts import Paragraph, Term, Text, Verbatim, listing, quantity, say, say_count
+from reports.titles import mechanism_number, procedure_title
 
 SLIDING = "sliding"
 GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
@@ -109,15 +110,34 @@ def _of_joints(results: Results) -> Iterator[Text]:
 def sliding(results: Results) -> Text:
     """Return where friction was checked, and where it is only assumed to be sufficient."""
     unchecked = [each.name for each in results.mechanisms if not _is_checked(each)]
-    assumed = say(
-        "Friction is assumed to be sufficient for {mechanisms}; it was not checked.",
-        mechanisms=mechanism_list(results, unchecked),
-    )
+    assumed = _assumed_friction(results, unchecked)
     held = say("While a mechanism rocks, no sliding, no bouncing and no separation other than rocking are modelled.")
     if len(unchecked) == len(results.mechanisms):
         return Paragraph((assumed, held))
     checked = say("Sliding was checked by equilibrium up to the moment at which the mechanism starts to rock.")
     return Paragraph((checked, *((assumed,) if unchecked else ()), held))
+
+
+def _assumed_friction(results: Results, unchecked: Sequence[str]) -> Text:
+    """Return for which mechanisms friction is assumed, and how much of it the start of their motion needs."""
+    which = mechanism_list(results, unchecked)
+    needed = [
+        (force.needed_friction, mechanism.name)
+        for mechanism in results.mechanisms
+        if mechanism.name in unchecked
+        for force in mechanism.hinge_forces
+        if force.needed_friction is not None and isfinite(force.needed_friction)
+    ]
+    if not needed:
+        return say("Friction is assumed to be sufficient for {mechanisms}; it was not checked.", mechanisms=which)
+    most, owner = max(needed)
+    return say(
+        "Friction is assumed to be sufficient for {mechanisms}; it was not checked. The start of the motion needs a "
+        "coefficient of friction of up to {needed} ({mechanism}).",
+        mechanisms=which,
+        needed=quantity(most, figures=3),
+        mechanism=Verbatim(mechanism_number(results, owner)),
+    )
 
 
 def _is_checked(mechanism: MechanismResult) -> bool:
@@ -126,7 +146,7 @@ def _is_checked(mechanism: MechanismResult) -> bool:
 
 
 def _of_input(results: Results) -> Iterator[Text]:
-    """Yield mechanisms above the ground whose check takes the ground motion, and inputs at different places."""
+    """Yield mechanisms above the ground whose check takes the ground motion."""
     raised = [(m, check) for m in results.mechanisms for check in m.checks if _takes_ground_motion(check)]
     if raised:
         yield say(
@@ -135,11 +155,6 @@ def _of_input(results: Results) -> Iterator[Text]:
             "and cannot pass it.",
             mechanisms=mechanism_list(results, (mechanism.name for mechanism, _ in raised)),
             procedures=listing(map(procedure_title, dict.fromkeys(check.procedure for _, check in raised)), ""),
-        )
-    if len({check.input_at for check in _answered(results)} - {"missing"}) > 1:
-        yield say(
-            "Some methods take their input at the ground and others at the base of the mechanism; the page of each "
-            "mechanism says which."
         )
 
 

@@ -3,27 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
+from itertools import chain
 
 from scipy.constants import g
 
+from assess.messages.message import Quantity
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
 from reports.chapters.assumptions import stated_source
-from reports.document import Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
+from reports.document import NOTHING, Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
-from reports.language.spectrum_parameters import parameter_rows
-from reports.language.texts import Term, Text, Verbatim, listing, quantity, say
+from reports.language.spectrum_parameters import NAMES, parameter_rows
+from reports.language.texts import Paragraph, Term, Text, Verbatim, quantity, say
 from reports.project_text import project_text
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")
+ABREAST = 3  # parameters in a row
+ON_PAGE_1 = (NAMES["limit_state"][0], NAMES["use_coefficient"][0])
 
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter."""
-    parts = [Section(say("Site and action"), 0, tuple(_hazard(results))), actions.section(results)]
+    parts = [Section(say("Site and action"), 0, tuple(_hazard(results)), starts_page=True), actions.section(results)]
     if results.records:
         parts.append(Section(say("Records"), 1, tuple(_records(results))))
     return parts
@@ -36,9 +41,7 @@ def _hazard(results: Results) -> Iterator[Block]:
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
     yield parameters(results, results.spectrum)
     yield from nonempty(hazard(results))
-    derived = calculated_parameters(results, results.spectrum)
-    if derived:
-        yield Prose(derived)
+    yield from nonempty(calculated_parameters(results, results.spectrum))
     figures = tuple(_figures(results, results.spectrum))
     yield Row(figures) if len(figures) > 1 else figures[0]
 
@@ -101,14 +104,23 @@ def hazard(results: Results) -> Table:
     return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated_parameters(results: Results, spectrum: SpectrumResult) -> tuple[Text, ...]:
-    """Return the parameters that follow from the others, in one sentence; none where all are given."""
-    found = [
-        say("{name}: {value}", name=name, value=value)
+def calculated_parameters(results: Results, spectrum: SpectrumResult) -> Table:
+    """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
+    found: list[tuple[Cell, ...]] = [
+        (name, _short(value))
         for name, value, source in _parameters(results, spectrum)
-        if source == CALCULATED
+        if source == CALCULATED and name not in ON_PAGE_1
     ]
-    return (say("Calculated from these: {values}.", values=listing(found, "")),) if found else ()
+    blank: tuple[Cell, ...] = (NOTHING, NOTHING)
+    found += [blank] * (-len(found) % ABREAST)
+    high = len(found) // ABREAST
+    rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
+    columns = (Column(say("Parameter")), Column(say("Value"), share=0.1)) * ABREAST
+    return Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
+
+
+def _short(value: Text) -> Text:
+    return replace(value, figures=4) if isinstance(value, Quantity) else value
 
 
 def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:
@@ -149,6 +161,6 @@ def _records(results: Results) -> Iterator[Block]:
     yield from nonempty(suite.records(results))
     told = tuple(suite.sentences(results))
     if told:
-        yield Prose(told)
+        yield Prose((Paragraph(told),))
     if not suite.complies(results):
         yield from nonempty(suite.requirements(results))

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from assess.messages.message import DIMENSIONS
 from assess.results import RecordResult, RequirementResult, Results
-from reports.document import Cell, Column, Graded, Outcome, Table
+from reports.document import NOTHING, Cell, Column, Graded, Outcome, Table
 from reports.figures.suite import CODES
 from reports.language.texts import Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 
@@ -20,7 +20,7 @@ FIGURES = 3
 
 
 def records(results: Results) -> Table:
-    """Tabulate the records as scaled; all artificial ones in one row."""
+    """Tabulate the records as scaled, all artificial ones in one row; no rows where there are no others."""
     columns = (
         Column(say("Record")),
         Column(say("Event")),
@@ -29,6 +29,8 @@ def records(results: Results) -> Table:
         Column(say("Scale factor")),
         Column(say("PGA, scaled")),
     )
+    if all(not record.path for record in results.records):
+        return Table("suite-records", NOTHING, (), ())
     recorded = tuple(record for record in results.records if record.path)
     artificial = tuple(record for record in results.records if not record.path)
     rows = tuple(map(_row, recorded)) + ((_artificial_row(artificial),) if artificial else ())
@@ -76,6 +78,13 @@ def complies(results: Results) -> bool:
 def sentences(results: Results) -> Iterator[Text]:
     """Yield over which periods the suite was fitted, and whether it meets the rules of the basis."""
     motion, rules = results.ground_motion, of_basis(results)
+    if results.records and all(not record.path for record in results.records):
+        yield say_count(
+            "The suite has {number} artificial record, of PGA {pga} as scaled to the spectrum of the site.",
+            "The suite has {number} artificial records, of PGA {pga} as scaled to the spectrum of the site.",
+            len(results.records),
+            pga=_span([record.pga_g for record in results.records], "ground acceleration"),
+        )
     if motion is not None:
         yield say(
             "The records are compared with the target from {shortest} to {longest}; there the natural logarithms of "

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from assess.codes.verdict import Decision, Verdict
 from assess.codes.verdict_text import relevant_warnings
-from assess.messages.message import Message
-from assess.results import Results
-from reports.chapters import missing_inputs, verdict_matrix
+from assess.messages.message import Message, Quantity
+from assess.results import Results, SpectrumResult
+from reports.chapters import missing_inputs, premises, verdict_matrix
 from reports.chapters.checklist import not_examined_text
 from reports.chapters.front_matter import use_class_of
-from reports.chapters.index_text import building_index_text, target_text
+from reports.chapters.index_text import building_index_text, least_margin, margin_text, target_text
 from reports.chapters.mechanism_list import mechanism_list
-from reports.document import Banner, Block, Facts, Items, Prose, Section
+from reports.document import NOTHING, Banner, Block, Facts, Items, Prose, Section
+from reports.language.spectrum_parameters import parameter_rows
 from reports.language.texts import (
     Phrase,
     Term,
@@ -27,7 +29,7 @@ from reports.language.texts import (
     say_count,
 )
 from reports.project_text import project_text
-from reports.titles import procedure_title
+from reports.titles import numbered_title, procedure_title
 
 MANY = 6  # points of a list; page 1 holds no more
 LIMIT_STATES: Mapping[str, Phrase] = {
@@ -41,6 +43,18 @@ LIMIT_STATES: Mapping[str, Phrase] = {
     "CP": say("CP, collapse prevention"),
     "NCR": say("NCR, near collapse"),
 }
+ESSENTIAL: Mapping[str, Phrase] = {
+    "soil": say("subsoil category {value}"),
+    "ground_type": say("ground type {value}"),
+    "site_class": say("site class {value}"),
+    "subsoil": say("site subsoil class {value}"),
+    "topography": say("topographic category {value}"),
+    "a_g": say("a_g = {value} on rock"),
+    "s": say("S = {value}"),
+    "s_ds": say("S_DS = {value}"),
+    "s_d1": say("S_D1 = {value}"),
+}
+"""The parameters of the spectrum that page 1 shows."""
 WORKS: Mapping[str, Phrase] = {
     "repair": say("local repair"),
     "improvement": say("improvement"),
@@ -57,7 +71,7 @@ def sections(results: Results) -> list[Section]:
     blocks: list[Block] = [
         Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
         Facts(tuple(basis(results, found))),
-        *short_list(say("The verdict is subject to these conditions:"), list(found.conditions)),
+        *short_list(say("The verdict is subject to these conditions:"), conditions(results, found)),
         *_missing(found, results),
         *short_list(say("Warnings that bear on the verdict:"), warnings(results)),
         verdict_matrix.table(results, found),
@@ -95,6 +109,11 @@ def headline(found: Verdict) -> Text:
     )
 
 
+def conditions(results: Results, found: Verdict) -> list[Text]:
+    """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
+    return [*found.conditions, *(premises.stated(results) if found.basis else ())]
+
+
 def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
     yield say("Code"), _code(results, found)
@@ -102,14 +121,29 @@ def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
         states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in found.limit_states)
         yield say("Limit state"), states
     yield say("Site’s own action"), action_text(results, found)
+    if results.spectrum is not None:
+        yield say("Spectrum"), spectrum_text(results.spectrum)
     if found.methods:
         yield say("Methods that may decide"), listing(map(procedure_title, found.methods))
+    known = premises.knowledge(results)
+    if known is not None:
+        yield say("Knowledge level"), known
     target = target_text(found)
     if target is not None:
         yield say("Target"), _with_works(results, target)
     index = building_index_text(found)
     if index is not None:
         yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
+    least = least_margin(found)
+    if least is not None:
+        yield (
+            say("Least margin"),
+            say(
+                "{mechanism} holds up to a PGA of {margin}",
+                mechanism=numbered_title(results, least.mechanism),
+                margin=margin_text(least, found.action) or NOTHING,
+            ),
+        )
     left = not_examined_text(results)
     if left is not None:
         yield say("Possible, not examined"), left
@@ -131,15 +165,29 @@ def action_text(results: Results, found: Verdict) -> Text:
     """Return the site's own action: PGA, limit state, return period and class of use as far as they are known."""
     action = found.action
     known: list[Text] = [say("PGA {pga}", pga=quantity(action.pga_g, "ground acceleration", 3))]
-    if action.limit_state:
+    if action.limit_state and action.over_periods:
+        state = Verbatim(action.limit_state)
+        known.append(say("for {limit_state} from the hazard of the site over return periods", limit_state=state))
+    elif action.limit_state:
         known.append(say("stated for {limit_state}", limit_state=Verbatim(action.limit_state)))
-    if action.over_periods:
-        known.append(say("each limit state by the hazard of the site"))
     if action.return_period_years:
         known.append(say("return period {years}", years=quantity(action.return_period_years, "return period", 3)))
+    elif action.limit_state:
+        known.append(say("return period not stated"))
     if use_class_of(results):
         known.append(say("class of use {name}", name=Verbatim(use_class_of(results))))
     return listing(known, "")
+
+
+def spectrum_text(spectrum: SpectrumResult) -> Text:
+    """Return the clause of the spectrum with the parameters that an authority looks for first."""
+    rows = dict(zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True))
+    known = [(phrase.english, rows[key][1]) for key, phrase in ESSENTIAL.items() if key in rows]
+    return listing([Term(spectrum.clause), *(Phrase(words, {"value": _short(value)}) for words, value in known)], "")
+
+
+def _short(value: Quantity | Verbatim) -> Text:
+    return replace(value, figures=3) if isinstance(value, Quantity) else value
 
 
 def _with_works(results: Results, target: Text) -> Text:

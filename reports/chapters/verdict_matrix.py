@@ -9,11 +9,13 @@ from assess.codes.check import Check, Outcome
 from assess.codes.verdict import MechanismVerdict, Verdict
 from assess.results import MechanismResult, Results
 from reports import governing
-from reports.chapters.index_text import RATIO, margin_text, outcome_text, symbol
+from reports.chapters.index_text import RATIO, index_name, margin_text, outcome_text, symbol
 from reports.document import Cell, Column, Graded, Table
-from reports.language.texts import Text, Verbatim, quantity, say
+from reports.language.texts import Paragraph, Text, Verbatim, quantity, say
 from reports.titles import numbered_title, procedure_title
 
+ZETA = "zeta_E"
+DEFINITION = say("ζ_E is the PGA at capacity over the PGA required, both as a_g S at the ground (NTC 2018, 8.3).")
 LEAST = 0.001  # ratio that is written as a number
 WIDTH = 8  # columns that can be read on a page
 
@@ -39,7 +41,7 @@ def table(results: Results, found: Verdict) -> Table:
     """Tabulate mechanism by answer: the deciding one in the colour of its outcome, the others in grey."""
     has_index = found.index is not None and found.index.name != RATIO
     shown, folded = split_methods(methods(results), found, WIDTH - 3 - has_index)
-    columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Passes up to PGA"))]
+    columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Holds up to PGA"))]
     columns += [Column(symbol(found.index.name))] if has_index and found.index is not None else []
     columns += [Column(say("D/C, {method}", method=method.title)) for method in shown]
     columns += [Column(say("Largest D/C of the other methods"))] if folded else []
@@ -65,10 +67,11 @@ def caption(found: Verdict) -> Text:
         return say(
             "Demand over capacity (D/C) of each mechanism at the site’s own action, by each method, for comparison."
         )
-    return say(
-        "Each mechanism at the site’s own action: verdict, the PGA up to which it passes by the deciding method, and "
+    words = say(
+        "Each mechanism at the site’s own action: verdict, the PGA up to which it holds by the deciding method, and "
         "demand over capacity (D/C). The deciding answer is coloured; the others, in grey, are for comparison."
     )
+    return words if index_name(found) != ZETA else Paragraph((words, DEFINITION))
 
 
 def methods(results: Results) -> list[Method]:
@@ -97,7 +100,9 @@ def _rank(method: Method, found: Verdict) -> int:
     decides = any(answer.procedure == method.procedure for one in found.mechanisms for answer in one.answers)
     if decides:
         return 0
-    return 1 if method.procedure in found.methods else 2
+    if method.procedure in found.methods:
+        return 1
+    return 2 if method.procedure.startswith(f"{found.basis}-") else 3
 
 
 def cell(results: Results, mechanism: MechanismResult, one: MechanismVerdict, method: Method) -> Cell:

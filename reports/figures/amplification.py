@@ -7,11 +7,12 @@ from matplotlib.figure import Figure
 
 from assess.results import CarriedMotion
 from reports.figures.style import INK, legend_below, report_style, sheet
+from reports.figures.suite import dress
 from reports.language.locale import Locale
 from reports.language.texts import say
 
 _BASE = "#d55e00"
-_PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
+Values = tuple[float, ...]
 
 
 def draw(motion: CarriedMotion, locale: Locale) -> Figure:
@@ -24,23 +25,13 @@ def draw(motion: CarriedMotion, locale: Locale) -> Figure:
         time.set_ylabel(locale.heading(say("acceleration"), "ground acceleration"))
         time.set_xlim(motion.time_s[0], motion.time_s[-1])
         _pair(spectrum, motion.period_s, motion.ground_spectrum_g, motion.base_spectrum_g, 1.2, locale)
-        spectrum.set(xlabel=locale.heading(say("period T"), "time"), xscale="log")
+        dress(spectrum, motion.period_s[-1], locale)
         spectrum.set_ylabel(locale.heading(say("Sₐ, damping 5 %"), "ground acceleration"))
-        spectrum.set_xticks(_PERIODS, labels=[locale.number(period) for period in _PERIODS])
-        spectrum.set_xticks((), minor=True)
-        spectrum.set_xlim(motion.period_s[0], motion.period_s[-1])
-        spectrum.set_ylim(bottom=0.0)
+        spectrum.set_xlim(left=motion.period_s[0])
         legend_below(figure, columns=2)
         return figure
 
 
-def _pair(
-    axes: Axes,
-    across: tuple[float, ...],
-    ground: tuple[float, ...],
-    base: tuple[float, ...],
-    linewidth: float,
-    locale: Locale,
-) -> None:
+def _pair(axes: Axes, across: Values, ground: Values, base: Values, linewidth: float, locale: Locale) -> None:
     axes.plot(across, base, color=_BASE, linewidth=linewidth, label=locale.text(say("at the base of the mechanism")))
     axes.plot(across, ground, color=INK, linewidth=linewidth, label=locale.text(say("at the ground")))

@@ -16,18 +16,7 @@ from assess.results import MechanismResult, Results
 from reports import governing
 from reports.figures.mechanism_pens import mechanism_pens
 from reports.figures.pga_rotation import one_per_procedure
-from reports.figures.style import (
-    FAIL,
-    GRID,
-    WIDTH,
-    Pen,
-    fold,
-    label,
-    legend_below,
-    pen,
-    report_style,
-    sheet,
-)
+from reports.figures.style import FAIL, GRID, Pen, fold, label, legend_below, pen, report_style, sheet
 from reports.figures.ticks import LogTicks
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say
@@ -53,7 +42,7 @@ class Dot:
 
 def draw_capacities(results: Results, locale: Locale) -> Figure:
     """Draw the PGA at capacity [g] of every mechanism by every procedure, and the site's own PGA."""
-    order = _order(results)
+    order = [mechanism for group in group_variants(results) for mechanism in group]
     found = {mechanism.name: governing.capacities(mechanism.checks) for mechanism in order}
     procedures = _procedures(order, {name for each in found.values() for name in each})
     dots = [
@@ -62,7 +51,7 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
         for name, pga in found[mechanism.name].items()
     ]
     with report_style():
-        figure = sheet(_tall(len(order), len(procedures)), locale)
+        figure = sheet(_tall(LINE * len(order), len(procedures)), locale)
         axes = figure.subplots()
         _rows(axes, results, order, locale)
         _draw_dots(axes, dots)
@@ -88,14 +77,13 @@ def _span(axes: Axes, values: Sequence[float], locale: Locale) -> None:
 
 def draw_demands(results: Results, locale: Locale) -> Figure:
     """Draw demand / capacity [-] of every mechanism, a panel for each level; a cross where the body overturns."""
-    order = _order(results)
+    order = [mechanism for group in group_variants(results) for mechanism in group]
     levels = sorted({row.level_pga_g for row in results.comparison})
     procedures = _procedures(order, {row.procedure for row in results.comparison})
     columns = min(PANELS, len(levels)) or 1
     lines = -(-len(levels) // columns) or 1
     with report_style():
-        tall = lines * (LINE * len(order) + 0.2) + 0.45 + _legend_height(len(procedures))
-        figure = sheet(min(tall, TALLEST), locale)
+        figure = sheet(_tall(lines * (LINE * len(order) + 0.2), len(procedures)), locale)
         panels = figure.subplots(lines, columns, squeeze=False, sharey=True, sharex=True)
         for axes, level in zip(panels.flat, levels, strict=False):
             _rows(axes, results, order, locale)
@@ -115,7 +103,7 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
     """Draw rotation over PGA by one procedure, and moment over rotation, of all mechanisms; variants share a colour."""
     pens = mechanism_pens(results)
     with report_style():
-        figure = sheet(2.35 + 0.14 * -(-len(pens) // 3), locale, width=WIDTH)
+        figure = sheet(2.35 + 0.14 * -(-len(pens) // 3), locale)
         left, right = figure.subplots(1, 2)
         procedure = curve_procedure(results)
         for mechanism in results.mechanisms:
@@ -125,8 +113,7 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
         own = governing.site_pga(results)
         if own is not None:
             left.axvline(own, color=FAIL, linewidth=0.9, linestyle=":")
-        left.set(ylim=(0.0, 1.05))
-        left.set_xlim(left=0.0)
+        left.set(xlim=(0.0, None), ylim=(0.0, 1.05))
         left.set_title(label(locale.text(short_title(procedure)), 60), loc="left")
         left.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
         left.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
@@ -162,11 +149,6 @@ def _moment(axes: Axes, results: Results, mechanism: MechanismResult, ink: Pen) 
     axes.plot(rotation, moment, linestyle=ink.dash, color=ink.colour, linewidth=ink.width)
 
 
-def _order(results: Results) -> list[MechanismResult]:
-    """Return the mechanisms with those that differ by their joints alone one after the other."""
-    return [mechanism for group in group_variants(results) for mechanism in group]
-
-
 def _procedures(order: Sequence[MechanismResult], wanted: set[str]) -> list[str]:
     """Return the procedures in the order in which the mechanisms have them."""
     every = dict.fromkeys(check.procedure for mechanism in order for check in mechanism.checks)
@@ -178,12 +160,9 @@ def _height(row: int, place: int, count: int) -> float:
     return row - 0.3 + 0.6 * place / max(count - 1, 1)
 
 
-def _tall(rows: int, procedures: int) -> float:
-    return min(LINE * rows + 0.45 + _legend_height(procedures), TALLEST)
-
-
-def _legend_height(procedures: int) -> float:
-    return 0.14 * (-(-procedures // 4) + 1)
+def _tall(rows: float, procedures: int) -> float:
+    """Return the height [in] of a figure with so many rows and a legend of procedures."""
+    return min(rows + 0.45 + 0.14 * (-(-procedures // 4) + 1), TALLEST)
 
 
 def _rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale: Locale) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from assess.results import SpectrumResult
+from reports.figures.spectrum import frame_spectra
 from reports.figures.style import INK, MUTED, label, report_style, sheet
 from reports.language.locale import Locale
 from reports.language.spectrum_parameters import corners
@@ -32,8 +33,5 @@ def draw(spectrum: SpectrumResult, locale: Locale) -> Figure:
         damping = quantity(100.0 * spectrum.damping, "percent", 3)
         title = say("{clause}, damping {damping}", clause=Verbatim(spectrum.clause), damping=damping)
         axes.set_title(label(locale.text(title), 90))
-        axes.set_xlabel(locale.heading(say("period T"), "time"))
-        axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
-        axes.set_xlim(0.0, end)
-        axes.set_ylim(bottom=0.0)
+        frame_spectra(axes, (0.0, end), locale)
         return figure

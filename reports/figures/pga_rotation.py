@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from assess.codes.check import Check
+from assess.codes.check import Check, Outcome
 from assess.results import HistoryResult, MechanismResult
 from reports.figures.style import FAIL, HALF, INK, MUTED, label, legend_below, pen, report_style, sheet
 from reports.language.locale import Locale
@@ -38,10 +38,10 @@ def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
 
 
 def one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """Return the first check of each procedure and limit state that has a PGA-rotation curve."""
+    """Return the first check of each procedure and limit state that applies and has a PGA-rotation curve."""
     first: dict[tuple[str, str], Check] = {}
     for check in checks:
-        if check.pga_curve.pga_g:
+        if check.pga_curve.pga_g and check.verdict != Outcome.NOT_APPLICABLE:
             first.setdefault((check.procedure, check.limit_state), check)
     return tuple(first.values())
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from reports.figures.spectrum import COLOURS, NAMED, count_records
-from reports.figures.style import MUTED, legend_below, record_label, report_style, sheet
+from reports.figures.spectrum import draw_records
+from reports.figures.style import legend_below, report_style, sheet
 from reports.figures.suite import dress
 from reports.language.locale import Locale
 
@@ -27,16 +26,7 @@ def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[n
     with report_style():
         figure = sheet(3.0, locale)
         axes = figure.subplots()
-        _lines(axes, names, period, ordinates, locale)
+        draw_records(axes, [(name, period, each) for name, each in zip(names, ordinates, strict=True)], locale)
         dress(axes, float(period[-1]), locale)
         legend_below(figure, columns=3)
         return figure
-
-
-def _lines(
-    axes: Axes, names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64], locale: Locale
-) -> None:
-    named = len(names) <= NAMED
-    for place, (name, of) in enumerate(zip(names, ordinates, strict=True)):
-        name_shown = record_label(name, 24) if named else (locale.text(count_records(names)) if place == 0 else "_")
-        axes.plot(period, of, color=COLOURS[place] if named else MUTED, linewidth=0.8, alpha=0.8, label=name_shown)

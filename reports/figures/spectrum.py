@@ -7,11 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 from assess.results import RecordResult, SpectrumResult
 from reports.figures.style import FAIL, HALF, INK, MUTED, legend_below, record_label, report_style, sheet
 from reports.language.locale import Locale
-from reports.language.texts import Phrase, say, say_count
+from reports.language.texts import say
 
 LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
 NAMED = 7  # more records than this are drawn alike, without names
@@ -23,29 +24,34 @@ def draw(target: SpectrumResult, records: tuple[RecordResult, ...], locale: Loca
     with report_style():
         figure = sheet(2.6, locale, width=HALF)
         axes = figure.subplots()
-        _records(axes, records, locale)
+        spectra = [(record.id, record.spectrum) for record in records]
+        curves = [(name, each.period_s, each.acceleration_g) for name, each in spectra]
+        draw_records(axes, curves, locale, named=any(record.path for record in records))
+        _mean(axes, records, locale)
         axes.plot(target.period_s, target.acceleration_g, color=INK, linewidth=1.8, label=locale.text(say("target")))
-        axes.set_xlabel(locale.heading(say("period T"), "time"))
-        axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
-        axes.set_xlim(0.0, min(max(target.period_s, default=1.0), LONGEST))
-        axes.set_ylim(bottom=0.0)
+        frame_spectra(axes, (0.0, min(max(target.period_s, default=1.0), LONGEST)), locale)
         legend_below(figure, columns=2)
         return figure
 
 
-def _records(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> None:
-    named = len(records) <= NAMED
-    for place, record in enumerate(records):
+def draw_records(
+    axes: Axes, records: Sequence[tuple[str, ArrayLike, ArrayLike]], locale: Locale, *, named: bool = True
+) -> None:
+    """Draw the spectra of records, each by its name, periods [s] and ordinates [g].
+
+    named : whether each has a colour and its name; many are drawn alike in any case
+    """
+    named = named and len(records) <= NAMED
+    for place, (record, period, ordinates) in enumerate(records):
+        name = record_label(record, 24) if named else (locale.text(say("records")) if place == 0 else "_")
         colour = COLOURS[place] if named else MUTED
-        name = record_label(record.id, 24) if named else (locale.text(count_records(records)) if place == 0 else "_")
-        spectrum = record.spectrum
-        axes.plot(spectrum.period_s, spectrum.acceleration_g, color=colour, linewidth=0.7, alpha=0.8, label=name)
-    _mean(axes, records, locale)
+        axes.plot(period, ordinates, color=colour, linewidth=0.8, alpha=0.8, label=name)
 
 
-def count_records(records: Sequence[object]) -> Phrase:
-    """Return how many records there are."""
-    return say_count("{number} record", "{number} records", len(records))
+def frame_spectra(axes: Axes, periods: tuple[float, float], locale: Locale) -> None:
+    """Name the axes of response spectra over a range of periods [s]."""
+    axes.set(xlabel=locale.heading(say("period T"), "time"), xlim=periods, ylim=(0.0, None))
+    axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
 
 
 def _mean(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> None:

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
+from reports.figures.spectrum import frame_spectra
 from reports.figures.style import FAIL, GRID, HALF, INK, MUTED, legend_below, report_style, sheet
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
@@ -81,10 +82,8 @@ def limits(results: Results) -> tuple[RequirementResult, ...]:
 
 def dress(axes: Axes, longest: float, locale: Locale) -> None:
     """Label the axes of response spectra over a logarithmic axis of periods [s]."""
-    axes.set(xscale="log", xlabel=locale.heading(say("period T"), "time"))
-    axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
-    axes.set_xlim(SHORTEST, longest)
-    axes.set_ylim(bottom=0.0)
+    axes.set_xscale("log")
+    frame_spectra(axes, (SHORTEST, longest), locale)
     shown = [period for period in PERIODS if period <= longest]
     axes.set_xticks(shown, [locale.number(period) for period in shown])
     axes.set_xticks((), minor=True)

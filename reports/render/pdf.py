@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
+from itertools import chain, pairwise
 from pathlib import Path
 
 from reportlab import rl_config
@@ -19,6 +19,7 @@ from reports.document import (
     Figure,
     Photograph,
     Row,
+    Section,
     Sheet,
     Signatures,
     Table,
@@ -73,6 +74,12 @@ class Story:
         for place in range(first, end):
             section = self.document.sections[place]
             held.append(self.headings[place])
+            if _is_signed(section):  # with the next one, so that nobody signs a page with nothing else on it
+                held += chain.from_iterable(map(self.blocks.of, section.blocks))
+                if place + 1 == end or not _is_signed(self.document.sections[place + 1]):
+                    yield Part(held, is_whole=True)
+                    held = []
+                continue
             for block in section.blocks:
                 yield Part(
                     [*held, *self.blocks.of(block)], _is_whole(block), bool(held) or isinstance(block, Table | Sheet)
@@ -103,6 +110,11 @@ class Story:
             yield from titles
         facts = [(label, Verbatim(truncate(text(said), _LONGEST_FACT))) for label, said in self.document.facts]
         yield from self.blocks.of(Facts(tuple(facts)))
+
+
+def _is_signed(section: Section) -> bool:
+    """Return whether somebody writes or signs in the section."""
+    return any(isinstance(block, Writing | Signatures) for block in section.blocks)
 
 
 def _is_whole(block: Block) -> bool:

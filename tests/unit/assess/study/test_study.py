@@ -338,7 +338,7 @@ def test_clauses_above_ground_apply_to_a_cut_wall(tmp_path):
 
 def test_a_cut_that_slopes_across_the_motion_is_pointed_out(tmp_path):
     notices = study_of(tmp_path, mechanism="cut = { point = [0, 0, 1.5], normal = [0, 0.1, 1] }").messages
-    (text,) = [notice.text for notice in notices if notice.key == "mechanism"]
+    (text,) = [notice.text for notice in notices if notice.key == "cut-slopes"]
     assert "slopes across the direction of motion and its extreme line rises by 0.4 m" in text
 
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assess.results import Resolved, Results
-from reports.chapters import assumptions
+from reports.chapters import assumptions, site
+from reports.language.spectrum_parameters import NAMES
+from reports.language.texts import Reference, say
 from tests.support.letters import letters, lines, rows
 
 
@@ -47,7 +49,7 @@ def test_a_key_does_not_cover_another_that_begins_alike(results: Results) -> Non
     )
     found = assumptions.source_of(made, "materials.stone2.friction", made.project["materials.stone2.friction"])
     assert found.kind == assumptions.UNSTATED
-    assert ["stone2: friction", "not stated", "–", "–"] in rows(assumptions.sources(made))
+    assert "The project states no source for: stone2: friction." in lines(assumptions.sections(made))
 
 
 def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> None:
@@ -91,3 +93,37 @@ def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
 
 def test_a_project_that_assumes_nothing_says_so(results: Results) -> None:
     assert any("No value is marked as assumed" in line for line in lines(assumptions.sections(with_project(results))))
+
+
+HAZARD = [{"return_period": years, "a_g": 1.0, "f_0": 2.4, "t_c_star": 0.3} for years in (30.0, 475.0, 2475.0)]
+
+
+def test_a_list_of_tables_is_one_row(results: Results) -> None:
+    source = given("assumed: like the next town")
+    made = with_project(results, site__spectrum__hazard=given(HAZARD), report__sources__site__spectrum__hazard=source)
+    ((name, where, stated, _),) = assumptions.assumed_values(made).rows
+    assert [name, where] == [NAMES["hazard"][0], say("see {table}", table=Reference("Table", "hazard"))]
+    assert letters(stated) == "assumed: like the next town"
+    assert site.hazard(made).rows
+
+
+def test_loads_that_no_table_shows_are_counted(results: Results) -> None:
+    bare = replace(results, mechanisms=tuple(replace(each, loads=()) for each in results.mechanisms))
+    key = f"mechanisms.{results.mechanisms[0].name}.loads"
+    project = {key: given([{"kind": "mass"}]), f"report.sources.{key}": given("assumed: as usual")}
+    assert rows(assumptions.assumed_values(replace(bare, project=project))) == [
+        ["Loads", "1 set of values", "assumed: as usual", "M1"]
+    ]
+
+
+def test_a_list_of_tables_that_no_table_shows_is_counted(results: Results) -> None:
+    made = with_project(
+        results, site__layers=given([{"depth": 1.0}] * 2), report__sources__site=given("assumed: as there")
+    )
+    assert rows(assumptions.assumed_values(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
+
+
+def test_a_parameter_of_the_spectrum_has_its_name(results: Results) -> None:
+    source = given("assumed: by the map")
+    made = with_project(results, site__spectrum__soil=given("B"), report__sources__site__spectrum__soil=source)
+    assert rows(assumptions.assumed_values(made)) == [["subsoil category", "B", "assumed: by the map", "–"]]

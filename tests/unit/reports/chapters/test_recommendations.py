@@ -88,8 +88,10 @@ def test_scatter_is_no_reason_to_survey(results: Results) -> None:
     assert "thickness" not in said(replace(results, sensitivity=(flat,)))
 
 
-def test_without_a_study_the_line_that_adds_it_is_given(results: Results) -> None:
-    assert "sensitivity = true" in said(results)
+def test_without_a_study_what_to_survey_is_not_known(results: Results) -> None:
+    told = said(results)
+    assert "no sensitivity was studied" in told
+    assert "[analysis]" not in told
 
 
 def test_what_lies_at_the_limit_is_surveyed(results: Results) -> None:

@@ -65,7 +65,7 @@ def test_the_basis_names_titles_action_target_and_index(results: Results) -> Non
     said = lines(verdict.sections(replace(known, project=project)))
     assert "Code: ASCE/SEI 43-05" in said
     assert "Limit state: DBE, design basis earthquake" in said
-    assert "Site’s own action: PGA 0.067 g, stated for DBE, class of use III" in said
+    assert "Site’s own action: PGA 0.067 g, stated for DBE, return period not stated, class of use III" in said
     assert "Methods that may decide: ASCE 43-05, response history and ASCE 43-05, approximate method" in said
     assert "Target: ζ_E of at least 1" in said
     assert "Index of the building: at most ζ_E = 0.831; local mechanisms only" in said

@@ -54,7 +54,7 @@ def english_entries() -> Iterator[Entry]:
 
 
 def is_symbolic(term: str) -> bool:
-    """Return whether a fixed term has no word of a language: a clause number, a formula, a unit, the name of a standard."""
+    """Return whether a fixed term has no word of a language: a clause number, a formula, a unit, a standard."""
     return not set(WORD.findall(term)) - UNCHANGED
 
 

@@ -26,8 +26,8 @@ from spectra.arrays import ComplexArray, FloatArray
 AT_REST = "equilibrium of each block at rest"
 AT_ROTATION = "equilibrium of each block at that rotation"
 OF_BLOCKS = "the rotations of the blocks that it joins"
-MULTIPLIER = "rotation of the mechanism at which its multiplier is largest"
-OVERTURNING = "rotation of the mechanism at which its restoring moment falls to zero"
+MULTIPLIER = "mechanism at its largest multiplier"
+OVERTURNING = "mechanism as it overturns"
 SAID = {"m": MULTIPLIER, "u": OVERTURNING}
 Parts = dict[str, tuple[float, str]]
 """Vertical forces by symbol, down positive [N]."""
@@ -138,7 +138,7 @@ def _force_steps(
     total = sum(value for value, _ in parts.values())
     level = abs(normal.real) <= LEVEL
     name = "N" if level else "V"
-    words = "vertical force on the joint at rest: weights and loads that it carries"
+    words = "weights and loads that the joint carries"
     lines.append(step(name, words, BALANCE, " + ".join(parts), total, "N", given=parts))
     if level and isclose(total, N, rel_tol=SAME):
         return tuple(lines)

@@ -54,7 +54,7 @@ def middle_hinge_steps(
     }  # fmt: skip
     moments = "(M_3 (z_B − z_C) − M_2 (z_C − z_D))" if above else "(M_2 (z_C − z_D) − M_3 (z_B − z_C))"
     formula = f"{moments} / ((x_B − x_C) (z_C − z_D) − (z_B − z_C) (x_C − x_D))"
-    words = "vertical force of the hinge C, down, by the moments of both blocks that it joins"
+    words = "vertical force of C, by both moments"
     return (second, third, step("V_C", words, BALANCE, formula, down, "N", given=given)), down
 
 
@@ -76,7 +76,7 @@ def _moment_step(
             given |= {name: (value, "N"), here: (there, "m"), pole: (origin, "m")}
             terms.append(f"{name} ({here} − {pole})")
             total += value * (there - origin)
-    words = "clockwise moment of weight (V_1) and loads of a block about the resultant of its joint"
+    words = "clockwise moment of weight and loads"
     return step(symbol, words, BALANCE, " + ".join(terms), total, "N m", given=given), total
 
 

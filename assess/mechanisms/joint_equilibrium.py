@@ -97,7 +97,14 @@ def contacts_of(jointed: JointedChain, configuration: Configuration, normal: Flo
 
 
 def each_contact(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:
-    """Return one array of every contact, by its name [hinges, n]; zeros for a rigid joint."""
+    """Return one array of every contact; zeros for a rigid joint [hinges, n].
+
+    Parameters
+    ----------
+    contacts : of each joint, None for a rigid one
+    name : of the array, an attribute of `Contact`
+    shape : number of hinges and of rotations
+    """
     return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
 
 

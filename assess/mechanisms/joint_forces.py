@@ -102,7 +102,14 @@ def holding_moment(
 
 
 def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> ComplexArray:
-    """Return the force of a load whose point is now `here` [n] [N]."""
+    """Return the force of a load, right and up [n] [N].
+
+    Parameters
+    ----------
+    jointed : the chain, whose slack ties do not pull
+    load : a mass, a force or a tie
+    here : where its point is now, x + iz [n] [m]
+    """
     if isinstance(load, PointMass):
         return np.full_like(here, -1j * g * load.mass * load.bearing)
     if isinstance(load, Force):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import count
 from typing import Literal
 
 from assess.results import Results
@@ -88,15 +89,9 @@ def _annexes(results: Results) -> Iterator[Section]:
 
 def _numbered(sections: list[Section]) -> tuple[Section, ...]:
     """Return the sections with the number of each chapter that has no mark of its own, as annexes and mechanisms do."""
-    number = 0
-    made = []
-    for section in sections:
-        if section.level == 0 and not section.mark:
-            number += 1
-            made.append(replace(section, mark=str(number)))
-        else:
-            made.append(section)
-    return tuple(made)
+    numbers = map(str, count(1))
+    bare = (section.level == 0 and not section.mark for section in sections)
+    return tuple(replace(each, mark=next(numbers)) if own else each for each, own in zip(sections, bare, strict=True))
 
 
 def envelope_report(results: Results) -> Document:

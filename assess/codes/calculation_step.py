@@ -19,7 +19,7 @@ INPUT_FIGURES, RESULT_FIGURES = 7, 4
 """Significant figures at which formula and inputs as printed give the result as printed."""
 UNANSWERED = "not answered: the reason of the check says why"
 _PART = r"(?:[^\W²³]|[*'′₀-₉])"  # what a symbol may be made of, so that none is found inside another
-_BETWEEN = re.compile(r"(?<=[\d²³)π]) (?=[\d√(])")  # a product written side by side, once numbers stand there
+_BETWEEN = re.compile(r"(?<=[\d¹²³⁰⁴-⁹)π]) (?=[\d√(])")  # a product written side by side, once numbers stand there
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ PLASTIC = 1.0  # rad: any rotation, for a rigid joint with a strength
 WITHIN = 1e-9  # of the depth: a contact that is not open by more is full
 THIN = 0.05  # of the elastic depth: a difference that leaves less is not worked with the digits printed
 DEPTH = "depth of the contact"
-PLACE = "distance of the resultant from the compressed edge"
+PLACE = "resultant from the compressed edge"
 NEAR, FAR = "stress at the compressed edge", "stress at the far edge"
 
 START: Named = ("p", 0.0)

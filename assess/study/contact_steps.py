@@ -17,8 +17,8 @@ from assess.study.stress_steps import State, Zone, resultant_steps
 
 PROJECT = "project"
 SHIFT = "thesis 6.3.1.2"
-SHIFT_SAID = "distance of the fixed hinge from the edge: where the resultant is as the edge begins to crush"
-OPENS, CRUSHES = "rotation at which the far edge opens", "rotation at which the compressed edge begins to crush"
+SHIFT_SAID = "fixed hinge: resultant as crushing begins"
+OPENS, CRUSHES = "rotation at which the far edge opens", "rotation at which crushing begins"
 WITHIN = 1e-9  # of the strength: an edge that opens at it does so before it crushes
 
 

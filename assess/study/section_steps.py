@@ -10,8 +10,8 @@ BALANCE, GEOMETRY = "equilibrium", "geometry of the contact"
 MOST_STRIPS = 6
 """Strips that are worked one by one; of outlines with more, and of discs, integrals are given over a whole zone."""
 BY_BALANCE = "found by equilibrium: the resultant of the stresses is N"
-CRUSHED, ELASTIC = "depth that is crushed, at the strength", "depth behind the crushed one, elastic"
-CENTROID = "distance of the centroid of the contact from the compressed edge"
+CRUSHED, ELASTIC = "depth crushed, at the strength", "depth of the elastic zone"
+CENTROID = "centroid from the compressed edge"
 AREA = "area of the contact"
 
 
@@ -43,7 +43,7 @@ def section_steps(section: Section) -> tuple[Step, ...]:
     sizes: Given = {"b": (section.depth, "m"), "l": (width, "m")}
     return (
         depth,
-        step("l", "width of the contact, along the axis of rotation", GEOMETRY, "given", width, "m"),
+        step("l", "width of the contact, across the motion", GEOMETRY, "given", width, "m"),
         step("A", AREA, GEOMETRY, "b l", section.area, "m2", given=sizes),
     )
 
@@ -84,9 +84,9 @@ def _piece_steps(section: Section) -> tuple[Step, ...]:
         area, place = L * (w + v) / 2.0, p + L * (w + 2.0 * v) / (3.0 * (w + v))
         sizes: Given = {"L": (L, "m"), "w": (w, "m"), "v": (v, "m")}
         lines += [
-            step(f"A_{number}", "area of a strip, L deep, its width from w to v", GEOMETRY, "L (w + v) / 2", area, "m2",
+            step(f"A_{number}", "area of a strip of width w to v", GEOMETRY, "L (w + v) / 2", area, "m2",
                  given=sizes),
-            step(f"x_{number}", "distance of its centroid from the compressed edge", GEOMETRY,
+            step(f"x_{number}", "its centroid from the compressed edge", GEOMETRY,
                  "p + L (w + 2 v) / (3 (w + v))", place, "m", given={"p": (p, "m"), **sizes}),
         ]  # fmt: skip
         areas[f"A_{number}"], moments[f"x_{number}"] = (area, "m2"), (place, "m")

@@ -12,8 +12,8 @@ from assess.interfaces.section import Section
 from assess.interfaces.stress_integrals import stress_integrals
 from assess.study.section_steps import BALANCE, MOST_STRIPS, rectangle_width
 
-STRIP_FORCE = "integral of the stress σ over a strip of the width w: its force"
-STRIP_PLACE = "integral of σ w x over that force: its distance from the compressed edge"
+STRIP_FORCE = "force of a strip, ∫ σ w dx"
+STRIP_PLACE = "its place, ∫ σ w x dx over that force"
 NONE = 1e-12
 """Fraction of the largest stress: less is none, but for rounding."""
 
@@ -88,7 +88,7 @@ def _balance_step(name: str, total: float, normal_force: Named) -> Step:
     symbol, force = normal_force
     given: Given = {name: (total, "N"), symbol: (force, "N")}
     formula = f"{name} / {symbol}"
-    return step(formula, "check of equilibrium: resultant over normal force", BALANCE, formula, total / force,
+    return step(formula, "check of equilibrium: R over N", BALANCE, formula, total / force,
                 given=given)  # fmt: skip
 
 

@@ -12,6 +12,7 @@ from reports.language.locale import Locale
 from reports.language.texts import say
 
 _BASE = "#d55e00"
+_PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
 Values = tuple[float, ...]
 
 
@@ -27,7 +28,8 @@ def draw(motion: CarriedMotion, locale: Locale) -> Figure:
         _pair(spectrum, motion.period_s, motion.ground_spectrum_g, motion.base_spectrum_g, 1.2, locale)
         dress(spectrum, motion.period_s[-1], locale)
         spectrum.set_ylabel(locale.heading(say("Sₐ, damping 5 %"), "ground acceleration"))
-        spectrum.set_xlim(left=motion.period_s[0])
+        spectrum.set_xticks(_PERIODS, labels=[locale.number(period) for period in _PERIODS])
+        spectrum.set_xlim(motion.period_s[0], motion.period_s[-1])
         legend_below(figure, columns=2)
         return figure
 

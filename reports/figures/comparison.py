@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results
@@ -17,7 +16,7 @@ from reports import governing
 from reports.figures.mechanism_pens import mechanism_pens
 from reports.figures.pga_rotation import one_per_procedure
 from reports.figures.style import FAIL, GRID, Pen, fold, label, legend_below, pen, report_style, sheet
-from reports.figures.ticks import LogTicks
+from reports.figures.ticks import number_by_decades
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say
 from reports.titles import mechanism_number, numbered_title, short_title
@@ -70,9 +69,7 @@ def _span(axes: Axes, values: Sequence[float], locale: Locale) -> None:
         axes.set_xlim(0.0, 1.05 * max(values))
         return
     axes.set(xscale="log", xlim=(0.8 * min(values), 1.25 * max(values)))
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.xaxis.set_minor_locator(NullLocator())
-    axes.xaxis.set_major_formatter(LogTicks(locale))
+    number_by_decades(axes.xaxis, locale)
 
 
 def draw_demands(results: Results, locale: Locale) -> Figure:

@@ -30,9 +30,8 @@ _PANELS = (
 
 def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw the distance of the resultant and the peak stress of each joint over the rotation."""
-    end = max(
-        side.overturning_rad for side in (mechanism.oscillator, mechanism.oscillator_negative) if side is not None
-    )
+    sides = (mechanism.oscillator, mechanism.oscillator_negative)
+    end = max(side.overturning_rad for side in sides if side is not None)
     with report_style():
         figure = sheet(2.2, locale)
         for axes, (key, dimension, name) in zip(figure.subplots(1, 2), _PANELS, strict=True):
@@ -86,11 +85,5 @@ def _strength(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
     for strength in sorted({found["strength_pa"] for found in joints.deformable_joints(mechanism)} - {None}):
         at = float(scale.of(strength))
         axes.axhline(at, color=MUTED, linewidth=0.8, linestyle=":")
-        axes.annotate(
-            locale.text(say("strength")),
-            (1.0, at),
-            xycoords=axes.get_yaxis_transform(),
-            ha="right",
-            va="bottom",
-            color=MUTED,
-        )
+        name, side = locale.text(say("strength")), axes.get_yaxis_transform()
+        axes.annotate(name, (1.0, at), xycoords=side, ha="right", va="bottom", color=MUTED)

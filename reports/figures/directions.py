@@ -24,15 +24,7 @@ def draw(found: DirectionSweep, locale: Locale) -> Figure:
         axes.plot(angle, multiplier, color="#0072b2", label=locale.heading(say("load multiplier λ"), "ratio"))
         weakest = np.radians(found.weakest_deg)
         axes.plot([weakest, weakest], [0.0, least], color=FAIL, linewidth=1.0)
-        axes.plot(
-            [weakest],
-            [least],
-            marker="o",
-            markersize=4.5,
-            color=FAIL,
-            linestyle="none",
-            label=locale.text(say("weakest direction")),
-        )
+        axes.plot([weakest], [least], "o", markersize=4.5, color=FAIL, label=locale.text(say("weakest direction")))
         axes.set_ylim(0.0, 1.08 * max(found.uplift_multiplier))
         axes.set_rlabel_position((found.weakest_deg + 112.5) % 360.0)
         axes.set_xticks(np.radians([0, 45, 90, 135, 180, 225, 270, 315]))

@@ -9,13 +9,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.results import EnvelopeResult, RecordResult, Results
 from assess.results.envelopes import CriticalBand
 from reports.figures.mechanism_pens import mechanism_pens
 from reports.figures.style import FAIL, INK, MUTED, Pen, label, legend_below, report_style, sheet
-from reports.figures.ticks import LogTicks
+from reports.figures.ticks import number_by_decades
 from reports.language.locale import Locale
 from reports.language.texts import say
 from reports.titles import mechanism_number, numbered_title
@@ -35,23 +34,11 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -
         axes = figure.subplots()
         top = float(amplitude[-1])
         axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
-        axes.add_collection(
-            PolyCollection(
-                cast("Any", _fallen(one, frequency, amplitude)), facecolor=FALLS, edgecolor=FALLS, linewidth=0.2
-            ),
-            autolim=False,
-        )
-        axes.plot(
-            frequency,
-            one.uplift_g,
-            color=MUTED,
-            linewidth=0.9,
-            linestyle="--",
-            label=locale.text(say("rocking starts")),
-        )
-        axes.plot(
-            frequency, _numbers(one.lower_bound_g), color=FAIL, label=locale.text(say("least pulse that overturns"))
-        )
+        fallen = cast("Any", _fallen(one, frequency, amplitude))
+        axes.add_collection(PolyCollection(fallen, facecolor=FALLS, edgecolor=FALLS, linewidth=0.2), autolim=False)
+        axes.plot(frequency, one.uplift_g, "--", color=MUTED, linewidth=0.9, label=locale.text(say("rocking starts")))
+        least = locale.text(say("least pulse that overturns"))
+        axes.plot(frequency, _numbers(one.lower_bound_g), color=FAIL, label=least)
         _dots(axes, records, frequency, amplitude, locale)
         _frame(axes, frequency, _reach([one]), top, locale)
         axes.set_xlabel(locale.heading(PULSE, "frequency"))
@@ -135,9 +122,8 @@ def _band(axes: Axes, part: CriticalBand, ink: Pen, number: str, span: tuple[flo
 
 def _reach(mapped: Sequence[EnvelopeResult]) -> float:
     """Return the highest frequency to show: a little beyond the last bound, or the end of the range."""
-    known = [
-        f for one in mapped for f, bound in zip(one.frequency_hz, one.lower_bound_g, strict=True) if bound is not None
-    ]
+    bounds = (pair for one in mapped for pair in zip(one.frequency_hz, one.lower_bound_g, strict=True))
+    known = [frequency for frequency, bound in bounds if bound is not None]
     whole = mapped[0].frequency_hz
     return min(BEYOND * max(known), whole[-1]) if known and max(known) > whole[0] else whole[-1]
 
@@ -147,10 +133,8 @@ def _frame(axes: Axes, frequency: FloatArray, reach: float, top: float, locale: 
     axes.set_ylim(0.0, top)
     if frequency[-1] / frequency[0] > 2.0 and np.ptp(np.diff(frequency)) > 1e-6 * frequency[-1]:
         axes.set_xscale("log")
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.xaxis.set_major_formatter(LogTicks(locale))
-        axes.xaxis.set_minor_locator(NullLocator())
+        number_by_decades(axes.xaxis, locale)
 
 
 def _numbers(values: Sequence[float | None]) -> FloatArray:
-    return np.array([np.nan if value is None else value for value in values])
+    return np.array(values, dtype=np.float64)

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from assess.results import HistoryResult, MechanismResult, Trace
 from reports.figures.style import FAIL, INK, MUTED, legend_above, report_style, sheet
 from reports.language.locale import Locale
-from reports.language.texts import Phrase, quantity, say
+from reports.language.texts import quantity, say
 
 ALLOWABLE = "#e69f00"
 _LIMIT = 1.3  # of the rotation axis [-]
@@ -39,12 +39,9 @@ def _motion(axes: Axes, trace: Trace, locale: Locale) -> None:
     if trace.base_acceleration_g is None:
         axes.plot(trace.time_s, trace.ground_acceleration_g, color=MUTED, linewidth=0.6)
         return
-    axes.plot(
-        trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label=locale.text(say("at its base"))
-    )
-    axes.plot(
-        trace.time_s, trace.ground_acceleration_g, color=INK, linewidth=0.5, label=locale.text(say("at the ground"))
-    )
+    base, ground = locale.text(say("at its base")), locale.text(say("at the ground"))
+    axes.plot(trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label=base)
+    axes.plot(trace.time_s, trace.ground_acceleration_g, color=INK, linewidth=0.5, label=ground)
     legend_above(axes, columns=2)
 
 
@@ -68,34 +65,19 @@ def _rotation(axes: Axes, mechanism: MechanismResult, trace: Trace) -> None:
 def _limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sided: bool) -> None:
     sides = (1, -1) if two_sided else (1,)
     lines = [(1.0, FAIL, "-", say("overturning, φₒᵥ"))]
-    lines += [] if allowable is None else [(allowable, ALLOWABLE, "--", _allowable(allowable))]
+    if allowable is not None:
+        name = say("allowable, {ratio} φₒᵥ", ratio=quantity(allowable, "ratio", 3))
+        lines.append((allowable, ALLOWABLE, "--", name))
     for height, colour, dash, name in lines:
-        inside = height <= max(np.abs(axes.get_ylim()))
-        for side in sides:
-            axes.plot(
-                [], [], dash, color=colour, linewidth=1.0, label=locale.text(name) if side > 0 and inside else "_"
-            )
-            if inside:
-                axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0)
-
-
-def _allowable(ratio: float) -> Phrase:
-    return say("allowable, {ratio} φₒᵥ", ratio=quantity(ratio, "ratio", 3))
+        for side in sides if height <= max(np.abs(axes.get_ylim())) else ():
+            named = locale.text(name) if side > 0 else "_"
+            axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0, label=named)
 
 
 def _peak(axes: Axes, history: HistoryResult, locale: Locale) -> None:
     if history.overturning_time_s is not None:
-        axes.axvline(
-            history.overturning_time_s, color=FAIL, linewidth=0.8, linestyle=":", label=locale.text(say("overturns"))
-        )
+        name = locale.text(say("overturns"))
+        axes.axvline(history.overturning_time_s, color=FAIL, linewidth=0.8, linestyle=":", label=name)
     elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
         signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
-        axes.plot(
-            history.time_of_max_s,
-            signed,
-            marker="o",
-            color=INK,
-            markersize=4,
-            linestyle="none",
-            label=locale.text(say("largest")),
-        )
+        axes.plot(history.time_of_max_s, signed, "o", color=INK, markersize=4, label=locale.text(say("largest")))

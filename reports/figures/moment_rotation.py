@@ -30,13 +30,8 @@ def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
                 (simpler.rigid, MUTED, "-", say("rigid joints")),
                 (simpler.fixed_hinges, FIXED, "--", say("hinges fixed at a_SF")),
             ):
-                axes.plot(
-                    one.rotation_rad,
-                    np.asarray(one.restoring_n_m) / largest,
-                    dash,
-                    color=colour,
-                    label=locale.text(name),
-                )
+                simple = np.asarray(one.restoring_n_m) / largest
+                axes.plot(one.rotation_rad, simple, dash, color=colour, label=locale.text(name))
         axes.plot(rotation, moment, color=OWN, label=locale.text(say("its joints")))
         axes.axhline(0.0, color=MUTED, linewidth=0.7)
         _marks(axes, mechanism, rotation, moment, locale)

@@ -31,8 +31,7 @@ def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
         _histories(axes, mechanism.histories, locale)
         axes.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
         axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
-        axes.set_ylim(0.0, 1.12)
-        axes.set_xlim(0.0, longest(mechanism, levels))
+        axes.set(xlim=(0.0, longest(mechanism, levels)), ylim=(0.0, 1.12))
         legend_below(figure, columns=2)
         return figure
 

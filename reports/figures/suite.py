@@ -105,9 +105,8 @@ def _limit(axes: Axes, motion: GroundMotionResult, rule: RequirementResult, loca
     if rule.sense == "<=":
         words = say("most, {share} ({code})", share=share, code=code)
     dash = ":" if rule.sense == ">=" else "-."
-    axes.plot(
-        period[inside], rule.limit * target[inside], dash, color="#0072b2", linewidth=1.0, label=locale.text(words)
-    )
+    limit = rule.limit * target[inside]
+    axes.plot(period[inside], limit, dash, color="#0072b2", linewidth=1.0, label=locale.text(words))
 
 
 def _line(

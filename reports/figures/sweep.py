@@ -21,9 +21,8 @@ def draw(sweep: SweepResult, locale: Locale) -> Figure:
     shown = panels(sweep)
     with report_style():
         figure = sheet(2.0, locale)
-        for axes, (values, name, dimension) in zip(
-            figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True
-        ):
+        beside = figure.subplots(1, len(shown), squeeze=False)[0]
+        for axes, (values, name, dimension) in zip(beside, shown, strict=True):
             _curve(axes, sweep, values)
             axes.set_ylabel(locale.heading(name, dimension))
             axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
@@ -57,9 +56,8 @@ def _curve(axes: Axes, sweep: SweepResult, values: Values) -> None:
     """Draw the known values in the order of the swept number, with the controlling case marked."""
     known = sorted((x, y) for x, y in zip(sweep.value, values, strict=True) if y is not None)
     axes.plot([x for x, _ in known], [y for _, y in known], marker="o", markersize=3, color="#0072b2", linewidth=1.0)
-    axes.set_ylim(
-        0.0, 1.15 * max((y for _, y in known), default=1.0) or 1.0
-    )  # from 0: noise must not look like a trend
+    highest = max((y for _, y in known), default=1.0)
+    axes.set_ylim(0.0, 1.15 * highest or 1.0)  # from 0: noise must not look like a trend
     x, y = sweep.value[sweep.controlling], values[sweep.controlling]
     if y is not None:
         axes.plot([x], [y], "o", markersize=8, markerfacecolor="none", markeredgecolor=FAIL)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from matplotlib.axis import Axis
-from matplotlib.ticker import Formatter, LogFormatter, ScalarFormatter
+from matplotlib.ticker import Formatter, LogFormatter, LogLocator, NullLocator, ScalarFormatter
 
 from reports.language.locale import Locale
 
@@ -46,3 +46,10 @@ def localise_ticks(axis: Axis, locale: Locale) -> None:
         axis.set_major_formatter(LinearTicks(locale))
     elif isinstance(given, LogFormatter):
         axis.set_major_formatter(LogTicks(locale))
+
+
+def number_by_decades(axis: Axis, locale: Locale) -> None:
+    """Give a logarithmic axis numbers at 1, 2 and 5 of each decade."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(LogTicks(locale))

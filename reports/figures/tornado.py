@@ -72,9 +72,8 @@ def _panel(axes: Axes, panel: Panel, locale: Locale) -> None:
     low, high = span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
     axes.set_xlim(low, high)
     for row, bar in enumerate(panel.bars):
-        for value, colour, side, verdict in zip(
-            (bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.verdicts, strict=True
-        ):
+        halves = zip((bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.verdicts, strict=True)
+        for value, colour, side, verdict in halves:
             if value is not None and panel.base is not None:
                 word = "" if verdict is None else label(locale.text(verdict), 20)
                 _half(axes, panel.base, value, height=row + side * HALF, colour=colour, verdict=word)
@@ -83,9 +82,8 @@ def _panel(axes: Axes, panel: Panel, locale: Locale) -> None:
     if panel.limit is not None:
         at, name = panel.limit
         axes.axvline(at, color=FAIL, linewidth=1.1, linestyle="--")
-        axes.text(
-            at, 1.01, locale.text(name), transform=axes.get_xaxis_transform(), ha="center", fontsize=6.5, color=FAIL
-        )
+        top = axes.get_xaxis_transform()
+        axes.text(at, 1.01, locale.text(name), transform=top, ha="center", fontsize=6.5, color=FAIL)
     words = (locale.heading(panel.name[0], panel.dimension), locale.text(panel.name[1]))
     axes.set_xlabel("\n".join(fold(line, width=34) for line in words))
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))

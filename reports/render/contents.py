@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import ceil
 
-from reportlab.lib.colors import HexColor
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Flowable
 from reportlab.platypus import Table as Grid
 
-from reports.figures.style import INK
 from reports.render.page import DeferredCanvas, Heading
-from reports.render.typeset import STYLES, cut_to_width, width_of
+from reports.render.typeset import BARE, STYLES, cut_to_width, set_letters, width_of
 
 COLUMN = 10  # lines up to which they stand in one column
 _STYLE = "contents"
@@ -34,7 +32,7 @@ class Entry(Flowable):
     def draw(self) -> None:
         canvas = self.canv
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
-        _set(canvas)
+        set_letters(canvas, _STYLE)
         text = cut_to_width(self.heading.short, self.width - _FOR_NUMBER, _STYLE)
         canvas.drawString(0, self.height - STYLES[_STYLE].fontSize, text)
         canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.height), relative=1)
@@ -43,7 +41,7 @@ class Entry(Flowable):
 
     def _number(self, canvas: Canvas) -> None:
         """Draw dots and number at the right end."""
-        _set(canvas)
+        set_letters(canvas, _STYLE)
         number = f" {self.numbers[self.heading.key]}"
         dots = _DOT * int((self.free - width_of(number, _STYLE)) / width_of(_DOT, _STYLE))
         canvas.drawRightString(self.width, self.height - STYLES[_STYLE].fontSize, dots + number)
@@ -56,14 +54,6 @@ def contents(headings: Sequence[Heading], numbers: Mapping[str, int], width: flo
     rows = [[entries[place], *entries[place + high : place + high + 1]] for place in range(high)]
     wide = (width - _GAP) / 2
     if high == len(entries):
-        return Grid(rows, colWidths=[width], style=_TIGHT)
+        return Grid(rows, colWidths=[width], style=BARE)
     whole = [[*row, "", ""][:2] for row in rows]
-    return Grid([[one, "", other] for one, other in whole], colWidths=[wide, _GAP, wide], style=_TIGHT)
-
-
-def _set(canvas: Canvas) -> None:
-    canvas.setFont(STYLES[_STYLE].fontName, STYLES[_STYLE].fontSize)
-    canvas.setFillColor(HexColor(INK))
-
-
-_TIGHT = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]
+    return Grid([[one, "", other] for one, other in whole], colWidths=[wide, _GAP, wide], style=BARE)

@@ -33,7 +33,7 @@ from reports.document import (
 from reports.language.formula import mark_up
 from reports.language.lettering import visible
 from reports.language.texts import Kind, Text, say
-from reports.render.cell_text import cell_text, is_number, is_numeric
+from reports.render.cell_text import cell_text, is_numeric
 from reports.render.frame_words import SHEET_HEADS, SIGNATURE_HEADS, verdict_word
 from reports.render.sheet_rows import SheetRow, sheet_rows
 from reports.render.svg import Picture
@@ -87,13 +87,12 @@ class Elements:
 
     @of.register
     def _(self, block: Table) -> str:
-        heads, columns = [], []
-        for column, cells in zip(block.columns, _by_column(block), strict=True):
-            look, shown = self._column(column, cells)
-            heads.append(_head(markup(self.locale.heading(column.label, column.dimension)), look))
-            columns.append(shown)
+        columns = list(zip(*block.rows, strict=True)) or [()] * len(block.columns)
+        made = [self._column(*each) for each in zip(block.columns, columns, strict=True)]
         muted = [_classes("muted" if place in block.muted else "") for place in range(len(block.rows))]
-        rows = [f"<tr{look}>{''.join(row)}</tr>\n" for look, row in zip(muted, zip(*columns, strict=True), strict=True)]
+        shown = zip(muted, zip(*(cells for _, cells in made), strict=True), strict=True)
+        rows = [f"<tr{look}>{''.join(row)}</tr>\n" for look, row in shown]
+        heads = [head for head, _ in made]
         return self._wide(block, "Table", f"sortable{' small' if block.small else ''}", heads, rows)
 
     @of.register
@@ -173,16 +172,12 @@ class Elements:
         return f'{hint}<div class="wide" tabindex="0" role="region" {label}>{table}</div>'
 
     def _column(self, column: Column, cells: tuple[Cell, ...]) -> tuple[str, list[str]]:
-        """Return how the head of a column looks, and the cells below it."""
-        texts = [cell_text(cell, column, self.locale) for cell in cells]
-        number = is_numeric(cells)
-        made = [_cell(*each, number=number) for each in zip(cells, texts, strict=True)]
-        words = not number and any(len(text) > _WORDS for text in texts)
-        return "number" if number else "words" if words else "", made
-
-
-def _by_column(table: Table) -> list[tuple[Cell, ...]]:
-    return list(zip(*table.rows, strict=True)) if table.rows else [()] * len(table.columns)
+        """Return the head of a column, and the cells below it."""
+        texts, number = [cell_text(cell, column, self.locale) for cell in cells], is_numeric(cells)
+        words = any(len(text) > _WORDS for text in texts)
+        look = "number" if number else "words" if words else ""
+        head = markup(self.locale.heading(column.label, column.dimension))
+        return _head(head, look), [_cell(*each, number=number) for each in zip(cells, texts, strict=True)]
 
 
 def _head(label: str, look: str = "") -> str:
@@ -194,19 +189,15 @@ def _cell(cell: Cell, text: str, *, number: bool) -> str:
     outcome = cell.outcome if isinstance(cell, Graded) else ""
     value = _sorting_value(cell)
     data = "" if value is None else f' data-value="{value!r}"'
-    return (
-        f"<td{_classes('number' if number else '', outcome, 'empty' if cell is None else '')}{data}>{_whole(text)}</td>"
-    )
+    look = _classes("number" if number else "", outcome, "empty" if cell is None else "")
+    return f"<td{look}{data}>{_whole(text)}</td>"
 
 
 def _sorting_value(cell: Cell) -> float | int | None:
     """Return the number by which a cell is sorted; None where its text is."""
     content = cell.text if isinstance(cell, Graded) else cell
-    if isinstance(content, Quantity):
-        return content.value if isfinite(content.value) else None
-    if isinstance(content, int | float) and is_number(content):
-        return content if isfinite(content) else None
-    return None
+    value = content.value if isinstance(content, Quantity) else content
+    return value if isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value) else None
 
 
 def _whole(text: str) -> str:

@@ -14,12 +14,12 @@ from reportlab.platypus import BaseDocTemplate, Flowable, Frame, PageTemplate, P
 
 from reports.document import Document, Section
 from reports.figures.font import printable
-from reports.figures.style import GRID, MUTED
+from reports.figures.style import GRID
 from reports.language.lettering import truncate
 from reports.language.locale import Locale
 from reports.language.texts import count, say
 from reports.render.frame_words import origin
-from reports.render.typeset import REGULAR, STYLES, cut_to_width, markup, width_of
+from reports.render.typeset import REGULAR, STYLES, cut_to_width, markup, set_letters, width_of
 
 PAPER = {"A4": A4, "letter": LETTER}
 _SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
@@ -107,7 +107,7 @@ class Pages(BaseDocTemplate):
         left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + _HEAD
         text, document, page = self.locale.text, self.document, self.page
         canvas.saveState()
-        _small(canvas)
+        set_letters(canvas, "running")
         canvas.setStrokeColor(HexColor(GRID))
         said = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
         running = cut_to_width(" · ".join(said), _RUNNING_SHARE * self.width, "running")
@@ -121,11 +121,6 @@ class Pages(BaseDocTemplate):
 
     def _number(self, canvas: Canvas, page: int) -> None:
         """Draw the number of a page, when the last page has its number."""
-        _small(canvas)
+        set_letters(canvas, "running")
         number = say("page {page} of {total}", page=count(page), total=count(self.page))
         canvas.drawRightString(_SIDE + self.width, _FOOT, self.locale.text(number))
-
-
-def _small(canvas: Canvas) -> None:
-    canvas.setFont(STYLES["running"].fontName, STYLES["running"].fontSize)
-    canvas.setFillColor(HexColor(MUTED))

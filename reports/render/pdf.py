@@ -33,7 +33,7 @@ from reports.render.flow import PageStart, Part
 from reports.render.frame_words import CONTENTS
 from reports.render.page import DeferredCanvas, Heading, Pages
 from reports.render.pdf_blocks import Blocks, photograph
-from reports.render.typeset import paragraph, register_fonts
+from reports.render.typeset import BARE, paragraph, register_fonts
 from reports.render.vector import FigureMarks, trace_figure
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
@@ -104,7 +104,7 @@ class Story:
         width = self.pages.width
         if picture:
             head = Grid([[titles, picture]], colWidths=[width - _LOGO[0] - 10, _LOGO[0] + 10])
-            head.setStyle([*_TIGHT, ("ALIGN", (1, 0), (1, 0), "RIGHT")])
+            head.setStyle([*BARE, ("VALIGN", (0, 0), (-1, -1), "TOP"), ("ALIGN", (1, 0), (1, 0), "RIGHT")])
             yield head
         else:
             yield from titles
@@ -119,15 +119,6 @@ def _is_signed(section: Section) -> bool:
 
 def _is_whole(block: Block) -> bool:
     return isinstance(block, _WHOLE) or (isinstance(block, Table) and len(block.rows) <= _SHORT)
-
-
-_TIGHT = [
-    ("LEFTPADDING", (0, 0), (0, -1), 0),
-    ("RIGHTPADDING", (0, 0), (-1, -1), 0),
-    ("TOPPADDING", (0, 0), (-1, -1), 1.5),
-    ("BOTTOMPADDING", (0, 0), (-1, -1), 1.5),
-    ("VALIGN", (0, 0), (-1, -1), "TOP"),
-]
 
 
 def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, FigureMarks] | None = None) -> Path:

@@ -36,7 +36,7 @@ from reports.language.texts import Kind, Text
 from reports.render.frame_words import SIGNATURE_HEADS, verdict_word
 from reports.render.pdf_marks import replay
 from reports.render.pdf_tables import TINT, sheet_grid, table_grid
-from reports.render.typeset import BOLD, REGULAR, STYLES, markup, paragraph, titled_caption, width_of
+from reports.render.typeset import BARE, BOLD, REGULAR, STYLES, markup, paragraph, titled_caption, width_of
 from reports.render.vector import FigureMarks
 
 _CAPTION = 26 * mm  # left for a caption below a figure as high as the page
@@ -122,7 +122,7 @@ class Blocks:
         cells = [self._figure(figure, (wide, self.height - _CAPTION)) for figure in block.figures]
         widths = [wide + _GAP] * (len(cells) - 1) + [wide]
         grid = Grid([list(row) for row in zip(*cells, strict=True)], colWidths=widths, spaceAfter=5)
-        grid.setStyle([*_BARE, ("RIGHTPADDING", (0, 0), (-2, -1), _GAP), ("BOTTOMPADDING", (0, 0), (-1, 0), 2)])
+        grid.setStyle([*BARE, ("RIGHTPADDING", (0, 0), (-2, -1), _GAP), ("BOTTOMPADDING", (0, 0), (-1, 0), 2)])
         grid.setStyle([("VALIGN", (0, 0), (-1, 0), "MIDDLE"), ("VALIGN", (0, 1), (-1, 1), "TOP")])
         return [grid]
 
@@ -193,7 +193,7 @@ class Blocks:
         rows = [[*cells[k], *([*cells, blank][k + high] if twice else [])] for k in range(high)]
         widths = [label, self.width / 2 - label] * 2 if twice else [label, self.width - label]
         grid = Grid(rows, colWidths=widths, hAlign="LEFT", spaceAfter=6, splitInRow=1)
-        grid.setStyle([*_BARE, ("BOTTOMPADDING", (0, 0), (-1, -1), 2), ("VALIGN", (0, 0), (-1, -1), "TOP")])
+        grid.setStyle([*BARE, ("BOTTOMPADDING", (0, 0), (-1, -1), 2), ("VALIGN", (0, 0), (-1, -1), "TOP")])
         grid.setStyle([("RIGHTPADDING", (0, 0), (-1, -1), 6)])
         return grid
 
@@ -215,6 +215,3 @@ def _fitting(text: str, width: float) -> float:
     """Return the size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
     widest = max(width_of(word, "verdict") for word in text.split())
     return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
-
-
-_BARE = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]

@@ -11,6 +11,7 @@ from reportlab.lib.enums import TA_RIGHT
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Paragraph
 
 from reports.figures.font import font_file, printable
@@ -55,9 +56,12 @@ STYLES: Mapping[str, ParagraphStyle] = {
     "small-head": ParagraphStyle("small-head", _SMALL, fontName=BOLD),
     "small-number": ParagraphStyle("small-number", _SMALL, alignment=TA_RIGHT),
     "small-head-number": ParagraphStyle("small-head-number", _SMALL, fontName=BOLD, alignment=TA_RIGHT),
-    "running": ParagraphStyle("running", _ROOT, fontSize=7, leading=9),
+    "running": ParagraphStyle("running", _ROOT, fontSize=7, leading=9, textColor=HexColor(MUTED)),
     "muted": ParagraphStyle("muted", _CELL, textColor=HexColor(MUTED)),
 }
+
+BARE = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]
+"""A grid without space around its cells."""
 
 
 @cache
@@ -66,6 +70,12 @@ def register_fonts() -> None:
     for name, face in _FACES.items():
         pdfmetrics.registerFont(TTFont(name, str(font_file(face))))
     pdfmetrics.registerFontFamily(REGULAR, normal=REGULAR, bold=BOLD, italic=ITALIC, boldItalic=BOLD)
+
+
+def set_letters(canvas: Canvas, style: str) -> None:
+    """Write on a canvas in one of STYLES."""
+    canvas.setFont(STYLES[style].fontName, STYLES[style].fontSize)
+    canvas.setFillColor(STYLES[style].textColor)
 
 
 def markup(text: str) -> str:

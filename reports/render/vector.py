@@ -19,7 +19,6 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.text import Text
 from matplotlib.transforms import Transform
-from numpy.typing import NDArray
 
 from reports.document import Document
 from reports.figures.style import report_style
@@ -27,7 +26,6 @@ from reports.render.processes import Submit
 
 Rgba = tuple[float, float, float, float]
 Rectangle = tuple[float, float, float, float]
-_CLOSE = int(Path.CLOSEPOLY)
 
 
 @dataclass(frozen=True)
@@ -90,21 +88,20 @@ class _Recorder(RendererBase):
         return self.width, self.height
 
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
-        width = float(gc.get_linewidth())
+        width, (offset, dashes), clip = float(gc.get_linewidth()), gc.get_dashes(), gc.get_clip_rectangle()
         codes, numbers = _outline(path, transform, simplify=rgbFace is None and path.should_simplify)
-        self.marks.append(
-            Stroke(
-                codes=codes,
-                numbers=numbers,
-                line=_rgba(gc.get_rgb()) if width > 0 else None,
-                filling=None if rgbFace is None else _filling(gc, rgbFace),
-                width=width,
-                dashes=_dashes(*gc.get_dashes()),
-                cap=str(gc.get_capstyle()),
-                join=str(gc.get_joinstyle()),
-                clip=_window(gc),
-            )
+        made = Stroke(
+            codes,
+            numbers,
+            line=_rgba(gc.get_rgb()) if width > 0 else None,
+            filling=None if rgbFace is None else _filling(gc, rgbFace),
+            width=width,
+            dashes=(() if dashes is None else tuple(np.asarray(dashes, dtype=float).tolist()), float(offset or 0)),
+            cap=str(gc.get_capstyle()),
+            join=str(gc.get_joinstyle()),
+            clip=None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height)),
         )
+        self.marks.append(made)
 
     def draw_text(
         self,
@@ -159,26 +156,13 @@ def trace_figure(figure: Figure) -> FigureMarks:
     return FigureMarks(tuple(recorder.marks), width, height)
 
 
-def _dashes(offset: float | None, dashes: Any) -> tuple[tuple[float, ...], float]:
-    return () if dashes is None else tuple(np.asarray(dashes, dtype=np.float64).tolist()), float(offset or 0)
-
-
-def _window(gc: GraphicsContextBase) -> Rectangle | None:
-    clip = gc.get_clip_rectangle()
-    return None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height))
-
-
 def _outline(path: Path, transform: Transform, *, simplify: bool) -> tuple[bytes, tuple[float, ...]]:
     """Return codes and numbers of a path, cleaned by matplotlib: without what is not a number, curves as lines."""
     clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
     codes = np.asarray(clean.codes, dtype=np.uint8)
     drawn = codes[: codes.tobytes().index(Path.STOP)]
-    return drawn.tobytes(), _numbers(np.asarray(clean.vertices)[: drawn.size], drawn)
-
-
-def _numbers(points: NDArray[np.float64], codes: NDArray[np.uint8]) -> tuple[float, ...]:
-    """Return coordinates [2 n] of the n points [., 2] that do not close."""
-    return tuple(points[codes != _CLOSE].ravel().tolist())
+    points = np.asarray(clean.vertices)[: drawn.size][drawn != Path.CLOSEPOLY]
+    return drawn.tobytes(), tuple(points.ravel().tolist())
 
 
 def _filling(gc: GraphicsContextBase, face: Any) -> Rgba:

@@ -30,7 +30,8 @@ HEAD = "# Italian sentences of the report, by the English ones. `make catalogue`
 DATE = datetime(2026, 11, 22, tzinfo=UTC)
 LOCALE_WORDS = ("Figure", "Table", "Sheet", "{first} and {last}", "{first} or {last}", *WORDS)
 WORD = re.compile(r"\b[A-Za-z][a-z]+\b")
-FUNCTIONS = {"max", "min", "sin", "cos", "tan", "ln", "exp"}
+UNCHANGED = {"max", "min", "sin", "cos", "tan", "ln", "exp", "rad", "kg", "Hz", "Pa"}
+"""Functions of formulas and units, which are the same in every language."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +54,8 @@ def english_entries() -> Iterator[Entry]:
 
 
 def is_symbolic(term: str) -> bool:
-    """Return whether a fixed term has no word of a language: a clause number, a formula, the name of a standard."""
-    return not set(WORD.findall(term)) - FUNCTIONS
+    """Return whether a fixed term has no word of a language: a clause number, a formula, a unit, a standard."""
+    return not set(WORD.findall(term)) - UNCHANGED
 
 
 def catalogue_of(language: str) -> Catalog:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from string import Formatter
 
 import pytest
 
-from reports.language.catalogue import ENGLISH, languages
+from reports.language.catalogue import ENGLISH, decimal_point, languages
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say, say_count
-from tests.languages.entries import Entry, catalogue_of, english_entries, is_translated
+from tests.languages.entries import Entry, catalogue_of, english_entries, is_symbolic, is_translated
+from tests.languages.fixed_terms import fixed_terms
 
 OTHERS = [language for language in languages() if language != ENGLISH]
 ENTRIES = {entry.english: entry for entry in english_entries()}
@@ -42,6 +44,20 @@ def test_catalogues_hold_no_entry_that_nothing_says(language: str) -> None:
     known = [message.id for message in catalogue_of(language) if message.id]
     unused = [each for each in known if (each[0] if isinstance(each, tuple | list) else each) not in ENTRIES]
     assert not unused
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_numbers_of_translations_have_the_decimal_sign_of_the_language(language: str) -> None:
+    """A number of 0.… or before a unit is none of a clause."""
+    number = re.compile(r"(?<![\w.])(0\.\d|\d+\.\d+ (?:m|s|g|Hz|%)(?!\w))")
+    assert decimal_point(language) == ","
+    for message in catalogue_of(language):
+        forms = message.string if isinstance(message.string, tuple | list) else (message.string,)
+        assert not [form for form in forms if message.id and number.search(form)]
+
+
+def test_terms_without_words_hold_no_decimal_numbers() -> None:
+    assert not [term for term in fixed_terms() if is_symbolic(term) and re.search(r"(?<![\w.])0\.\d", term)]
 
 
 def test_entries_are_collected_from_the_source() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from assess.codes import calculation_step
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, reason_message, step
 from assess.codes.verdict import Action, Decision, MechanismChecks, Missing, Question, Verdict, verdict
@@ -20,6 +21,7 @@ from assess.results import (
     BranchCurve,
     ChecklistItem,
     ComparisonRow,
+    ContactSheet,
     Curve,
     Displaced,
     Drawing,
@@ -78,6 +80,7 @@ def mechanism() -> MechanismResult:
         "w", "<b>&", "single-block", "two", "exact", drawing, view, oscillator(), None, curve,
         ({"hinge": "A", "x": [1.5]},), AmplificationResult("none", ()), (check(),), (), (), None, "given",
         (LoadResult("<i>", "mass", 0, (0.1, 2.0), 5.0, True, None, "given"),), None,
+        contact_sheets=(ContactSheet("A", (step("N", "w", "e", "m g", 9.8, "N", given={"m": (1.0, "kg")}),)),),
     )  # fmt: skip
 
 
@@ -158,6 +161,16 @@ def test_the_matter_of_the_report_comes_back_whole_and_is_empty_in_older_files()
     older = json.loads(written)
     del older["report"]
     assert loads(json.dumps(older)).report == ReportMatter()
+
+
+def test_a_contact_comes_back_as_lines_and_is_none_in_older_files() -> None:
+    written = dumps(results())
+    (sheet,) = loads(written).mechanisms[0].contact_sheets
+    assert isinstance(sheet, ContactSheet)
+    assert sheet.steps[0].inputs == (calculation_step.Input("m", 1.0, "mass"),)
+    older = json.loads(written)
+    del older["mechanisms"][0]["contact_sheets"]
+    assert loads(json.dumps(older)).mechanisms[0].contact_sheets == ()
 
 
 def test_letters_within_a_picture_do_not_slow_the_reading() -> None:

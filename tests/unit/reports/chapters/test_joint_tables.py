@@ -15,7 +15,7 @@ from assess.study.parameters import parameters
 from reports import joints
 from reports.chapters import joint_tables
 from reports.chapters.parameter_tables import parameters as table_of_parameters
-from reports.document import Figure, Prose, Table
+from reports.document import Figure, Prose, Sheet, Table
 from reports.figures import capacity, contact, moment_rotation
 from reports.language.locale import Locale
 from reports.language.texts import Text, Verbatim, quantity
@@ -110,7 +110,19 @@ def test_the_table_has_every_hinge_and_its_thresholds(mechanisms):
 def test_only_mechanisms_with_joints_have_the_pages(mechanisms):
     assert joint_tables.blocks(mechanisms["rigid"], "x") == []
     made = joint_tables.blocks(mechanisms["flexible"], "x")
-    assert [type(block) for block in made] == [Table, Prose, Figure, Figure]
+    assert [type(block) for block in made] == [Table, Prose, Figure, Figure, Sheet]
+
+
+def test_joints_that_are_alike_share_a_sheet(mechanisms):
+    (both,) = joint_tables.sheets(mechanisms["flexible"], "x")
+    assert both.name == "x-contact-A"
+    assert read(both.caption).startswith("Contact of joints A and A': force at rest")
+    (one,) = joint_tables.sheets(mechanisms["other"], "x")
+    assert read(one.caption).startswith("Contact of joint A: force at rest")
+    assert one.steps == mechanisms["other"].contact_sheets[0].steps
+    apart = [sheet.name for sheet in joint_tables.sheets(mechanisms["two"], "x")]
+    assert apart[:4] == ["x-contact-A", "x-contact-B", "x-contact-C", "x-contact-A-negative"]
+    assert joint_tables.sheets(mechanisms["rigid"], "x") == []
 
 
 def test_parameters_show_rest_frequency_and_no_threshold(mechanisms):

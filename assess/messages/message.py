@@ -36,6 +36,7 @@ UNITS: Mapping[str, str] = {
     "inertia": "kg m2",
     "first moment": "kg m",
     "stress": "Pa",
+    "stiffness": "Pa/m",
     "volume": "m3",
     "percent": "%",
     "return period": "years",

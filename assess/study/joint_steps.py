@@ -19,15 +19,15 @@ from assess.oscillator import Branch, multiplier
 from assess.results import ContactSheet
 from assess.study.contact_states import Turned, block_steps, state_steps
 from assess.study.contact_steps import rest_steps, threshold_steps
-from assess.study.middle_hinge_steps import middle_hinge_steps, points_at_rest
+from assess.study.middle_hinge_steps import MiddleHinge, horizontal_step, middle_hinge, points_at_rest, vertical_step
 from assess.study.section_steps import BALANCE
 from spectra.arrays import ComplexArray, FloatArray
 
 AT_REST = "equilibrium of each block at rest"
 AT_ROTATION = "equilibrium of each block at that rotation"
 OF_BLOCKS = "the rotations of the blocks that it joins"
-MULTIPLIER = "mechanism at its largest multiplier"
-OVERTURNING = "mechanism as it overturns"
+MULTIPLIER = "rotation at the largest multiplier"
+OVERTURNING = "rotation at overturning"
 SAID = {"m": MULTIPLIER, "u": OVERTURNING}
 Parts = dict[str, tuple[float, str]]
 """Vertical forces by symbol, down positive [N]."""
@@ -131,10 +131,12 @@ def _force_steps(
     normal = complex(jointed.normal[number]) * (-1.0 if number > 1 else 1.0)
     reaction = complex(reactions[number])
     lines, parts = _weights(flexible, [] if number == 2 else [2] if number == 3 else range(number, min(count, 2)))
+    middle = None
     if count == 3:
-        over, down = middle_hinge_steps(flexible, rest, above=number > 1)
-        lines += over
-        parts["V_C"] = (down, "N")
+        middle = middle_hinge(flexible, rest)
+        over = vertical_step(middle, above=number > 1)
+        lines += [*middle.moments, over]
+        parts["V_C"] = (over.value or 0.0, "N")
     total = sum(value for value, _ in parts.values())
     level = abs(normal.real) <= LEVEL
     name = "N" if level else "V"
@@ -144,20 +146,21 @@ def _force_steps(
         return tuple(lines)
     if level or not isclose(abs(reaction.imag), abs(total), rel_tol=SAME, abs_tol=SAME * abs(N)):
         return (_solved(N),)
-    return (*lines, *_inclined_steps(reaction, normal, N))
+    return (*lines, *_inclined_steps(reaction, normal, N, middle))
 
 
 def _solved(N: float) -> Step:
     return step("N", "normal force on the joint at rest", BALANCE, AT_REST, N, "N")
 
 
-def _inclined_steps(reaction: complex, normal: complex, N: float) -> tuple[Step, ...]:
+def _inclined_steps(reaction: complex, normal: complex, N: float, middle: MiddleHinge | None) -> tuple[Step, ...]:
     """Write the normal force on faces that are not level."""
     side = 1.0 if reaction.imag >= 0.0 else -1.0
     H, V, n_x, n_z = side * reaction.real, side * reaction.imag, side * normal.real, side * normal.imag
     given: Given = {"H": (H, "N"), "n_x": (n_x, "-"), "V": (V, "N"), "n_z": (n_z, "-")}
+    along = None if middle is None else horizontal_step(middle, H)
     return (
-        step("H", "horizontal force on the joint at rest", BALANCE, AT_REST, H, "N"),
+        along or step("H", "horizontal force on the joint at rest", BALANCE, AT_REST, H, "N"),
         step("N", "square to the faces, of the normal n", BALANCE, "H n_x + V n_z", N, "N", given=given),
     )
 

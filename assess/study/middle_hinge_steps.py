@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from math import isclose
+
 import numpy as np
 from scipy.constants import g
 
@@ -13,6 +16,7 @@ from assess.mechanisms.jointed_chain import JointedChain
 from assess.study.section_steps import BALANCE
 from spectra.arrays import ComplexArray
 
+SAME = 1e-6  # relative: of two forces that are one
 LEAST_ARM = 1e-9  # m: a shorter one is rounding
 
 Acting = tuple[complex, complex]
@@ -25,37 +29,59 @@ def points_at_rest(jointed: JointedChain, rest: JointEquilibrium) -> ComplexArra
     return np.asarray((rest.configuration.corner + inside * jointed.faces(rest.configuration))[:, 0])
 
 
-def middle_hinge_steps(
-    flexible: FlexibleChain, rest: JointEquilibrium, *, above: bool
-) -> tuple[tuple[Step, ...], float]:
-    """Write the vertical force of C, from the moments of the second block about B and of the third about D.
+@dataclass(frozen=True)
+class MiddleHinge:
+    """The force of the hinge C on the third block at rest.
+
+    moments : lines of the two moments; given : what its formulas hold; force : to the right and up [N]
+    """
+
+    moments: tuple[Step, Step]
+    given: Given
+    force: complex
+
+
+BELOW = "((x_B − x_C) (z_C − z_D) − (z_B − z_C) (x_C − x_D))"
+
+
+def middle_hinge(flexible: FlexibleChain, rest: JointEquilibrium) -> MiddleHinge:
+    """Solve the force of C, from the moments of the second block about B and of the third about D.
 
     Parameters
     ----------
     flexible : the chain of three blocks
     rest : its joints at rest
-    above : whether it is wanted as what presses on the third block; else as what presses on the second
-
-    Returns
-    -------
-    steps : its lines
-    down : the force on that block, down [N]
     """
     B, C, D = (complex(each) for each in points_at_rest(flexible.jointed, rest)[1:])
     second, M_2 = _moment_step(flexible, 1, "M_2", ("x_B", "z_B"), B)
     third, M_3 = _moment_step(flexible, 2, "M_3", ("x_D", "z_D"), D)
     arm, other = B - C, C - D
-    upward = (M_2 * other.imag - M_3 * arm.imag) / (arm.real * other.imag - arm.imag * other.real)
-    down = -upward if above else upward
     given: Given = {
         "M_2": (M_2, "N m"), "M_3": (M_3, "N m"),
         "x_B": (B.real, "m"), "z_B": (B.imag, "m"), "x_C": (C.real, "m"), "z_C": (C.imag, "m"),
         "x_D": (D.real, "m"), "z_D": (D.imag, "m"),
     }  # fmt: skip
+    force = (M_2 * other - M_3 * arm) / (arm.real * other.imag - arm.imag * other.real)
+    return MiddleHinge((second, third), given, force)
+
+
+def vertical_step(hinge: MiddleHinge, *, above: bool) -> Step:
+    """Write the vertical force of C, down: what presses on the third block (above), or else on the second."""
     moments = "(M_3 (z_B − z_C) − M_2 (z_C − z_D))" if above else "(M_2 (z_C − z_D) − M_3 (z_B − z_C))"
-    formula = f"{moments} / ((x_B − x_C) (z_C − z_D) − (z_B − z_C) (x_C − x_D))"
+    down = -hinge.force.imag if above else hinge.force.imag
     words = "vertical force of C, by both moments"
-    return (second, third, step("V_C", words, BALANCE, formula, down, "N", given=given)), down
+    return step("V_C", words, BALANCE, f"{moments} / {BELOW}", down, "N", given=hinge.given)
+
+
+def horizontal_step(hinge: MiddleHinge, H: float) -> Step | None:
+    """Write the horizontal force of a joint where it is that of C; None where loads change it between them."""
+    along = hinge.force.real
+    if not isclose(abs(H), abs(along), rel_tol=SAME):
+        return None
+    forward = "(M_2 (x_C − x_D) − M_3 (x_B − x_C))"
+    moments = forward if H * along > 0.0 else "(M_3 (x_B − x_C) − M_2 (x_C − x_D))"
+    words = "horizontal force, that of C"
+    return step("H", words, BALANCE, f"{moments} / {BELOW}", H, "N", given=hinge.given)
 
 
 def _moment_step(

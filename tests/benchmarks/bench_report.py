@@ -3,7 +3,7 @@
 Run as a script. Each project runs twice in a process of its own, and the second run counts: what numba compiles is on
 disk by then. The demo is to take less than 10 s on two cores, 40 mechanisms less than 40 s. The clock means something
 on a machine that has nothing else to do; processors' seconds do on any. The stages are those of one process after the
-other; the command itself, last, imports the report in a process of its own meanwhile.
+other; the command itself is last.
 """
 
 from __future__ import annotations

@@ -15,6 +15,7 @@ from scipy.constants import g
 
 from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results
+from reports import governing
 from reports.assessment import assessment
 from reports.chapters.controls import EXACT
 from reports.document import Column, Document, Figure, Table
@@ -112,24 +113,25 @@ def _numbers(node: object) -> Iterator[float]:
 
 
 def derived_numbers(results: Results) -> list[float]:
-    """Return the numbers that a report works out from results: compared capacities, and what joints carry at peaks."""
+    """Return the numbers that a report works out from results.
+
+    By how much capacities differ, how many times as large one must be, and what joints carry at peaks.
+    """
     capacities = [
         [check.capacity_pga_g for check in mechanism.checks if check.capacity_pga_g and check.reading == "letter"]
         for mechanism in results.mechanisms
     ]
     quotients = [one / other for found in capacities for one in found for other in found]
     widest = [max(found) / min(found) for found in map(_of_each_procedure, results.mechanisms) if len(found) > 1]
+    decided = () if results.verdict is None else results.verdict.mechanisms
+    wanted = [1.0 / each.margin for each in decided if each.margin]
     pressed = [number for mechanism in results.mechanisms for number in _at_peaks(mechanism)]
-    return sorted([*quotients, *([median(widest)] if widest else []), *pressed])
+    return sorted([*quotients, *([median(widest)] if widest else []), *wanted, *pressed])
 
 
 def _of_each_procedure(mechanism: MechanismResult) -> list[float]:
-    """Return the least PGA at capacity of a mechanism by each clause [g]."""
-    found: dict[str, float] = {}
-    for check in mechanism.checks:
-        if check.capacity_pga_g is not None and check.reading == "letter":
-            found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, check.capacity_pga_g))
-    return list(found.values())
+    """Return the PGA at capacity of a mechanism by each method of a code [g], those that it withstands at all."""
+    return [each for each in governing.capacities(governing.code_checks(mechanism.checks)).values() if each > 0.0]
 
 
 def _at_peaks(mechanism: MechanismResult) -> Iterator[float]:

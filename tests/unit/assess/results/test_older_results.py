@@ -11,10 +11,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from pypdf import PdfReader
 
 from assess.errors import ResultsError
 from assess.results.json import dumps, loads
 from tests.support.command import ended
+from tests.support.document_numbers import strange_numbers
 
 OLDER = Path(__file__).parent / "older/results_0_1_0.json.gz"
 
@@ -48,10 +50,14 @@ def test_every_value_of_an_older_file_is_kept(text: str) -> None:
     assert kept(before, after)
 
 
-def test_its_report_is_made(text: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("language", "title"), [("en", "Verdict"), ("it", "Esito")])
+def test_its_report_is_made(text: str, tmp_path: Path, language: str, title: str) -> None:
     (tmp_path / "results.json").write_text(text)
-    assert ended("report", tmp_path / "results.json", "-o", tmp_path / "out") == 0
-    assert (tmp_path / "out/report.pdf").read_bytes().startswith(b"%PDF")
+    words = ("-o", tmp_path / "out", "--language", language, "--detail", "full")
+    assert ended("report", tmp_path / "results.json", *words) == 0
+    pages = [page.extract_text() for page in PdfReader(tmp_path / "out/report.pdf").pages]
+    assert f"1 {title}" in pages[0]
+    assert strange_numbers(loads(text)) == set()
 
 
 def test_a_control_of_no_mechanism_is_refused(text: str) -> None:

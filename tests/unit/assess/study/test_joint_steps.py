@@ -18,7 +18,7 @@ from assess.results import MechanismResult
 from assess.study.parameters import parameters
 from tests.languages.fixed_terms import fixed_terms
 from tests.support.sheets import of_formula
-from tests.unit.assess.model.test_joints import LEGS, SINGLE, STONE
+from tests.unit.assess.model.test_joints import ARCH, LEGS, SINGLE, STONE
 
 W, B, L = 1800 * 12 * g, 1.0, 2.0  # N, m, m: of the wall of STONE
 SHAPES = {
@@ -65,6 +65,7 @@ CASES = [
     (STONE + SINGLE, joint("rigid", shape="circle")),
     (STONE + LEGS, joint("semi-flexible")),
     (STONE + LEGS, joint(strength="0.15 MPa")),
+    (ARCH, joint(stiffness="5 GPa/m")),
 ]  # fmt: skip
 
 
@@ -160,6 +161,20 @@ def test_the_force_of_a_portal_is_worked_by_moments(tmp_path):
     )
     assert forces["A"]["M_2"] == pytest.approx(beam * 2.3, rel=1e-9)
     assert [forces[hinge]["V_C"] for hinge in "BC"] == pytest.approx([-beam / 2, beam / 2], rel=1e-9)
+
+
+def test_an_arch_presses_square_to_its_inclined_joints(tmp_path):
+    """Without horizontal loads the thrust is the same in all joints; A and D carry the whole weight."""
+    mechanism = computed(tmp_path, ARCH + joint(stiffness="5 GPa/m"))
+    lines = {each.hinge: {step.symbol: step for step in each.steps} for each in mechanism.contact_sheets}
+    thrust = [abs(value(lines[hinge]["H"])) for hinge in "ABCD"]
+    assert thrust == pytest.approx([thrust[0]] * 4, rel=1e-9)
+    assert lines["A"]["H"].formula.startswith("(M_2 (x_C − x_D) − M_3 (x_B − x_C)) / ")
+    weight = sum(value(lines[hinge][f"W_{block}"]) for hinge, block in (("A", 1), ("A", 2), ("D", 3)))
+    assert value(lines["A"]["V"]) + value(lines["D"]["V"]) == pytest.approx(weight, rel=1e-9)
+    for each, interface in zip(mechanism.contact_sheets, mechanism.interfaces, strict=True):
+        assert each.hinge == interface["hinge"]
+        assert value(lines[each.hinge]["N"]) == pytest.approx(interface["normal_force_n"], rel=1e-9)
 
 
 def test_loads_are_summed_under_their_own_names(tmp_path):

@@ -97,7 +97,19 @@ def contacts_of(jointed: JointedChain, configuration: Configuration, normal: Flo
 
 
 def each_contact(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:
-    """Return one array of every contact, by its name [hinges, n]; zeros for a rigid joint."""
+    """Return one array of every contact.
+
+    Parameters
+    ----------
+    contacts : of the joints; None for a rigid one
+    name : of the array
+    shape : of the result, [hinges, n]
+
+    Returns
+    -------
+    FloatArray
+        Zeros for a rigid joint.
+    """
     return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
 
 

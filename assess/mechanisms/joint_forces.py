@@ -102,7 +102,19 @@ def holding_moment(
 
 
 def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> ComplexArray:
-    """Return the force of a load whose point is now `here` [n] [N]."""
+    """Return the force of a load.
+
+    Parameters
+    ----------
+    jointed : the chain that carries it
+    load : a mass, force or tie
+    here : its point now [n] [m]
+
+    Returns
+    -------
+    ComplexArray
+        [n] [N]
+    """
     if isinstance(load, PointMass):
         return np.full_like(here, -1j * g * load.mass * load.bearing)
     if isinstance(load, Force):

@@ -112,7 +112,7 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         owner, rest = split_key(results, key)
         if kind == DEFAULT and not _matters(results, rest):
             continue
-        for entry in grouped(results, rest, value):
+        for entry in groups(results, rest, value):
             kept = found.setdefault((entry.key, repr(entry.cell), source.words), (entry.cell, []))
             kept[1].extend([owner] if owner else [])
     for (key, _, words), (cell, owners) in found.items():
@@ -120,7 +120,7 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         yield label(key), _worded(cell), _source_text(kind, words), where
 
 
-def grouped(results: Results, key: str, value: Resolved) -> Iterator[Entry]:
+def groups(results: Results, key: str, value: Resolved) -> Iterator[Entry]:
     """Yield a value as cells with their keys; a list of tables as one, which says where the report shows them."""
     held = value.value
     if not isinstance(held, Sequence) or not any(isinstance(each, Mapping) for each in held):

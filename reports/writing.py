@@ -78,7 +78,7 @@ def write_document(
         tables = submit(_write_tables, folder)
         report_stage("report")
         path = write_pdf(document, folder / name, drawings=drawings)
-        pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
+        pictures = {figure: picture(drawing.result()) for figure, drawing in drawings.items()}
         for figure in pictures if "svg" in figures else ():
             write_svg(pictures[figure], folder / "figures" / f"{figure}.svg", creator=creator)
         asked = [submit(_write_png, place, folder / "figures", creator) for place in _places(document, figures)]

@@ -97,13 +97,18 @@ def contacts_of(jointed: JointedChain, configuration: Configuration, normal: Flo
 
 
 def each_contact(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:
-    """Return one array of every contact; zeros for a rigid joint [hinges, n].
+    """Return one array of every contact.
 
     Parameters
     ----------
-    contacts : of each joint, None for a rigid one
-    name : of the array, an attribute of `Contact`
-    shape : number of hinges and of rotations
+    contacts : of the joints; None for a rigid one
+    name : of the array
+    shape : of the result, [hinges, n]
+
+    Returns
+    -------
+    FloatArray
+        Zeros for a rigid joint.
     """
     return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
 

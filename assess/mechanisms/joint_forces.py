@@ -102,13 +102,18 @@ def holding_moment(
 
 
 def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> ComplexArray:
-    """Return the force of a load, right and up [n] [N].
+    """Return the force of a load.
 
     Parameters
     ----------
-    jointed : the chain, whose slack ties do not pull
-    load : a mass, a force or a tie
-    here : where its point is now, x + iz [n] [m]
+    jointed : the chain that carries it
+    load : a mass, force or tie
+    here : its point now [n] [m]
+
+    Returns
+    -------
+    ComplexArray
+        [n] [N]
     """
     if isinstance(load, PointMass):
         return np.full_like(here, -1j * g * load.mass * load.bearing)

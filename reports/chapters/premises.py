@@ -62,7 +62,7 @@ def _level(results: Results, check: Check, mechanism: str) -> str:
     return str(given or project_text(results, f"{table}.knowledge_level"))
 
 
-def stated(results: Results) -> Iterator[Text]:
+def premises(results: Results) -> Iterator[Text]:
     """Yield what the user vouches for and the deciding answers count on."""
     sound = [key for key in results.project if key.endswith(SOUND) and project_text(results, key) == "excluded"]
     if sound and any(knowledge_of(results, mechanism) for mechanism in results.mechanisms):

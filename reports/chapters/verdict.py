@@ -111,7 +111,7 @@ def headline(found: Verdict) -> Text:
 
 def conditions(results: Results, found: Verdict) -> list[Text]:
     """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
-    return [*found.conditions, *(premises.stated(results) if found.basis else ())]
+    return [*found.conditions, *(premises.premises(results) if found.basis else ())]
 
 
 def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:

@@ -40,7 +40,7 @@ def write(axes: Axes, labels: Sequence[Label]) -> None:
     leader = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 3}
     for label, place in zip(labels, places, strict=True):
         if label.text:
-            box = least_covered(boxes_around(place, extent(label.text)), taken, (left, low, right, high), 0.5)
+            box = freest_box(boxes_around(place, extent(label.text)), taken, (left, low, right, high), 0.5)
             taken.append(box)
             offset = box[0] - place[0], box[1] - place[1]
             axes.annotate(
@@ -64,7 +64,7 @@ def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
     for label in labels:
         (x, y), (wide, high) = label.at, (side + 2 * PAD for side in extent(label.text))
         over = (x - 0.5 * wide, y - 0.5 * high, x + 0.5 * wide, y + 0.5 * high)
-        box = least_covered([over, *boxes_around((x, y), (wide, high))], taken, inside, 0.1)
+        box = freest_box([over, *boxes_around((x, y), (wide, high))], taken, inside, 0.1)
         taken.append(box)
         middle = 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])
         if box is not over:
@@ -87,7 +87,7 @@ def boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[
     return made
 
 
-def least_covered(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
+def freest_box(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
     """Return the box that covers the least area of others and outside the panel; each later one counts `step` more."""
 
     def cost(place: int) -> float:

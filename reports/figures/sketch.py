@@ -53,14 +53,6 @@ class Window:
         return self.high[0] - self.low[0], self.high[1] - self.low[1]
 
 
-@dataclass(frozen=True)
-class Layout:
-    """Inches to the metre, and the size of a panel [in]."""
-
-    scale: float
-    panel: tuple[float, float]
-
-
 def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw the mechanism at rest, hinges, loads and centroids named, and beside it displaced to its positive side.
 
@@ -68,11 +60,11 @@ def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
     """
     drawing = mechanism.drawing
     window = common_window(drawing)
-    layout = arrange_panels(window.size)
+    panel = panel_size(window.size)
     metres = table_scale("length", locale)
     with report_style():
-        figure = bare_sheet(layout.panel[1] + BOTTOM + TOP, locale, width=HALF)
-        rest, turned = (add_panel(figure, column, layout, window, metres) for column in (0, 1))
+        figure = bare_sheet(panel[1] + BOTTOM + TOP, locale, width=HALF)
+        rest, turned = (add_panel(figure, column, panel, window, metres) for column in (0, 1))
         _at_rest(rest, drawing, window, locale)
         _turned(turned, drawing, window, locale)
         return figure
@@ -117,21 +109,22 @@ def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
     return (far, load.at) if load.kind == "force" else (load.at, far)
 
 
-def arrange_panels(size: tuple[float, float]) -> Layout:
-    """Return the layout in which two panels of a window's size [m] are drawn largest side by side."""
+def panel_size(size: tuple[float, float]) -> tuple[float, float]:
+    """Return the size [in] of each of two panels in which a window of a size [m] is drawn largest side by side."""
     wide, high = size
     room = 0.5 * (HALF - LEFT - 2 * GAP)
     scale = min(room / wide, (TALLEST - BOTTOM - TOP) / high)
-    return Layout(scale, (room, max(scale * high, LOWEST)))
+    return room, max(scale * high, LOWEST)
 
 
-def add_panel(figure: Figure, column: int, layout: Layout, window: Window, metres: Scale) -> Axes:
+def add_panel(figure: Figure, column: int, panel: tuple[float, float], window: Window, metres: Scale) -> Axes:
     """Add the axes of one panel: equal scale, data in metres, ticks in the unit of the locale."""
-    wide, high = layout.panel
+    wide, high = panel
     tall = high + BOTTOM + TOP
     axes = figure.add_axes(((LEFT + column * (wide + GAP)) / HALF, BOTTOM / tall, wide / HALF, high / tall))
     middle, level = (0.5 * (low + up) for low, up in zip(window.low, window.high, strict=True))
-    across, up = 0.5 * wide / layout.scale, 0.5 * high / layout.scale
+    scale = min(wide / window.size[0], high / window.size[1])
+    across, up = 0.5 * wide / scale, 0.5 * high / scale
     axes.set(xlim=(middle - across, middle + across), ylim=(level - up, level + up))
     axes.grid(visible=False)
     for axis, steps in ((axes.xaxis, 3), (axes.yaxis, 6)):

@@ -16,6 +16,7 @@ ROOM = 24 * mm
 """What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
 _LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
 _SMALLEST = 0.75  # reduction of figures
+_SLACK = 8.0  # of a page that is filled to its end: spaces that the parts put between each other [pt]
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,32 @@ class Part:
             return
         if self.needs_room:
             starts = (flowable.start for flowable in self.flowables if isinstance(flowable, Rows))
-            yield CondPageBreak(ROOM + max(starts, default=0.0))
+            yield Room(ROOM + max(starts, default=0.0), self.flowables)
         yield from self.flowables
+
+
+class Room(CondPageBreak):
+    """Begins a page where there is neither this room [pt] nor enough for all that follows."""
+
+    def __init__(self, height: float, flowables: Sequence[Flowable]) -> None:
+        super().__init__(height)
+        self.flowables = flowables
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        self.height = min(self.height, height_of(self.flowables, aW, self.height))
+        width, height = super().wrap(aW, aH)
+        return float(width), float(height)
+
+
+def height_of(flowables: Sequence[Flowable], width: float, limit: float) -> float:
+    """Return the height of flowables one below the other [pt]; some value beyond `limit` where it is higher."""
+    height = space = 0.0
+    for flowable in flowables:
+        height += flowable.wrap(width, limit)[1] + max(space, flowable.getSpaceBefore())
+        space = flowable.getSpaceAfter()
+        if height > limit:
+            break
+    return height
 
 
 class PageStart(CondPageBreak):
@@ -56,7 +81,7 @@ class PageStart(CondPageBreak):
         if aH >= self.height and self._needs_a_page(aW, aH):
             self.height = self.page
         if self.drawings:
-            self._reduce(aW, self.page if aH < self.height else aH)
+            self._reduce(aW, (self.page if aH < self.height else aH) - _SLACK)
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
 
@@ -75,13 +100,7 @@ class PageStart(CondPageBreak):
     def _height(self, width: float, reduction: float, limit: float) -> float:
         """Return the height of all parts [pt] with figures so reduced; some value beyond `limit` where it is higher."""
         self._set(reduction)
-        height = space = 0.0
-        for flowable in self.flowables:
-            height += flowable.wrap(width, limit)[1] + max(space, flowable.getSpaceBefore())
-            space = flowable.getSpaceAfter()
-            if height > limit:
-                break
-        return height
+        return height_of(self.flowables, width, limit)
 
     def _set(self, reduction: float) -> None:
         for drawing in self.drawings:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import chain, pairwise
 from pathlib import Path
 
@@ -33,8 +33,9 @@ from reports.render.flow import PageStart, Part
 from reports.render.frame_words import CONTENTS
 from reports.render.page import DeferredCanvas, Heading, Pages
 from reports.render.pdf_blocks import Blocks, photograph
+from reports.render.processes import processes
 from reports.render.typeset import BARE, paragraph, register_fonts
-from reports.render.vector import FigureMarks, trace_figure
+from reports.render.vector import Drawings, trace_figures
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
 
@@ -48,7 +49,7 @@ _WHOLE = (Figure, Row, Photograph, Facts, Writing, Signatures, Banner)
 class Story:
     """The flowables of a document."""
 
-    def __init__(self, document: Document, locale: Locale, drawings: Mapping[str, FigureMarks], pages: Pages) -> None:
+    def __init__(self, document: Document, locale: Locale, drawings: Drawings, pages: Pages) -> None:
         self.document, self.locale, self.pages = document, locale, pages
         self.blocks = Blocks(locale, drawings, pages.width, pages.height)
         chapters = [place for place, section in enumerate(document.sections) if section.level == 0]
@@ -121,11 +122,12 @@ def _is_whole(block: Block) -> bool:
     return isinstance(block, _WHOLE) or (isinstance(block, Table) and len(block.rows) <= _SHORT)
 
 
-def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, FigureMarks] | None = None) -> Path:
+def write_pdf(document: Document, path: Path, *, drawings: Drawings | None = None) -> Path:
     """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
     register_fonts()
     locale = document.writer
     pages = Pages(path, document, locale)
-    figures = drawings or {figure.name: trace_figure(figure.draw(locale)) for figure in document.figures}
+    with processes(1, document) as here:
+        figures = drawings or trace_figures(document, here)
     pages.build(list(Story(document, locale, figures, pages).flowables()), canvasmaker=DeferredCanvas)
     return path

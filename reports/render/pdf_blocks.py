@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from concurrent.futures import Future
 from functools import singledispatchmethod
 from io import BytesIO
 from math import ceil
@@ -37,7 +38,7 @@ from reports.render.frame_words import SIGNATURE_HEADS, verdict_word
 from reports.render.pdf_marks import replay
 from reports.render.pdf_tables import TINT, sheet_grid, table_grid
 from reports.render.typeset import BARE, BOLD, REGULAR, STYLES, markup, paragraph, titled_caption, width_of
-from reports.render.vector import FigureMarks
+from reports.render.vector import Drawings, FigureMarks
 
 _CAPTION = 26 * mm  # left for a caption below a figure as high as the page
 _PHOTOGRAPH = 95 * mm  # height of a photograph at most
@@ -51,16 +52,16 @@ _VERDICT_MARGINS = 18.0  # of the left cell of the banner [pt]
 class Drawing(Flowable):
     """A traced figure on the page, fetched only when it is placed: until then it may be in the making."""
 
-    def __init__(self, drawings: Mapping[str, FigureMarks], name: str, room: tuple[float, float]) -> None:
+    def __init__(self, drawing: Future[FigureMarks], room: tuple[float, float]) -> None:
         super().__init__()
-        self.drawings, self.name, self.room = drawings, name, room
+        self.drawing, self.room = drawing, room
         self.reduction = 1.0  # besides, for a page to have room for all that belongs on it
         self.hAlign = "CENTER"
 
     @property
     def figure(self) -> FigureMarks:
         """The figure, waited for if it is still being drawn."""
-        return self.drawings[self.name]
+        return self.drawing.result()
 
     @property
     def factor(self) -> float:
@@ -82,7 +83,7 @@ class Blocks:
     placed : the figures made so far
     """
 
-    def __init__(self, locale: Locale, drawings: Mapping[str, FigureMarks], width: float, height: float) -> None:
+    def __init__(self, locale: Locale, drawings: Drawings, width: float, height: float) -> None:
         self.locale, self.drawings, self.width, self.height = locale, drawings, width, height
         self.text = locale.text
         self.placed: list[Drawing] = []
@@ -177,7 +178,7 @@ class Blocks:
         return titled_caption(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
 
     def _figure(self, block: Figure, room: tuple[float, float]) -> list[Flowable]:
-        drawing = Drawing(self.drawings, block.name, room)
+        drawing = Drawing(self.drawings[block.name], room)
         self.placed.append(drawing)
         return [drawing, self._caption("Figure", block.name, block.caption)]
 

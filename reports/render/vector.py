@@ -6,7 +6,7 @@ writes them to a file of their own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any
@@ -119,25 +119,13 @@ class _Recorder(RendererBase):
         self.marks.append(Letters(s, float(x), float(y), float(angle), size, bold, _rgba(gc.get_rgb())))
 
 
-class Drawings(Mapping[str, FigureMarks]):
-    """Figures by name; one that is still being drawn is waited for."""
-
-    def __init__(self, futures: Mapping[str, Future[FigureMarks]]) -> None:
-        self._futures = futures
-
-    def __getitem__(self, name: str) -> FigureMarks:
-        return self._futures[name].result()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._futures)
-
-    def __len__(self) -> int:
-        return len(self._futures)
+Drawings = Mapping[str, Future[FigureMarks]]
+"""Figures by name, each of which may still be in the making."""
 
 
 def trace_figures(document: Document, submit: Submit) -> Drawings:
     """Trace every figure of the document once, by processes that work on the document; by name."""
-    return Drawings({figure.name: submit(trace_at, place) for place, figure in enumerate(document.figures)})
+    return {figure.name: submit(trace_at, place) for place, figure in enumerate(document.figures)}
 
 
 def trace_at(document: Document, place: int) -> FigureMarks:

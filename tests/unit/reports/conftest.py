@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -50,7 +50,7 @@ from assess.results import (
 
 if TYPE_CHECKING:
     from reports.document import Document
-    from reports.render.vector import FigureMarks
+    from reports.render.vector import Drawings
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
@@ -532,7 +532,7 @@ def document(results: Results) -> Document:
 
 
 @pytest.fixture(scope="session")
-def drawings(document: Document) -> Mapping[str, FigureMarks]:
+def drawings(document: Document) -> Drawings:
     from reports.render.processes import processes
     from reports.render.vector import trace_figures
 
@@ -541,10 +541,10 @@ def drawings(document: Document) -> Mapping[str, FigureMarks]:
 
 
 @pytest.fixture(scope="session")
-def page(document: Document, drawings: Mapping[str, FigureMarks], tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(document: Document, drawings: Drawings, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report as HTML."""
     from reports.render.html import write_html
     from reports.render.svg import picture
 
-    pictures = {name: picture(drawing) for name, drawing in drawings.items()}
+    pictures = {name: picture(drawing.result()) for name, drawing in drawings.items()}
     return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

@@ -67,3 +67,13 @@ def test_damage_is_no_collapse_where_a_procedure_knows_both(results: Results) ->
     life = replace(check, procedure="ntc2018-linear", limit_state="SLV", capacity_pga_g=0.3)
     assert governing.capacities((damage, life)) == {"ntc2018-linear": 0.3}
     assert governing.capacities((damage,)) == {"ntc2018-linear": 0.1}
+
+
+def test_a_method_that_does_not_apply_has_no_capacity(results: Results) -> None:
+    checks = tuple(replace(check, capacity_pga_g=0.2) for check in results.mechanisms[0].checks)
+    name = checks[0].procedure
+    assert governing.capacities(checks)[name] == 0.2
+    silent = tuple(
+        replace(check, verdict=Outcome.NOT_APPLICABLE) if check.procedure == name else check for check in checks
+    )
+    assert name not in governing.capacities(silent)

@@ -104,3 +104,18 @@ def test_every_family_of_methods_has_a_sentence_on_what_it_measures() -> None:
 
 def test_there_is_no_chapter_without_answers(results: Results) -> None:
     assert comparison.sections(replace(results, comparison=())) == []
+
+
+def test_a_method_without_an_answer_passes_nothing(results: Results) -> None:
+    """Of two mechanisms on which methods disagree a method may answer one alone."""
+    wall, parapet = results.mechanisms
+    assert results.verdict is not None
+    first = replace(wall.checks[0], level_pga_g=results.verdict.action.pga_g, reading="letter", informs=False)
+    one = replace(first, procedure="ntc2018-linear", verdict=Outcome.FAIL)
+    two = replace(first, procedure="ntc2018-nonlinear", verdict=Outcome.PASS)
+    silent = replace(first, procedure="ntc2018-history", verdict=Outcome.NOT_ANSWERED)
+    passed = replace(silent, verdict=Outcome.PASS)
+    apart = (replace(wall, checks=(one, two, silent)), replace(parapet, checks=(one, two, passed)))
+    said = told(comparison_words.findings(replace(results, mechanisms=apart)))
+    assert "All of these are passed by NTC 2018, non-linear kinematic." in said
+    assert "M2 is passed by NTC 2018, response history." in said

@@ -58,4 +58,4 @@ def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
 
 def test_sound_masonry_is_no_condition_where_no_code_asks_for_it(results: Results) -> None:
     project = {**results.project, "materials.stone.disintegration": Resolved("excluded", True)}
-    assert not list(premises.stated(replace(with_factors(results, None, None), project=project)))
+    assert not list(premises.premises(replace(with_factors(results, None, None), project=project)))

@@ -29,7 +29,9 @@ from reports.document import (
     Prose,
     Row,
     Section,
+    Signatures,
     Table,
+    Writing,
 )
 from reports.figures.font import printable
 from reports.figures.style import BANNER
@@ -313,6 +315,15 @@ def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -
     pages = pages_of(write(tmp_path, first, *map(wall, range(3))))
     assert [[f"Caption of c{place}" in page for page in pages[1:]].index(True) for place in range(3)] == [0, 1, 2]
     assert len(pages) == 4
+
+
+def test_what_is_written_and_signed_by_hand_stays_on_one_page(tmp_path: Path) -> None:
+    judged = section(Prose((Verbatim("judge it"),)), Writing(Verbatim("judgement"), 60.0), title="Judgement")
+    signed = section(Prose((Verbatim("signed by"),)), Signatures(((Verbatim("Engineer"), Verbatim("A. Name")),)))
+    for points in range(10, 50, 4):
+        before = section(Items((Verbatim("a point"),) * points))
+        pages = pages_of(write(tmp_path, before, judged, signed))
+        assert sum("judge it" in page and "signed by" in page and "A. Name" in page for page in pages) == 1
 
 
 def test_a_photograph_without_a_picture_keeps_its_caption(document: Document, tmp_path: Path) -> None:

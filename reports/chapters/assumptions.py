@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from assess.messages.message import Quantity
 from assess.results import Resolved, Results
 from reports import governing
 from reports.chapters.mechanism_list import mechanism_list
@@ -16,6 +17,7 @@ from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, s
 
 SOURCES = "report.sources."
 SPECTRUM = "site.spectrum."
+FIGURES = 4  # of a value; annex E has all of them
 TABLES: Mapping[str, str] = {"site.spectrum.hazard": "hazard", "mechanisms.*.loads": "actions"}
 """Lists of tables of the project file, by their keys, and the tables of the report that show them."""
 START = "mechanisms."
@@ -148,6 +150,8 @@ def _matters(results: Results, key: str) -> bool:
 
 
 def _worded(cell: Cell) -> Cell:
+    if isinstance(cell, Quantity):
+        return replace(cell, figures=FIGURES)
     if isinstance(cell, bool):
         return say("yes") if cell else say("no")
     return value_word(cell) if isinstance(cell, Verbatim) else cell

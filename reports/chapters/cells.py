@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from assess.codes.check import Check, Outcome, Reason
+from assess.codes.check import Check, Reason
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
 from reports.document import Cell, Column, Graded
@@ -38,11 +38,6 @@ def outcome_cell(check: Check) -> Graded:
     """Return the outcome of a check, coloured where it decides."""
     colour = _COLOURS.get(check.verdict.value, "incomplete") if check.role == "deciding" else "comparison"
     return Graded(colour, OUTCOMES[check.verdict.value])
-
-
-def is_silent(check: Check) -> bool:
-    """Return whether a check has no numbers to show."""
-    return check.verdict in (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
 
 
 def unbounded_text(check: Check) -> Phrase | None:

@@ -1,31 +1,23 @@
-"""A verdict in messages, for the report, and in English, in SI, for the command line."""
+"""A verdict in words, for the command line and the report. All text is English, in SI."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Missing, Verdict
 from assess.codes.verdict.question import SOURCES
-from assess.messages.message import Message, Quantity, Severity, Value, message
+from assess.messages.message import Message, Severity
 
-OUTCOMES: Mapping[tuple[Decision, bool], str] = {
-    (Decision.PASS, False): "outcome-pass",
-    (Decision.PASS, True): "outcome-pass-near",
-    (Decision.FAIL, False): "outcome-fail",
-    (Decision.FAIL, True): "outcome-fail-near",
-    (Decision.INCOMPLETE, False): "outcome-incomplete",
-    (Decision.INCOMPLETE, True): "outcome-incomplete",
-}
+AT_THE_LIMIT = " at the limit"
 BEHIND = ("%NBS",)  # indices whose name stands behind their value
-SYMBOLS: Mapping[str, str] = {"zeta_E": "ζ_E"}
 NAMED = ("materials", "mechanisms", "bodies")  # tables whose entries the user names
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def outcome_message(outcome: Decision, *, near: bool) -> Message:
-    """Return the outcome: "fail", or "fail at the limit".
+def outcome_text(outcome: Decision, *, near: bool) -> str:
+    """Return the outcome in words: "fail", or "fail at the limit".
 
     Parameters
     ----------
@@ -34,33 +26,13 @@ def outcome_message(outcome: Decision, *, near: bool) -> Message:
 
     Returns
     -------
-    Message
+    str
     """
-    return message(OUTCOMES[outcome, near])
-
-
-def outcome_text(outcome: Decision, *, near: bool) -> str:
-    """Return the outcome in English.
-
-    Parameters
-    ----------
-    outcome : pass, fail or incomplete
-    near : whether it is at the limit
-    """
-    return outcome_message(outcome, near=near).text
-
-
-def index_message(index: Index | None) -> Message | None:
-    """Return an index with its name and grade, as "zeta_E 0.83" or "45.0 %NBS, grade C"; None where there is none."""
-    if index is None:
-        return None
-    values: dict[str, Value] = {"name": SYMBOLS.get(index.name, index.name), "value": Quantity(index.value, "ratio", 3)}
-    key = "index-behind" if index.name in BEHIND else "index"
-    return message(f"{key}-grade" if index.grade else key, {**values, "grade": index.grade})
+    return outcome.value + (AT_THE_LIMIT if near and outcome != Decision.INCOMPLETE else "")
 
 
 def index_text(index: Index | None) -> str:
-    """Return an index in English, with trailing zeros; empty where there is none."""
+    """Return an index with its name and grade, as "zeta_E 0.83" or "45 %NBS, grade C"; empty where there is none."""
     if index is None:
         return ""
     value = figures(index.value)
@@ -68,25 +40,12 @@ def index_text(index: Index | None) -> str:
     return f"{said}, grade {index.grade}" if index.grade else said
 
 
-def building_index_message(verdict: Verdict) -> Message | None:
-    """Return the index of the building, which local mechanisms alone can only bound; None where none is known."""
-    index = index_message(verdict.index)
-    if verdict.index is None or index is None:
-        return None
-    return message("index-at-least" if verdict.index.name == "D/C" else "index-at-most", {"index": index})
-
-
 def building_index_text(verdict: Verdict) -> str:
-    """Return the index of the building in English; empty where none is known."""
+    """Return the index of the building, which local mechanisms alone can only bound; empty where none is known."""
     if verdict.index is None:
         return ""
     bound = "at least" if verdict.index.name == "D/C" else "at most"
     return f"{bound} {index_text(verdict.index)}"
-
-
-def target_quantity(verdict: Verdict) -> Quantity | None:
-    """Return the target that the index is compared with; None where that is not known."""
-    return None if verdict.target is None else Quantity(verdict.target, "ratio", 3)
 
 
 def target_text(verdict: Verdict) -> str:
@@ -99,38 +58,13 @@ def figures(value: float) -> str:
     return f"{value:#.3g}".rstrip(".") if value else "0"
 
 
-def action_messages(action: Action) -> tuple[Message, ...]:
-    """Return the site's own action: PGA, limit state and return period as far as they are known."""
-    known = [message("action-pga", {"pga": Quantity(action.pga_g, "ground acceleration", 3)})]
-    known += [message("action-state", {"state": action.limit_state})] if action.limit_state else []
-    known += [message("action-hazard")] if action.over_periods else []
-    if action.return_period_years:
-        years = Quantity(float(round(action.return_period_years)), "return period", 6)
-        known.append(message("action-period", {"years": years}))
-    return tuple(known)
-
-
 def action_text(action: Action) -> str:
-    """Return the site's own action in English."""
-    return ", ".join(each.text for each in action_messages(action))
-
-
-def margin_message(one: MechanismVerdict, action: Action) -> Message | None:
-    """Return the PGA up to which a mechanism passes, as "0.18 g = 2.7 x the site's"; None where it is not known.
-
-    Parameters
-    ----------
-    one : verdict of the mechanism
-    action : of the site
-
-    Returns
-    -------
-    Message or None
-    """
-    if one.margin is None:
-        return None
-    pga = Quantity(one.margin * action.pga_g, "ground acceleration", 3)
-    return message("margin", {"pga": pga, "times": Quantity(one.margin, "ratio", 3)})
+    """Return the site's own action in words: PGA, limit state and return period as far as they are known."""
+    known = [f"PGA {action.pga_g:.3g} g"]
+    known += [f"stated for {action.limit_state}"] if action.limit_state else []
+    known += ["each limit state by the hazard of the site"] if action.over_periods else []
+    known += [f"return period {action.return_period_years:.0f} years"] if action.return_period_years else []
+    return ", ".join(known)
 
 
 def margin_text(one: MechanismVerdict, action: Action) -> str:

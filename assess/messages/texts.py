@@ -105,23 +105,6 @@ TEXTS: Mapping[str, str] = {
     "not-varied": "not varied: {why}",
     "not-assessed-low": "not assessed at the low value, {value}: {why}",
     "not-assessed-high": "not assessed at the high value, {value}: {why}",
-    # outcomes, indices, actions and margins
-    "outcome-pass": "pass",
-    "outcome-pass-near": "pass at the limit",
-    "outcome-fail": "fail",
-    "outcome-fail-near": "fail at the limit",
-    "outcome-incomplete": "incomplete",
-    "index": "{name} {value}",
-    "index-grade": "{name} {value}, grade {grade}",
-    "index-behind": "{value} {name}",
-    "index-behind-grade": "{value} {name}, grade {grade}",
-    "index-at-least": "at least {index}",
-    "index-at-most": "at most {index}",
-    "action-pga": "PGA {pga}",
-    "action-state": "stated for {state}",
-    "action-hazard": "each limit state by the hazard of the site",
-    "action-period": "return period {years}",
-    "margin": "{pga} = {times} x the site's",
     # folders of results
     "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "
     "place",

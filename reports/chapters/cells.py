@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from assess.codes.check import Check, Outcome, Reason
+from assess.codes.check import Check, Reason
 from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
@@ -53,11 +53,6 @@ def decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
     own = [each for each in answers if each.procedure == check.procedure]
     outcomes = {each.outcome for each in own if each.limit_state == check.limit_state} or {each.outcome for each in own}
     return outcomes.pop().value if check.role == "deciding" and len(outcomes) == 1 else check.verdict.value
-
-
-def is_silent(check: Check) -> bool:
-    """Return whether a check has no numbers to show."""
-    return check.verdict in (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
 
 
 def unbounded_text(check: Check) -> Phrase | None:

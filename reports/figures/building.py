@@ -163,16 +163,16 @@ def _distinct(views: Sequence[View]) -> Iterator[FloatArray]:
         surface, slack = Surface(np.array(view.vertices), np.array(view.triangles)), NEAR * float(max(view.size))
         found, before = body_numbers(surface), tuple(boxes)
         for body in np.unique(found):
-            part = surface.corners[found == body]
-            box = box_of(part.reshape(-1, 3))
+            used, index = np.unique(surface.triangles[found == body], return_inverse=True)
+            part = Surface(surface.vertices[used], index.reshape(-1, 3))
+            box = box_of(part.vertices)
             if not any((box[0] >= other[0] - slack).all() and (box[1] <= other[1] + slack).all() for other in before):
                 boxes.append(box)
                 yield _coarse(part)
 
 
-def _coarse(corners: FloatArray) -> FloatArray:
+def _coarse(surface: Surface) -> FloatArray:
     """Return the triangles of a body, fewer where it is a scan: the picture is small."""
-    surface = weld(corners)
     vertices, triangles = simplify(surface.vertices, surface.triangles, limit=MOST_TRIANGLES)
     return np.asarray(vertices[triangles])
 

@@ -9,11 +9,12 @@ import shapely
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 WELD = 6  # decimals [m] to which vertices are one
 FLAT = 1e-9  # of its plane: a vertex nearer is on it [m]
 SHARED = 0.3  # of the smaller: bodies that share more of their ground and height cannot both stand there
+SAMPLES = 15  # points along the ground of a body, in either direction
 
 
 @dataclass(frozen=True)
@@ -90,13 +91,21 @@ def are_one_in_the_other(one: Surface, other: Surface) -> bool:
     low, high = boxes[:, 0].max(axis=0), boxes[:, 1].min(axis=0)
     if (high <= low).any() or high[2] - low[2] <= SHARED * np.ptp(boxes[..., 2], axis=1).min():
         return False
-    mine, its = ground_of(one), ground_of(other)
-    shared = shapely.area(shapely.intersection(mine, its))
-    return bool(shared > SHARED * min(shapely.area(mine), shapely.area(its)))
+    return shared_ground(one, other) > SHARED or shared_ground(other, one) > SHARED
 
 
-def ground_of(surface: Surface) -> shapely.Geometry:
-    """Return the ground that lies under a surface."""
+def shared_ground(one: Surface, other: Surface) -> float:
+    """Return the part of the ground under a surface that is under another too [-], by points on a grid."""
+    low, high = box_of(one.vertices[:, :2])
+    sides = np.linspace(low, high, SAMPLES + 2)[1:-1].T
+    points = np.asarray(shapely.points(np.stack(np.meshgrid(*sides), axis=-1).reshape(-1, 2)))
+    mine, its = (are_above(surface, points) for surface in (one, other))
+    return float((mine & its).sum() / max(mine.sum(), 1))
+
+
+def are_above(surface: Surface, points: FloatArray) -> BoolArray:
+    """Return whether each point of the ground [k] lies under a surface."""
     faces = surface.corners[:, :, :2]
     (x, y), (u, v) = (faces[:, 1] - faces[:, 0]).T, (faces[:, 2] - faces[:, 0]).T
-    return shapely.union_all(shapely.polygons(faces[x * v - y * u > FLAT]))
+    tree = shapely.STRtree(np.asarray(shapely.polygons(faces[x * v - y * u > FLAT])))
+    return np.isin(np.arange(len(points)), tree.query(points, predicate="intersects")[0])

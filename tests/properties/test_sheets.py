@@ -41,7 +41,7 @@ def test_what_is_answered_stands_on_the_sheet(name: str) -> None:
     """Demand and capacity are values of lines, and their quotient is the ratio."""
     for subject in subjects(name):
         check, values = subject.check, [step.value for step in subject.check.steps if step.value is not None]
-        values += [each.value for step in subject.check.steps for each in step.inputs if each.symbol == "demand"]
+        values += [each.value for step in subject.check.steps for each in step.inputs if each.symbol in ("demand", "D")]
         if check.ratio is not None and check.demand is not None and check.capacity:
             assert check.ratio == pytest.approx(check.demand / check.capacity, rel=1e-9)
         over = [1.0, subject.branch.unstable, subject.branch.overturning]  # some lines have the share of these

@@ -6,6 +6,7 @@ from math import inf, isclose
 
 from assess.codes.check import Check, Outcome
 from assess.codes.families import uses_histories
+from assess.codes.verdict import MechanismVerdict
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
 
 DAMAGE = "SLD"
@@ -46,6 +47,12 @@ def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]
 def site_pga(results: Results) -> float | None:
     """Return the site's own peak ground acceleration [g], that of the verdict; None without a verdict."""
     return None if results.verdict is None else results.verdict.action.pga_g
+
+
+def verdict_of(results: Results, mechanism: MechanismResult) -> MechanismVerdict | None:
+    """Return the verdict of a mechanism; None in results without one."""
+    verdicts = () if results.verdict is None else results.verdict.mechanisms
+    return next((one for one in verdicts if one.mechanism == mechanism.name), None)
 
 
 def at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:

@@ -22,11 +22,10 @@ def joints_of_branch(mechanism: MechanismResult, branch: BranchName) -> list[dic
     return [interface for interface in part if interface["curve"] is not None]
 
 
-def model_name(mechanism: MechanismResult) -> str:
-    """Return the models of its joints in a word or two."""
+def model_names(mechanism: MechanismResult) -> tuple[str, ...]:
+    """Return the models of its joints, each once: "rigid with crushing" where rigid ones crush, else "rigid" alone."""
     models = dict.fromkeys(interface["model"] for interface in deformable_joints(mechanism))
-    names = {"rigid": "rigid with crushing"}
-    return ", ".join(names.get(each, each) for each in models) or "rigid"
+    return tuple("rigid with crushing" if each == "rigid" else each for each in models) or ("rigid",)
 
 
 def peak_rotation(mechanism: MechanismResult, history: HistoryResult) -> float:

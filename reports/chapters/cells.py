@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from assess.codes.check import Check, Reason
+from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
 from reports.document import Cell, Column, Graded
@@ -34,10 +35,24 @@ MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground accelera
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
 
 
-def outcome_cell(check: Check) -> Graded:
-    """Return the outcome of a check, coloured where it decides."""
-    colour = _COLOURS.get(check.verdict.value, "incomplete") if check.role == "deciding" else "comparison"
-    return Graded(colour, OUTCOMES[check.verdict.value])
+def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> Graded:
+    """Return the outcome of a check, coloured where it decides. answers : of the mechanism, where they count."""
+    outcome = decided_outcome(check, answers)
+    colour = _COLOURS.get(outcome, "incomplete") if check.role == "deciding" else "comparison"
+    return Graded(colour, OUTCOMES[outcome])
+
+
+def decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
+    """Return the outcome of the answer that a check decides, as the target may be less than full safety; else its own.
+
+    Parameters
+    ----------
+    check : of a mechanism
+    answers : of the verdict of this mechanism
+    """
+    own = [each for each in answers if each.procedure == check.procedure]
+    outcomes = {each.outcome for each in own if each.limit_state == check.limit_state} or {each.outcome for each in own}
+    return outcomes.pop().value if check.role == "deciding" and len(outcomes) == 1 else check.verdict.value
 
 
 def unbounded_text(check: Check) -> Phrase | None:

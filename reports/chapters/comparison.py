@@ -13,7 +13,6 @@ from reports import governing
 from reports.chapters import annex_envelopes, comparison_words
 from reports.chapters.cells import MECHANISM, METHOD, NO_LASTING, NO_ROCKING, OUTCOMES, rotation_cell, unbounded_text
 from reports.chapters.check_cells import CAPACITY_PGA, FIGURES
-from reports.chapters.governing_words import verdict_of
 from reports.document import Block, Cell, Column, Figure, Graded, Prose, Section, Table
 from reports.figures import comparison as figure
 from reports.language.texts import Phrase, Text, quantity, say
@@ -109,7 +108,7 @@ def _caption(results: Results, others: tuple[float, ...]) -> Text:
 
 def _row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]) -> tuple[Cell, ...]:
     own = governing.site_pga(results)
-    found = verdict_of(results, mechanism)
+    found = governing.verdict_of(results, mechanism)
     worst = [governing.worst(_accepted(results, mechanism, level)) for level in levels]
     known = next((check for check in worst if check is not None), None)
     cells = (
@@ -127,7 +126,7 @@ def _accepted(results: Results, mechanism: MechanismResult, level: float) -> tup
     Where no method decides, those of all methods that may.
     """
     checks = governing.code_checks(governing.at_level(mechanism.checks, level))
-    verdict, own = results.verdict, verdict_of(results, mechanism)
+    verdict, own = results.verdict, governing.verdict_of(results, mechanism)
     if verdict is None or own is None or not verdict.methods:
         return checks
     methods = {answer.procedure for answer in own.answers if answer.procedure} or set(verdict.methods)

@@ -40,6 +40,8 @@ def summary(controls: tuple[Control, ...]) -> Text:
             failed,
             made=quantity(made, figures=12),
         )
+    if not made:
+        return say("No automatic control could be made.")
     return say_count(
         "The one automatic control that could be made is met.", "All {number} automatic controls made are met.", made
     )

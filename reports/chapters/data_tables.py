@@ -25,6 +25,7 @@ from reports.chapters.cells import (
     unbounded_text,
     uplift_cell,
 )
+from reports.chapters.varied_values import input_name
 from reports.document import Cell, Column, Table
 from reports.language.texts import Listing, Phrase, Term, Verbatim, quantity, say
 from reports.titles import file_stem, mechanism_title, procedure_title
@@ -287,14 +288,14 @@ def sensitivity(results: Results) -> Table:
         Column(say("Parameter")),
         Column(say("Key")),
         Column(say("Unit")),
-        *(Column(label, "ratio") for label in (say("Base"), say("Low"), say("High"))),
+        *map(Column, (say("Base"), say("Low"), say("High"))),
         PROCEDURE,
         LIMIT_STATE,
         Column(say("Role")),
         LEVEL,
         Column(say("Quantity")),
-        *(Column(label, "ratio") for label in (say("At base"), say("At low"), say("At high"))),
-        *(Column(label) for label in (say("Outcome"), say("Outcome at low"), say("Outcome at high"))),
+        *map(Column, (say("At base"), say("At low"), say("At high"))),
+        *map(Column, (say("Outcome"), say("Outcome at low"), say("Outcome at high"))),
         Column(say("Remark")),
     )
     caption = say(
@@ -307,7 +308,7 @@ def _varied(row: SensitivityResult) -> tuple[Cell, ...]:
     outcomes = (row.verdict_base, row.verdict_low, row.verdict_high)
     return (
         Verbatim(row.mechanism),
-        Term(row.parameter),
+        input_name(row),
         Verbatim(row.key),
         Verbatim(row.unit),
         *(row.base, row.low, row.high),

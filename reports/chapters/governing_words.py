@@ -12,15 +12,15 @@ from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import premises
 from reports.chapters.check_cells import FIGURES, clause
-from reports.chapters.index_text import index_text, outcome_text
+from reports.chapters.index_text import index_text, is_lowered, outcome_text, state_text, target_text
 from reports.document import Facts
-from reports.language.texts import Term, Text, Verbatim, listing, names, quantity, say
+from reports.language.texts import Term, Text, listing, names, quantity, say
 from reports.titles import procedure_title
 
 
 def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     """Yield what governs, up to which action the mechanism holds, and what would make it pass or complete."""
-    found, own = results.verdict, verdict_of(results, mechanism)
+    found, own = results.verdict, governing.verdict_of(results, mechanism)
     if found is None or own is None:
         return
     if not found.basis:
@@ -29,6 +29,7 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     for answer in own.answers:
         yield _governing(governing.at_site(results, mechanism), answer)
         yield from _floor(governing_check(governing.at_site(results, mechanism), answer))
+    yield from _lowered(own, found)
     yield from _remedy(own, found)
     if own.at_the_limit:
         yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
@@ -36,21 +37,23 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
         yield say("The answer depends on the conditions listed with the verdict.")
 
 
-def verdict_of(results: Results, mechanism: MechanismResult) -> MechanismVerdict | None:
-    """Return the verdict of a mechanism; None in results without one."""
-    verdicts = () if results.verdict is None else results.verdict.mechanisms
-    return next((one for one in verdicts if one.mechanism == mechanism.name), None)
+def _lowered(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:
+    """Yield why a ratio above 1 passes, where the target is less than full safety."""
+    above = any(answer.ratio is not None and answer.ratio > 1.0 for answer in own.answers)
+    target = target_text(found)
+    if own.outcome == Decision.PASS and is_lowered(found) and above and target is not None:
+        yield say("It passes, as the target is less than full safety: {target}.", target=target)
 
 
 def summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
     """Return the verdict of the mechanism with its indices; none without a verdict."""
-    own = verdict_of(results, mechanism)
+    own = governing.verdict_of(results, mechanism)
     if own is None:
         return []
     outcome = outcome_text(own.outcome, near=own.at_the_limit)
     found = [(answer.limit_state, index_text(answer.index)) for answer in own.answers if answer.index is not None]
     indices = [
-        say("{index} at {state}", index=index, state=Verbatim(state)) if len(found) > 1 else index
+        say("{index} at {state}", index=index, state=state_text(state)) if len(found) > 1 else index
         for state, index in found
     ]
     text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
@@ -62,7 +65,7 @@ def summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
 
 def silent_methods(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
-    own = verdict_of(results, mechanism)
+    own = governing.verdict_of(results, mechanism)
     governs = () if own is None else tuple(answer.procedure for answer in own.answers)
     checks = governing.worst_per_procedure(governing.code_checks(governing.at_site(results, mechanism)))
     silent = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
@@ -85,7 +88,7 @@ def _governing(checks: tuple[Check, ...], answer: Answer) -> Text:
         return _unanswered(answer)
     method, state, by = (
         procedure_title(check.procedure),
-        Verbatim(answer.limit_state),
+        state_text(answer.limit_state),
         Term(clause(check) or check.edition),
     )
     if not check.demand or check.capacity is None or check.ratio is None:
@@ -134,17 +137,17 @@ def _unanswered(answer: Answer) -> Text:
     """Return why a limit state has no answer, with what it would be."""
     if answer.provisional is None:
         return say(
-            "There is no answer for {state}: {reason}.", state=Verbatim(answer.limit_state), reason=answer.reason
+            "There is no answer for {state}: {reason}.", state=state_text(answer.limit_state), reason=answer.reason
         )
     if answer.provisional == Decision.PASS:
         return say(
             "There is no answer for {state}: {reason}. With the safe value of what is missing it would pass.",
-            state=Verbatim(answer.limit_state),
+            state=state_text(answer.limit_state),
             reason=answer.reason,
         )
     return say(
         "There is no answer for {state}: {reason}. With the safe value of what is missing it would fail.",
-        state=Verbatim(answer.limit_state),
+        state=state_text(answer.limit_state),
         reason=answer.reason,
     )
 

@@ -6,9 +6,11 @@ from collections.abc import Mapping
 
 from assess.codes.bases import BASES
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Verdict
+from assess.codes.verdict.target import whole
 from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 SYMBOLS: Mapping[str, str] = {"zeta_E": "ζ_E"}
+OWN = "own"  # basis that the engineer states, and its limit state
 SHARE = "%NBS"
 RATIO = "D/C"
 OUTCOMES: Mapping[Decision, tuple[Phrase, Phrase]] = {
@@ -32,6 +34,11 @@ def index_text(index: Index) -> Text:
     if not index.grade:
         return say("{value} %NBS", value=value)
     return say("{value} %NBS, grade {grade}", value=value, grade=Verbatim(index.grade))
+
+
+def state_text(limit_state: str) -> Text:
+    """Return a limit state; a basis that the engineer states has one without a name."""
+    return say("the stated limit state") if limit_state == OWN else Verbatim(limit_state)
 
 
 def symbol(name: str) -> Verbatim:
@@ -58,6 +65,11 @@ def target_text(found: Verdict) -> Text | None:
     if name == RATIO:
         return say("{index} of at most {value}", index=symbol(name), value=value)
     return say("{index} of at least {value}", index=symbol(name), value=value) if name else value
+
+
+def is_lowered(found: Verdict) -> bool:
+    """Return whether the target is less than what is asked of a new building."""
+    return found.target is not None and found.basis in BASES and found.target < whole(BASES[found.basis])
 
 
 def index_name(found: Verdict) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from assess.codes.check import Check, Outcome
+from assess.codes.verdict import Answer
 from assess.results import MechanismResult, OscillatorResult, Results
 from reports import governing
 from reports.chapters.cells import (
@@ -105,8 +106,10 @@ def answers(results: Results, mechanism: MechanismResult, *, name: str) -> Table
     """Tabulate the answers at the site's own action, a row for each method and limit state."""
     shown = shown_checks(results, mechanism)
     columns = (METHOD, Column(say("Role")), DEMAND, ALLOWABLE, RATIO, CAPACITY_PGA, OUTCOME)
+    own = governing.verdict_of(results, mechanism)
+    rows = tuple(_row(check, shown, () if own is None else own.answers) for check in shown)
     muted = frozenset(place for place, check in enumerate(shown) if check.reading == "thesis")
-    return Table(name, _caption(results), columns, tuple(map(_row, shown, [shown] * len(shown))), muted, small=True)
+    return Table(name, _caption(results), columns, rows, muted, small=True)
 
 
 def _caption(results: Results) -> Text:
@@ -117,7 +120,7 @@ def _caption(results: Results) -> Text:
     )
 
 
-def _row(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
+def _row(check: Check, among: tuple[Check, ...], answers: tuple[Answer, ...]) -> tuple[Cell, ...]:
     return (
         check_title(check, among),
         words(ROLES, check.role),
@@ -125,5 +128,5 @@ def _row(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
         capacity_cell(check),
         ratio_cell(check),
         check.capacity_pga_g,
-        outcome_cell(check),
+        outcome_cell(check, answers),
     )

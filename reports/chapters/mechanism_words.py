@@ -8,7 +8,19 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.language.texts import Listing, Paragraph, Phrase, Term, Text, Verbatim, names, quantity, say, say_count
+from reports.language.texts import (
+    Listing,
+    Paragraph,
+    Phrase,
+    Term,
+    Text,
+    Verbatim,
+    listing,
+    names,
+    quantity,
+    say,
+    say_count,
+)
 
 KINDS: Mapping[str, Phrase] = {
     "single-block": say("A single block"),
@@ -96,10 +108,9 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
 
 
 def _joints(mechanism: MechanismResult) -> Text:
-    model = joints.model_name(mechanism)
     return say(
         "Joints: {model}; coefficient of restitution: {source}.",
-        model=MODELS.get(model, Verbatim(model)),
+        model=listing(MODELS.get(model, Verbatim(model)) for model in joints.model_names(mechanism)),
         source=Listing(mechanism.restitution_said or (Term(mechanism.restitution_source),), ""),
     )
 

@@ -8,7 +8,7 @@ from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.results import Results, SensitivityResult
 from reports.chapters import checklist, missing_inputs
 from reports.chapters.governing_words import lacking_factor
-from reports.chapters.index_text import symbol
+from reports.chapters.index_text import is_lowered, symbol
 from reports.chapters.mechanism_list import mechanism_list
 from reports.chapters.sensitivity_ranking import SIDES, flips, is_negligible, span
 from reports.chapters.varied_values import answer_text, input_name, value_text
@@ -31,7 +31,8 @@ def sections(results: Results) -> list[Section]:
     ]
     if found.outcome == Decision.PASS:
         nothing = say("At the site’s own action no mechanism examined requires strengthening.")
-        blocks.insert(0, Prose((nothing,)))
+        to_target = say("No mechanism examined requires strengthening to reach the target.")
+        blocks.insert(0, Prose((to_target if is_lowered(found) else nothing,)))
     return [Section(say("Recommendations"), 0, tuple(blocks))]
 
 

@@ -178,7 +178,7 @@ def _left_over(results: Results) -> Iterator[Block]:
     if found is None:
         return
     lists: tuple[tuple[Text, list[Text]], ...] = (
-        (say("All conditions of the verdict:"), list(found.conditions)),
+        (say("All conditions of the verdict:"), verdict.conditions(results, found)),
         (say("All that is missing:"), missing_inputs.missing_texts(results, found)),
         (say("All warnings that bear on the verdict:"), verdict.warnings(results)),
     )

@@ -13,11 +13,12 @@ from assess.messages.message import Quantity
 from assess.results import Results, SpectrumResult
 from reports.chapters import actions, suite
 from reports.chapters.assumptions import stated_source
+from reports.chapters.index_text import OWN
 from reports.document import NOTHING, Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import suite as suite_figure
 from reports.language.spectrum_parameters import NAMES, parameter_rows
-from reports.language.texts import Paragraph, Term, Text, Verbatim, quantity, say
+from reports.language.texts import Paragraph, Term, Text, Verbatim, listing, quantity, say
 from reports.project_text import project_text
 
 SPECTRUM = "site.spectrum"
@@ -65,8 +66,9 @@ def _action(results: Results) -> Text:
 
 def _state(results: Results) -> Text:
     assert results.verdict is not None
-    named = results.verdict.action.limit_state or ", ".join(results.verdict.limit_states)
-    return Verbatim(named) if named else say("no limit state stated")
+    stated, decide = results.verdict.action.limit_state, results.verdict.limit_states
+    known = (stated,) if stated else tuple(state for state in decide if state != OWN)
+    return listing(map(Verbatim, known)) if known else say("no limit state stated")
 
 
 def _no_action() -> Text:

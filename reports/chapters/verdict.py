@@ -12,7 +12,14 @@ from assess.results import Results, SpectrumResult
 from reports.chapters import missing_inputs, premises, verdict_matrix
 from reports.chapters.checklist import not_examined_text
 from reports.chapters.front_matter import use_class_of
-from reports.chapters.index_text import building_index_text, least_margin, margin_text, target_text
+from reports.chapters.index_text import (
+    OWN,
+    building_index_text,
+    is_lowered,
+    least_margin,
+    margin_text,
+    target_text,
+)
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import NOTHING, Banner, Block, Facts, Items, Prose, Section
 from reports.language.spectrum_parameters import parameter_rows
@@ -83,6 +90,14 @@ def headline(found: Verdict) -> Text:
     """Return the meaning of the verdict in one sentence."""
     pga = quantity(found.action.pga_g, "ground acceleration", 3)
     every, number = len(found.mechanisms), sum(one.outcome == found.outcome for one in found.mechanisms)
+    if found.outcome == Decision.PASS and is_lowered(found):
+        return say_count(
+            "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
+            "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
+            every,
+            pga=pga,
+            target=target_text(found) or NOTHING,
+        )
     if found.outcome == Decision.PASS:
         return say_count(
             "The one mechanism examined holds at the site’s own action, PGA {pga}.",
@@ -91,6 +106,8 @@ def headline(found: Verdict) -> Text:
             pga=pga,
         )
     if found.outcome == Decision.FAIL:
+        if every == 1:
+            return say("The one mechanism examined fails at the site’s own action, PGA {pga}.", pga=pga)
         return say_count(
             "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
             "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
@@ -100,6 +117,8 @@ def headline(found: Verdict) -> Text:
         )
     if not found.basis:
         return say("No code is named that decides: the results of all methods are for comparison only.")
+    if every == 1:
+        return say("The one mechanism examined has no deciding answer at the site’s own action, PGA {pga}.", pga=pga)
     return say_count(
         "{number} of {every} mechanisms examined has no deciding answer at the site’s own action, PGA {pga}.",
         "{number} of {every} mechanisms examined have no deciding answer at the site’s own action, PGA {pga}.",
@@ -117,7 +136,7 @@ def conditions(results: Results, found: Verdict) -> list[Text]:
 def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
     yield say("Code"), _code(results, found)
-    if found.limit_states:
+    if found.limit_states and found.basis != OWN:
         states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in found.limit_states)
         yield say("Limit state"), states
     yield say("Site’s own action"), action_text(results, found)
@@ -153,7 +172,7 @@ def _code(results: Results, found: Verdict) -> Text:
     """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
     if not found.basis:
         return say("none named")
-    if found.basis == "own":
+    if found.basis == OWN:
         return Verbatim(found.clauses[0][0])
     annex, edition = results.report.national_annex, Term(found.edition)
     if not annex:
@@ -186,7 +205,7 @@ def spectrum_text(spectrum: SpectrumResult) -> Text:
     return listing([Term(spectrum.clause), *(Phrase(words, {"value": _short(value)}) for words, value in known)], "")
 
 
-def _short(value: Quantity | Verbatim) -> Text:
+def _short(value: Text) -> Text:
     return replace(value, figures=3) if isinstance(value, Quantity) else value
 
 

@@ -9,6 +9,7 @@ from assess.codes.check import Check, Outcome
 from assess.codes.verdict import MechanismVerdict, Verdict
 from assess.results import MechanismResult, Results
 from reports import governing
+from reports.chapters.cells import outcome_cell
 from reports.chapters.index_text import RATIO, index_name, margin_text, outcome_text, symbol
 from reports.document import Cell, Column, Graded, Table
 from reports.language.texts import Paragraph, Text, Verbatim, quantity, say
@@ -112,8 +113,7 @@ def cell(results: Results, mechanism: MechanismResult, one: MechanismVerdict, me
     if found is None or found.verdict == Outcome.NOT_APPLICABLE:
         return None
     if found.role == "deciding":
-        outcomes = [each.outcome for each in one.answers if each.procedure == found.procedure]
-        return Graded(outcomes[0].value if len(outcomes) == 1 else found.verdict.value, ratio_text(found))  # type: ignore[arg-type]
+        return Graded(outcome_cell(found, one.answers).outcome, ratio_text(found))
     return Graded("comparison", ratio_text(found))
 
 

@@ -65,7 +65,7 @@ class Locale:
     @text.register
     def _(self, text: Message) -> str:
         english = TEXTS.get(text.key)
-        if english is None or english.format(**text.values) != text.text:  # made by another version
+        if english is None or _filled(english, text) != text.text:  # made by another version
             return text.text
         filled = {name: value if isinstance(value, str) else self.text(value) for name, value in text.values.items()}
         return self.word(english).format(**filled)
@@ -118,3 +118,11 @@ class Locale:
         """Return the label of a column or an axis with its unit: "rotation [rad]"."""
         unit = self.unit_name(self.table_unit(dimension)) if dimension else ""
         return f"{self.text(label)} [{unit or '-'}]" if dimension else self.text(label)
+
+
+def _filled(english: str, message: Message) -> str | None:
+    """Return an entry with the values of a message; None where it has other gaps."""
+    try:
+        return english.format(**message.values)
+    except KeyError:
+        return None

@@ -70,6 +70,8 @@ NAMES: Mapping[str, tuple[Phrase, str]] = {
     "period_max": (say("longest period of the table"), "time"),
     "pga": (say("ordinate at zero period"), ACCELERATION),
 }
+WORDS: Mapping[str, Phrase] = {"none": say("none"), "design": say("design"), "mce": say("maximum considered")}
+"""Values of parameters that are words."""
 CORNERS = ("t_0", "t_s", "t_b", "t_c", "t_d", "t_l")  # the parameters that are corner periods of the curve
 
 
@@ -79,14 +81,14 @@ def corners(parameters: Mapping[str, float | str]) -> tuple[float, ...]:
     return tuple(period for period in found if isinstance(period, float))
 
 
-def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[Text, Quantity | Verbatim], ...]:
+def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[Text, Quantity | Verbatim | Phrase], ...]:
     """Return name and value of each parameter; one that is not known here keeps its name."""
     return tuple(_parameter_row(key, value) for key, value in parameters.items())
 
 
-def _parameter_row(key: str, value: float | str) -> tuple[Text, Quantity | Verbatim]:
+def _parameter_row(key: str, value: float | str) -> tuple[Text, Quantity | Verbatim | Phrase]:
     """Return a parameter as it is shown: results hold accelerations in m/s2."""
     name, dimension = NAMES.get(key, (Verbatim(key), ""))
     if isinstance(value, str):
-        return name, Verbatim(value)
+        return name, WORDS.get(value, Verbatim(value))
     return name, Quantity(value / g if dimension == ACCELERATION else float(value), dimension or "ratio", _FIGURES)

@@ -27,6 +27,7 @@ def controlled(results: Results, *made: Control) -> Results:
     [
         ((MULTIPLIER,), "The one automatic control that could be made is met."),
         ((MULTIPLIER, MULTIPLIER, NOT_MADE), "All 2 automatic controls made are met."),
+        ((NOT_MADE,), "No automatic control could be made."),
         ((MULTIPLIER, ENERGY), "1 automatic control of 2 is not met"),
         ((ENERGY, ENERGY, MULTIPLIER), "2 automatic controls of 3 are not met"),
     ],

@@ -11,6 +11,7 @@ from assess.codes.check import Outcome
 from assess.codes.verdict import Decision, Index
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Resolved, Results
+from reports import governing
 from reports.chapters import governing_words, mechanism_page, mechanism_tables, mechanism_words
 from reports.chapters.check_cells import clause
 from reports.document import Figure, Graded, Row
@@ -122,6 +123,36 @@ def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judg
     judged = judged_at(results, 0.2)
     said = told(governing_words.sentences(judged, judged.mechanisms[0]))
     assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said
+
+
+def test_a_target_below_full_safety_passes_a_ratio_above_one(results: Results, judged_at: object) -> None:
+    """Table and sentences have the outcome of the verdict, and say why."""
+    failing = judged_at(results, 0.45)  # type: ignore[operator]
+    wall = next(each for each in failing.mechanisms if any(check.role == "deciding" for check in each.checks))
+    own = governing.verdict_of(failing, wall)
+    assert own is not None
+    answers = tuple(replace(each, outcome=Decision.PASS, ratio=1.5) for each in own.answers)
+    passing = replace(own, outcome=Decision.PASS, answers=answers)
+    found = replace(failing.verdict, basis="nzsee2017", target=34.0, index=Index("%NBS", 40.0), mechanisms=(passing,))
+    lowered = replace(failing, verdict=found)
+    (deciding, *_), *_ = [
+        [cell for cell in row if isinstance(cell, Graded)]
+        for row in mechanism_tables.answers(lowered, wall, name="a").rows
+    ]
+    assert (deciding.outcome, told([deciding.text])) == ("pass", "pass")
+    assert "It passes, as the target is less than full safety: at least 34 %NBS." in told(
+        governing_words.sentences(lowered, wall)
+    )
+
+
+def test_joints_of_several_models_are_words_of_the_language(results: Results) -> None:
+    wall = results.mechanisms[0]
+    kinds = ("rigid", "flexible")
+    both = replace(wall, interfaces=tuple({"model": kind, "curve": {}, "hinge": "A"} for kind in kinds))
+    assert "Joints: rigid, with crushing and flexible;" in described(both)
+    italian = told([mechanism_words.description(both)], Locale("it"))
+    assert "crushing" not in italian
+    assert "flexible" not in italian
 
 
 def test_where_no_code_decides_nothing_governs(results: Results) -> None:

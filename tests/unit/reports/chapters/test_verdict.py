@@ -10,7 +10,7 @@ import pytest
 from assess.codes.verdict import Decision, Index, Missing
 from assess.messages.message import Message, Severity, warning
 from assess.results import ChecklistItem, ReportMatter, Resolved, Results
-from reports.chapters import recommendations, scope, verdict
+from reports.chapters import recommendations, scope, site, verdict
 from reports.document import Banner, Code
 from tests.support.letters import letters, lines
 
@@ -52,6 +52,39 @@ def test_one_mechanism_is_not_all_of_them(results: Results) -> None:
     assert results.verdict is not None
     alone = with_verdict(results, mechanisms=results.verdict.mechanisms[:1])
     assert letters(banner(alone).headline).startswith("The one mechanism examined holds")
+
+
+@pytest.mark.parametrize(
+    ("outcome", "said"),
+    [
+        (Decision.FAIL, "The one mechanism examined fails at the site’s own action, PGA"),
+        (Decision.INCOMPLETE, "The one mechanism examined has no deciding answer at the site’s own action, PGA"),
+    ],
+)
+def test_one_mechanism_is_not_counted(results: Results, outcome: Decision, said: str) -> None:
+    assert results.verdict is not None
+    alone = with_verdict(results, mechanisms=results.verdict.mechanisms[:1], outcome=outcome)
+    assert letters(banner(alone).headline).startswith(said)
+
+
+def test_a_target_below_full_safety_is_not_the_sites_own_action(results: Results, judged_at: JudgedAt) -> None:
+    """A wall of 40 %NBS passes at 34 %NBS, without holding at the action of the site."""
+    lowered = with_verdict(judged_at(results, 0.067), basis="nzsee2017", target=34.0, index=Index("%NBS", 40.0, "C"))
+    assert letters(banner(lowered).headline) == (
+        "All 2 mechanisms examined reach the target at the site’s own action, PGA 0.067 g: at least 34 %NBS."
+    )
+    words = "\n".join(lines(recommendations.sections(lowered)))
+    assert "No mechanism examined requires strengthening to reach the target." in words
+    assert "At the site’s own action no mechanism" not in words
+
+
+def test_a_basis_of_the_engineer_has_no_limit_state(results: Results) -> None:
+    assert results.verdict is not None
+    own = with_verdict(results, basis="own", limit_states=("own",), clauses=(("By agreement.", ""),))
+    said = "\n".join(lines(verdict.sections(own)))
+    assert "Code: By agreement." in said
+    assert "Limit state" not in said
+    assert "own" not in letters(site.sections(own)[0].blocks[0].paragraphs[0]).replace("site’s own", "")  # type: ignore[union-attr]
 
 
 def test_what_lies_at_the_limit_says_so_unless_it_is_incomplete(results: Results) -> None:
@@ -127,6 +160,16 @@ def test_many_conditions_are_all_in_the_report(results: Results) -> None:
     first, rest = lines(verdict.sections(many)), lines(scope.sections(many))
     assert "and 14 others, under Scope and limits" in first
     assert all(f"condition {number} is shown to hold" in rest for number in range(20))
+
+
+def test_what_the_project_vouches_for_counts_among_the_conditions(results: Results) -> None:
+    """Five conditions and two premises are a list that page 1 shortens, so that all of them stand under Scope."""
+    tied = replace(results.mechanisms[1].loads[0], lasting="to collapse", seat_m=0.1)
+    last = replace(results.mechanisms[1], loads=(tied,))
+    several = replace(results, mechanisms=(results.mechanisms[0], last))
+    many = with_verdict(several, conditions=tuple(map(condition, range(6))))
+    assert "and 2 others, under Scope and limits" in "\n".join(lines(verdict.sections(many)))
+    assert "have the seats that the project gives" in "\n".join(lines(scope.sections(many)))
 
 
 def test_a_list_is_not_shortened_by_one_point(results: Results) -> None:

@@ -6,7 +6,7 @@ import pytest
 from scipy.constants import foot, g, psi
 
 from assess.messages.message import UNITS as MESSAGE_UNITS
-from assess.messages.message import Quantity, note
+from assess.messages.message import Message, Quantity, Severity, note
 from reports.language.locale import Locale
 from reports.language.texts import Listing, Paragraph, Reference, Text, Verbatim, count, quantity, say, say_count
 from reports.language.units import UNITS
@@ -79,3 +79,8 @@ def test_a_message_of_another_version_keeps_its_own_words() -> None:
 
 def test_whole_numbers_are_written_whole() -> None:
     assert SI.text(count(12345)) == "12345"
+
+
+def test_a_message_of_a_version_with_other_gaps_keeps_its_english() -> None:
+    older = Message("too-few-records", Severity.NOTE, "", "1 records; at least 3", {"number": "1"})
+    assert plain(ITALIAN, older) == "1 records; at least 3"

@@ -21,9 +21,7 @@ from reports.chapters.mechanism_keys import split_key, starred_key
         ("materials.wall.density", "", "materials.wall.density", "materials.wall.density"),
     ],
 )
-def test_a_key_is_split_after_the_longest_name(
-    results: Results, key: str, owner: str, rest: str, starred: str
-) -> None:
+def test_a_key_is_split_after_the_longest_name(results: Results, key: str, owner: str, rest: str, starred: str) -> None:
     wall, parapet = results.mechanisms
     named = replace(results, mechanisms=(replace(wall, name="wall"), replace(parapet, name="wall.a")))
     assert split_key(named, key) == (owner, rest)

@@ -84,7 +84,8 @@ def _decode(data: bytes, where: str) -> tuple[Image, Kind]:
             opened = Image.open(io.BytesIO(data), formats=[kind])
             _check_pixels(opened.size, where)
             opened.draft("RGB", (2 * LONGEST_SIDE, 2 * LONGEST_SIDE))  # a JPEG is decoded at a half, quarter or eighth
-            image = _plain_colours(ImageOps.exif_transpose(opened))
+            ImageOps.exif_transpose(opened, in_place=True)  # no copy of all pixels
+            image = _plain_colours(opened)
     except ProjectError:
         raise
     except Image.DecompressionBombError:
@@ -106,7 +107,8 @@ def _plain_colours(image: Image) -> Image:
     if image.mode.startswith("I"):  # 16 bits of grey, which `convert` alone would clip
         image = image.convert("I").point(lambda value: value * (1.0 / 257.0)).convert("L")
     has_opacity = "A" in image.getbands() or "transparency" in image.info
-    return image.convert("RGBA" if has_opacity else "RGB")
+    mode = "RGBA" if has_opacity else "RGB"
+    return image if image.mode == mode and "transparency" not in image.info else image.convert(mode)
 
 
 def _encode(image: Image, kind: Kind) -> bytes:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from assess.messages.message import Quantity
 from assess.results import Resolved, Results
 from reports import governing
+from reports.chapters.mechanism_keys import starred_key
 from reports.chapters.mechanism_list import mechanism_list
 from reports.chapters.project_values import Entry, entries
 from reports.chapters.value_titles import value_title, value_word
@@ -21,7 +22,6 @@ SPECTRUM = "site.spectrum."
 FIGURES = 4  # of a value; annex E has all of them
 TABLES: Mapping[str, str] = {"site.spectrum.hazard": "hazard", "mechanisms.*.loads": "actions"}
 """Lists of tables of the project file, by their keys, and the tables of the report that show them."""
-START = "mechanisms."
 KINDS: Mapping[str, Phrase] = {
     "measured": say("measured"),
     "literature": say("literature"),
@@ -111,7 +111,7 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         source = source_of(results, key, value)
         if source.kind != kind or value.value in (None, [], {}, ""):
             continue
-        owner, rest = split_key(results, key)
+        owner, rest = starred_key(results, key)
         if kind == DEFAULT and not _matters(results, rest):
             continue
         for entry in groups(results, rest, value):
@@ -163,16 +163,6 @@ def _source_text(kind: str, words: str) -> Text:
     if kind == DEFAULT:
         return say("default of the program")
     return say("assumed: {words}", words=Verbatim(words)) if words else say("assumed")
-
-
-def split_key(results: Results, key: str) -> tuple[str, str]:
-    """Return the mechanism that a key belongs to, and the key with * in its place; empty and the key for no one's."""
-    if not key.startswith(START):
-        return "", key
-    rest = key.removeprefix(START)
-    owners = [each.name for each in results.mechanisms if rest.startswith(f"{each.name}.")]
-    owner = max(owners, key=len, default="")
-    return (owner, f"{START}*.{rest.removeprefix(f'{owner}.')}") if owner else ("", key)
 
 
 def source_of(results: Results, key: str, value: Resolved) -> Source:
@@ -247,15 +237,15 @@ def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
         kind, _, words = line.partition(":")
         if kind.strip() == ASSUMED:
             continue
-        owner, rest = split_key(results, f"{key}.")
-        yield label(rest.removesuffix(".")), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
+        owner, rest = starred_key(results, key)
+        yield label(rest), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
 
 
 def _unstated(results: Results) -> list[Block]:
     """Return what is given without a source, each once with the mechanisms that it is for."""
     found: dict[str, tuple[Text, list[str]]] = {}
     for key, value in results.project.items():
-        owner, rest = split_key(results, key)
+        owner, rest = starred_key(results, key)
         title = value_title(_first(rest))
         if rest in CHOICES or title is None or not value.given:
             continue

@@ -20,6 +20,7 @@ from reports.chapters.index_text import (
     margin_text,
     target_text,
 )
+from reports.chapters.mechanism_keys import split_key
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import NOTHING, Banner, Block, Facts, Items, Prose, Section
 from reports.language.spectrum_parameters import parameter_rows
@@ -253,7 +254,7 @@ def _placed(results: Results, same: Sequence[Message]) -> Text:
 def _owner(results: Results, where: str) -> str:
     """Return the mechanism that a message is about, by its name or its key; empty for none."""
     named = any(where == each.name for each in results.mechanisms)
-    return where if named else missing_inputs.owner_and_key(results, where)[0]
+    return where if named else split_key(results, where)[0]
 
 
 def is_shortened(points: Sequence[Text]) -> bool:

@@ -27,8 +27,13 @@ def site(before: Results, after: Results) -> Iterator[Change]:
 
 
 def project(before: Results, after: Results) -> Iterator[Change]:
-    """Compare every value of the project as used, in SI; tables and lists of tables entry by entry."""
+    """Compare every value of the project as used, in SI; tables and lists of tables entry by entry.
+
+    A default is no change where the other run has no such key: an older version did not write the keys added since.
+    """
     for key, one, other in pairs(before.project, after.project):
+        if (one is None or other is None) and not any(each.given for each in (one, other) if each is not None):
+            continue
         for entry, first, second in entries(key, *of_both(attrgetter("value"), one, other)):
             yield Change("project", "", entry, first, second)
 
@@ -63,10 +68,10 @@ def inputs(before: Results, after: Results) -> Iterator[Change]:
 
 
 def warnings(before: Results, after: Results) -> Iterator[Change]:
-    """List the warnings that only one run has."""
-    sides = [{(each.key, each.where, each.text): each.text for each in results.warnings} for results in (before, after)]
-    for (code, where, _), one, other in pairs(*sides):
-        yield Change("warning", where, code, one, other)
+    """List the warnings that only one run has; one of the same words under another key is the same."""
+    sides = [{(each.where, each.text): each.key for each in results.warnings} for results in (before, after)]
+    for (where, text), one, other in pairs(*sides):
+        yield Change("warning", where, one or other or "", text if one else None, text if other else None)
 
 
 def program(before: Results, after: Results) -> Iterator[Change]:

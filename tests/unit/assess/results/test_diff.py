@@ -124,6 +124,22 @@ def test_what_one_run_alone_has_is_a_change(before: Results) -> None:
     ]
 
 
+@pytest.mark.parametrize("given", [False, True])
+def test_a_key_that_one_run_lacks_is_a_change_if_it_was_given(before: Results, given: bool) -> None:
+    """Results of an older version lack the keys that came later, with their defaults."""
+    later = replace(before, project={**before.project, "report.motto": Resolved("none", given)})
+    assert [(c.what, c.before, c.after) for c in changes(before, later)] == [("report.motto", None, "none")] * given
+    assert [(c.what, c.before, c.after) for c in changes(later, before)] == [("report.motto", "none", None)] * given
+
+
+def test_a_warning_of_the_same_words_under_another_key_is_the_same(before: Results) -> None:
+    one, other = (
+        replace(before, warnings=(Message(key, Severity.WARNING, "mechanisms.wall", "it slides"),))
+        for key in ("mechanism", "slides")
+    )
+    assert changes(one, other) == ()
+
+
 def test_rounding_is_hidden_and_zero_tolerance_shows_it(before: Results) -> None:
     wall = before.mechanisms[0]
     nudged = replace(wall, oscillator=replace(wall.oscillator, p_eq_per_s=wall.oscillator.p_eq_per_s * (1 + 1e-8)))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from assess.codes.check import Family, Outcome
+from assess.codes.check import Family, Outcome, PgaCurve
 from assess.results import Results
 from reports.chapters import comparison, comparison_words
-from reports.document import Cell, Graded
+from reports.document import Cell, Figure, Graded
 from reports.language.locale import Locale
 from reports.language.texts import Text
 
@@ -135,3 +135,18 @@ def test_a_method_is_named_with_every_mechanism_that_it_fails(results: Results) 
     assert "the methods disagree on M1." in said
     assert "NTC 2018, linear kinematic fails M1 and M2." in said
     assert "M1 is passed by NTC 2018, non-linear kinematic." in said
+
+
+def test_a_figure_without_anything_to_draw_is_left_out(results: Results) -> None:
+    """A tabled limit of slenderness has neither a PGA at capacity nor a curve over the PGA."""
+    bare = tuple(
+        replace(
+            each,
+            checks=tuple(replace(c, pga_curve=PgaCurve((), ()), capacity_pga_g=None) for c in each.checks),
+        )
+        for each in results.mechanisms
+    )
+    (section,) = comparison.sections(replace(results, mechanisms=bare))
+    assert [block.name for block in section.blocks if isinstance(block, Figure)] == ["comparison", "critical"][
+        : 1 + (results.critical is not None)
+    ]

@@ -15,6 +15,7 @@ from reports.chapters.value_titles import value_title, value_word
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.spectrum_parameters import NAMES
 from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
+from reports.project_text import project_text
 
 SOURCES = "report.sources."
 SPECTRUM = "site.spectrum."
@@ -69,6 +70,7 @@ def sections(results: Results) -> list[Section]:
         *blocks,
         *_restitution(results),
         *nonempty(materials(results)),
+        *_masonry(results),
         *nonempty(sources(results)),
         *_unstated(results),
     )
@@ -203,6 +205,12 @@ def materials(results: Results) -> Table:
     rows = tuple((Verbatim(name), *(_worded(cells.get(key)) for key, _ in kept)) for name, cells in found.items())
     columns = (Column(say("Material")), *(Column(title) for _, title in kept))
     return Table("materials", say("Materials."), columns, rows if kept else ())
+
+
+def _masonry(results: Results) -> list[Block]:
+    """Return what the engineer writes of the quality of the masonry, which decides whether it moves as rigid bodies."""
+    words = project_text(results, "masonry_quality").strip()
+    return [Prose((say("Quality of the masonry: {words}", words=Verbatim(words)),))] if words else []
 
 
 def sources(results: Results) -> Table:

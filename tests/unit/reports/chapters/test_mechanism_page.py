@@ -13,7 +13,7 @@ from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Resolved, Results
 from reports import governing
 from reports.chapters import governing_words, mechanism_page, mechanism_tables, mechanism_words
-from reports.chapters.check_cells import clause
+from reports.chapters.cells import clause
 from reports.document import Figure, Graded, Row
 from reports.language.locale import Locale
 from reports.language.texts import Text

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from assess.codes.check import BranchName
 from assess.results import HistoryResult, MechanismResult
+from reports.language.texts import Phrase, say
+
+MODELS: Mapping[str, Phrase] = {
+    "rigid": say("rigid"),
+    "rigid with crushing": say("rigid, with crushing"),
+    "flexible": say("flexible"),
+    "flexible-thesis": say("flexible, by the thesis"),
+    "semi-flexible": say("semi-flexible"),
+}
 
 
 def deformable_joints(mechanism: MechanismResult) -> list[dict[str, Any]]:

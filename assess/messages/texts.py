@@ -195,7 +195,7 @@ TEXTS: Mapping[str, str] = {
     "range of validity",
     "records-overturn": "{fallen} of {n} records overturn the body",
     "records-beyond-collapse": "{fallen} of {n} records move the body beyond d0*, where it survives only by chance",
-    "too-few-records": "{n} records, of which {fallen} overturn the body; {clause} requires at least {least}",
+    "too-few-records": "too few records: {n} ({fallen} overturning the body); {clause} requires at least {least}",
     "above-building": "the supports of the mechanism are {height} above the ground, higher than the building: check "
     "[building] height and ground_elevation",
     "ground-motion-at-height": "the mean height of the supports is {height} above the ground; with the ground "

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from assess.results import Resolved, Results
 from reports.chapters.project_values import DEFAULT, GIVEN, entries
-from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
+from reports.document import Block, Cell, Column, Section, Table, nonempty
 from reports.language.texts import Verbatim, say
-from reports.project_text import project_text
 
 MARK = "E"
 LEFT_OUT = ("report.", "notes", "title")
 
 
 def sections(results: Results) -> list[Section]:
-    """Return the annex: notes, files, values of the project and messages."""
-    notes = project_text(results, "notes")
-    blocks: list[Block] = [Prose((say("Notes: {notes}", notes=Verbatim(notes)),))] if notes else []
-    blocks += [*nonempty(files(results)), *nonempty(values_in_use(results)), *nonempty(messages(results))]
+    """Return the annex: files, values of the project and messages."""
+    blocks: list[Block] = [*nonempty(files(results)), *nonempty(values_in_use(results)), *nonempty(messages(results))]
     return [Section(say("Inputs"), 0, tuple(blocks), starts_page=True, mark=MARK)]
 
 

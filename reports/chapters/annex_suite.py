@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
+from reports.chapters import suite
 from reports.chapters.cells import MECHANISM
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
-from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say
+from reports.language.texts import Listing, Term, Text, Verbatim, quantity, say
 from reports.titles import mechanism_title, numbered_title
 
 MARK = "D"
-SENSES = {">=": "≥", "<=": "≤"}
-MET: dict[str, Phrase] = {"met": say("yes"), "not met": say("no"), "not answered": say("not answered")}
 FITS = {"suite": say("the mean of the suite"), "each": say("each record by itself")}
-_DIMENSIONS = {"s": "time", "-": "ratio", "g": "ground acceleration"}
 
 
 def sections(results: Results) -> list[Section]:
@@ -109,7 +107,7 @@ def requirements(motion: GroundMotionResult) -> Table:
         Column(say("Found")),
         Column(say("Limit")),
         Column(say("Periods")),
-        Column(say("Met")),
+        Column(say("Outcome")),
         Column(say("Remark"), share=0.2),
     )
     caption = say(
@@ -122,7 +120,6 @@ def requirements(motion: GroundMotionResult) -> Table:
 
 
 def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
-    dimension = _DIMENSIONS.get(one.unit, "ratio")
     over = (
         None
         if one.from_s is None or one.to_s is None
@@ -132,10 +129,9 @@ def _requirement(one: RequirementResult) -> tuple[Cell, ...]:
         Verbatim(one.code),
         Term(one.clause),
         Term(one.what),
-        None if one.value is None else quantity(one.value, dimension),
-        say("{sense} {limit}", sense=Verbatim(SENSES[one.sense]), limit=quantity(one.limit, dimension)),
+        *suite.found_and_limit(one),
         over,
-        MET[one.verdict],
+        suite.MET[one.verdict][1],
         Listing((*(one.remarks or map(Term, _nonempty((one.remark,)))), *map(Term, _nonempty((one.caveat,)))), ""),
     )
 

@@ -8,19 +8,20 @@ from dataclasses import dataclass, replace
 from assess.messages.message import Quantity
 from assess.results import Resolved, Results
 from reports import governing
+from reports.chapters.mechanism_keys import starred_key
 from reports.chapters.mechanism_list import mechanism_list
 from reports.chapters.project_values import Entry, entries
 from reports.chapters.value_titles import value_title, value_word
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.spectrum_parameters import NAMES
 from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
+from reports.project_text import project_text
 
 SOURCES = "report.sources."
 SPECTRUM = "site.spectrum."
 FIGURES = 4  # of a value; annex E has all of them
 TABLES: Mapping[str, str] = {"site.spectrum.hazard": "hazard", "mechanisms.*.loads": "actions"}
 """Lists of tables of the project file, by their keys, and the tables of the report that show them."""
-START = "mechanisms."
 KINDS: Mapping[str, Phrase] = {
     "measured": say("measured"),
     "literature": say("literature"),
@@ -69,6 +70,7 @@ def sections(results: Results) -> list[Section]:
         *blocks,
         *_restitution(results),
         *nonempty(materials(results)),
+        *_masonry(results),
         *nonempty(sources(results)),
         *_unstated(results),
     )
@@ -109,7 +111,7 @@ def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         source = source_of(results, key, value)
         if source.kind != kind or value.value in (None, [], {}, ""):
             continue
-        owner, rest = split_key(results, key)
+        owner, rest = starred_key(results, key)
         if kind == DEFAULT and not _matters(results, rest):
             continue
         for entry in groups(results, rest, value):
@@ -163,16 +165,6 @@ def _source_text(kind: str, words: str) -> Text:
     return say("assumed: {words}", words=Verbatim(words)) if words else say("assumed")
 
 
-def split_key(results: Results, key: str) -> tuple[str, str]:
-    """Return the mechanism that a key belongs to, and the key with * in its place; empty and the key for no one's."""
-    if not key.startswith(START):
-        return "", key
-    rest = key.removeprefix(START)
-    owners = [each.name for each in results.mechanisms if rest.startswith(f"{each.name}.")]
-    owner = max(owners, key=len, default="")
-    return (owner, f"{START}*.{rest.removeprefix(f'{owner}.')}") if owner else ("", key)
-
-
 def source_of(results: Results, key: str, value: Resolved) -> Source:
     """Return the source of a value: of the longest key of the sources that its own key begins with."""
     stated = [start for start in _stated(results) if key == start or key.startswith(f"{start}.")]
@@ -215,6 +207,12 @@ def materials(results: Results) -> Table:
     return Table("materials", say("Materials."), columns, rows if kept else ())
 
 
+def _masonry(results: Results) -> list[Block]:
+    """Return what the engineer writes of the quality of the masonry, which decides whether it moves as rigid bodies."""
+    words = project_text(results, "masonry_quality").strip()
+    return [Prose((say("Quality of the masonry: {words}", words=Verbatim(words)),))] if words else []
+
+
 def sources(results: Results) -> Table:
     """Tabulate the sources that the project states, but for assumed values."""
     found: dict[str, tuple[Text, Text, str, list[str]]] = {}
@@ -239,15 +237,15 @@ def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
         kind, _, words = line.partition(":")
         if kind.strip() == ASSUMED:
             continue
-        owner, rest = split_key(results, f"{key}.")
-        yield label(rest.removesuffix(".")), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
+        owner, rest = starred_key(results, key)
+        yield label(rest), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
 
 
 def _unstated(results: Results) -> list[Block]:
     """Return what is given without a source, each once with the mechanisms that it is for."""
     found: dict[str, tuple[Text, list[str]]] = {}
     for key, value in results.project.items():
-        owner, rest = split_key(results, key)
+        owner, rest = starred_key(results, key)
         title = value_title(_first(rest))
         if rest in CHOICES or title is None or not value.given:
             continue

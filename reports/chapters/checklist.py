@@ -88,13 +88,15 @@ def meaning(results: Results) -> Text:
             "[report]): the verdict holds for the mechanisms examined and says nothing of others."
         )
     number = len(results.report.not_examined)
+    index = None if results.verdict is None else results.verdict.index
+    if index is None:
+        return _of_no_index(number)
     if not number:
         return say(
             "Every mechanism of this list is examined or absent. The index of the building is that of its local "
             "mechanisms; the response of the building as a whole is not part of this report."
         )
-    ratio = results.verdict is not None and results.verdict.index is not None and results.verdict.index.name == RATIO
-    if ratio:
+    if index.name == RATIO:
         return say_count(
             "The ratio D/C of the building is at least the largest one of the mechanisms examined: {number} possible "
             "mechanism was not examined and may have a larger one.",
@@ -107,5 +109,19 @@ def meaning(results: Results) -> Text:
         "was not examined and may have a lower one.",
         "The index of the building is at most the least one of the mechanisms examined: {number} possible mechanisms "
         "were not examined, and one of them may have a lower one.",
+        number,
+    )
+
+
+def _of_no_index(number: int) -> Text:
+    """Return what the list means where the building has no index. number: of mechanisms not examined."""
+    if not number:
+        return say(
+            "Every mechanism of this list is examined or absent. The response of the building as a whole is not part "
+            "of this report."
+        )
+    return say_count(
+        "{number} possible mechanism was not examined: the verdict says nothing of it.",
+        "{number} possible mechanisms were not examined: the verdict says nothing of them.",
         number,
     )

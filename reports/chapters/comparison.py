@@ -43,16 +43,22 @@ def _prose(sentences: Iterator[Text]) -> list[Block]:
 
 
 def _curves(results: Results) -> Iterator[Figure]:
-    """Yield the figures of several mechanisms on one axis."""
+    """Yield the figures of several mechanisms on one axis, those for which there is anything to draw."""
     if len(results.mechanisms) < 2:
         return
-    caption = say("Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings.")
-    yield Figure("capacities", caption, partial(figure.draw_capacities, results))
+    if any(governing.capacities(each.checks) for each in results.mechanisms):
+        caption = say(
+            "Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings."
+        )
+        yield Figure("capacities", caption, partial(figure.draw_capacities, results))
+    procedure = figure.curve_procedure(results)
+    if not procedure:
+        return
     caption = say(
         "Largest rotation over peak ground acceleration of all mechanisms by {method}; mechanisms that differ by their "
         "joints alone share a colour (solid: rigid, dashed: flexible). Beside it their moments over rotation, as a "
         "part of what rigid joints give.",
-        method=procedure_title(figure.curve_procedure(results)),
+        method=procedure_title(procedure),
     )
     yield Figure("curves", caption, partial(figure.draw_curves, results))
 

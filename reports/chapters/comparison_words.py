@@ -94,18 +94,21 @@ def _disagreements(results: Results) -> Iterator[Text]:
     answering = dict.fromkeys(
         c.procedure for m in apart for c in _own(results, m) if c.verdict in (Outcome.PASS, Outcome.FAIL)
     )
-    failed = {procedure: [m.name for m in apart if _fails(results, m, procedure)] for procedure in answering}
+    failed = {
+        procedure: [m.name for m in results.mechanisms if _fails(results, m, procedure)]
+        for procedure in answering
+        if any(_fails(results, m, procedure) for m in apart)
+    }
     told: set[Family | None] = set()
     for procedure, mechanisms in failed.items():
-        if mechanisms:
-            family = FAMILIES.get(procedure)
-            yield _failing(results, procedure, mechanisms, None if family in told else family)
-            told.add(family)
+        family = FAMILIES.get(procedure)
+        yield _failing(results, procedure, mechanisms, None if family in told else family)
+        told.add(family)
     passed: dict[tuple[str, ...], list[str]] = {}
-    for procedure in (name for name, mechanisms in failed.items() if not mechanisms):
+    for procedure in (name for name in answering if name not in failed):
         passed.setdefault(tuple(m.name for m in apart if _passes(results, m, procedure)), []).append(procedure)
     for which, procedures in passed.items():
-        yield _passing(results, which, procedures, is_all=len(which) == len(apart))
+        yield _passing(results, which, procedures, is_all=1 < len(which) == len(apart))
 
 
 def _passing(results: Results, which: tuple[str, ...], procedures: list[str], *, is_all: bool) -> Text:

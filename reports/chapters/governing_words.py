@@ -120,7 +120,7 @@ def _floor(check: Check | None) -> Iterator[Text]:
     if share is None or share.value is None or period is None or period.value is None or height is None:
         return
     yield say(
-        "Its demand takes the motion of the building at {height} above the ground: first-mode share γψ = {share} "
+        "Its demand takes the motion of the building at {height} above the ground: first-mode factor γψ = {share} "
         "({clause}), elastic first period {period}.",
         height=quantity(height, "length", FIGURES),
         share=quantity(share.value, figures=FIGURES),

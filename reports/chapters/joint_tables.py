@@ -14,12 +14,6 @@ from reports.figures import contact, moment_rotation
 from reports.language.texts import Listing, Phrase, Text, Verbatim, quantity, say, say_count
 
 RIGID, UNLIMITED, NEVER = say("rigid"), say("unlimited"), say("never")
-MODELS = {
-    "rigid": RIGID,
-    "flexible": say("flexible"),
-    "flexible-thesis": say("flexible, thesis 6.50"),
-    "semi-flexible": say("semi-flexible"),
-}
 PRIMED = "'"  # of hinges of the negative branch
 LEAST_SHARE = 0.005  # of a joint below which a part is called less than 1 %
 
@@ -93,7 +87,7 @@ def table(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def _row(found: dict[str, Any]) -> tuple[Cell, ...]:
-    start = (Verbatim(found["hinge"]), MODELS[found["model"]])
+    start = (Verbatim(found["hinge"]), joints.MODELS[found["model"]])
     if found["curve"] is None:
         return (*start, RIGID, UNLIMITED, found["normal_force_n"], None, None, found["opening_rad"], NEVER)
     return (

@@ -14,7 +14,7 @@ from reports.language.texts import Verbatim, say
 
 
 def sections(results: Results) -> list[Section]:
-    """Return the page, and after it revisions and photographs where they are given."""
+    """Return the page, after it the revisions where they are given, and the photographs as a chapter of their own."""
     blocks = (*plan(results), *checklist.blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
@@ -59,4 +59,4 @@ def _revisions(results: Results) -> list[Section]:
 def _photographs(results: Results) -> list[Section]:
     pictures = results.report.figures
     blocks = tuple(photograph(each, f"photograph-{place:02d}") for place, each in enumerate(pictures, start=1))
-    return [Section(say("Photographs"), 1, blocks)] if blocks else []
+    return [Section(say("Photographs"), 0, blocks)] if blocks else []

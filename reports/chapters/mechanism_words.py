@@ -8,6 +8,7 @@ from math import atan2, degrees
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Results
 from reports import joints
+from reports.chapters.mechanism_keys import split_key
 from reports.language.texts import (
     Listing,
     Paragraph,
@@ -27,13 +28,6 @@ KINDS: Mapping[str, Phrase] = {
     "two-block": say("A wall held at its top and bottom, cracked between them into two blocks,"),
     "four-hinge": say("A chain of three blocks with four hinges"),
     "equivalent-block": say("An equivalent block, given by its rocking parameters instead of a geometry,"),
-}
-MODELS: Mapping[str, Phrase] = {
-    "rigid": say("rigid"),
-    "rigid with crushing": say("rigid, with crushing"),
-    "flexible": say("flexible"),
-    "flexible-thesis": say("flexible, by the thesis"),
-    "semi-flexible": say("semi-flexible"),
 }
 AMPLIFICATIONS: Mapping[str, Text] = {
     "modal-filter": say("filtered by the first mode"),
@@ -110,7 +104,7 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
 def _joints(mechanism: MechanismResult) -> Text:
     return say(
         "Joints: {model}; coefficient of restitution: {source}.",
-        model=listing(MODELS.get(model, Verbatim(model)) for model in joints.model_names(mechanism)),
+        model=listing(joints.MODELS.get(model, Verbatim(model)) for model in joints.model_names(mechanism)),
         source=Listing(mechanism.restitution_said or (Term(mechanism.restitution_source),), ""),
     )
 
@@ -138,21 +132,12 @@ def representation(results: Results, mechanism: MechanismResult) -> Iterator[Tex
 
 def swept_value(value: float, unit: str) -> Text:
     """Return a value of a study in the unit in which the user wrote it."""
-    shown = quantity(value)
+    shown = quantity(value, figures=10)
     return shown if unit == "-" else say("{value} {unit}", value=shown, unit=Verbatim(unit))
 
 
 def warnings(results: Results, mechanism: MechanismResult) -> tuple[Message, ...]:
     """Return the warnings that concern the mechanism by its name, each once, and how its hinges were found."""
     found = (each for each in results.warnings if each.severity != Severity.NOTE or each.key in FOUND)
-    own = {each.text: each for each in found if _concerned(results, each.where) == mechanism.name}
+    own = {each.text: each for each in found if split_key(results, each.where)[0] == mechanism.name}
     return tuple(own.values())
-
-
-def _concerned(results: Results, where: str) -> str:
-    """Return the mechanism that a key of the project file belongs to; the longest of names that begin alike."""
-    start = "mechanisms."
-    rest = where.removeprefix(start) if where.startswith(start) else ""
-    known = [each.name for each in results.mechanisms]
-    found = [name for name in known if rest == name or rest.startswith((f"{name}.", f"{name}["))]
-    return max(found, key=len, default="")

@@ -7,19 +7,19 @@ from collections.abc import Sequence
 from assess.codes.verdict import Decision, Missing, Verdict
 from assess.codes.verdict_text import toml_lines
 from assess.results import Results
+from reports.chapters.mechanism_keys import split_key
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Code, Prose
 from reports.language.texts import Term, Text, Verbatim, listing, say
 
 LONGEST = 12  # lines to paste that page 1 holds
-START = "mechanisms."
 
 
 def missing_texts(results: Results, found: Verdict) -> list[Text]:
     """Return the keys that are missing and why; one that several mechanisms lack for one reason is said once."""
     groups: dict[tuple[str, str], list[Missing]] = {}
     for each in found.missing:
-        _, key = owner_and_key(results, each.key)
+        _, key = split_key(results, each.key)
         groups.setdefault((key, each.text), []).append(each)
     return [_text(results, key, group) for (key, _), group in groups.items()]
 
@@ -27,18 +27,10 @@ def missing_texts(results: Results, found: Verdict) -> list[Text]:
 def _text(results: Results, key: str, group: Sequence[Missing]) -> Text:
     first = group[0]
     why = listing(first.why or first.reasons, "") if first.why or first.reasons else Term(first.text)
-    owners = [owner for owner in (owner_and_key(results, each.key)[0] for each in group) if owner]
+    owners = [owner for owner in (split_key(results, each.key)[0] for each in group) if owner]
     if len(group) == 1 or not owners:
         return say("{key}: {why}", key=Verbatim(first.key), why=why)
     return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
-
-
-def owner_and_key(results: Results, key: str) -> tuple[str, str]:
-    """Return the mechanism that a key belongs to and its key in there; empty and the whole key for no one's."""
-    rest = key.removeprefix(START)
-    owners = [each.name for each in results.mechanisms if rest == each.name or rest.startswith(f"{each.name}.")]
-    owner = max(owners, key=len, default="") if key.startswith(START) else ""
-    return owner, (rest.removeprefix(owner).removeprefix(".") if owner else key)
 
 
 def lines_to_paste(results: Results, found: Verdict) -> tuple[str, ...]:

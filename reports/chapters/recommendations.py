@@ -89,7 +89,7 @@ def survey(results: Results, found: Verdict) -> Iterator[Text]:
         )
     yield from _of_sensitivity(results)
     if not results.sensitivity:
-        yield say("what moves the answers most is not known: no sensitivity was studied")
+        yield say("what moves the answers most, which a sensitivity study would show: none was made")
 
 
 def _of_sensitivity(results: Results) -> Iterator[Text]:

@@ -13,6 +13,7 @@ from reports.chapters import methods, missing_inputs, references, verdict
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Items, Prose, Section, nonempty
 from reports.language.texts import Paragraph, Term, Text, Verbatim, listing, quantity, say, say_count
+from reports.project_text import project_text
 from reports.titles import mechanism_number, procedure_title
 
 SLIDING = "sliding"
@@ -24,6 +25,7 @@ def sections(results: Results) -> list[Section]:
     limits = tuple(limits_of(results))
     blocks: list[Block] = [
         Prose((scope(results),)),
+        *_notes(results),
         Prose((say("Limits that matter for these results:"),)),
         Items(limits),
     ]
@@ -36,6 +38,12 @@ def sections(results: Results) -> list[Section]:
         ),
         Section(say("References"), 1, (Items(references.cited_works(results)),)),
     ]
+
+
+def _notes(results: Results) -> list[Block]:
+    """Return what the engineer notes on the project, which may restrict the results."""
+    notes = project_text(results, "notes").strip()
+    return [Prose((say("Notes: {notes}", notes=Verbatim(notes)),))] if notes else []
 
 
 def scope(results: Results) -> Text:

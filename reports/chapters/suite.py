@@ -130,8 +130,12 @@ def requirements(results: Results) -> Table:
 
 
 def _rule_row(rule: RequirementResult) -> tuple[Cell, ...]:
+    colour, word = MET[rule.verdict]
+    return (Term(rule.what), Term(rule.clause), *found_and_limit(rule), Graded(colour, word))
+
+
+def found_and_limit(rule: RequirementResult) -> tuple[Cell, Cell]:
+    """Return what was found of a requirement, and its limit."""
     dimension = DIMENSIONS.get(rule.unit, "ratio")
     found = None if rule.value is None else quantity(rule.value, dimension)
-    limit = say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=quantity(rule.limit, dimension))
-    colour, word = MET[rule.verdict]
-    return (Term(rule.what), Term(rule.clause), found, limit, Graded(colour, word))
+    return found, say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=quantity(rule.limit, dimension))

@@ -7,6 +7,7 @@ from math import radians
 
 from assess.results import MechanismResult, Results, SweepResult
 from reports.chapters.cells import OUTCOMES, OVERTURNED, uplift_cell
+from reports.chapters.mechanism_words import swept_value
 from reports.document import Block, Cell, Column, Figure, Graded, Prose, Table
 from reports.figures import directions, sweep
 from reports.language.texts import Paragraph, Text, Verbatim, quantity, say, say_count
@@ -37,22 +38,12 @@ def blocks(results: Results, mechanism: MechanismResult, stem: str) -> list[Bloc
 
 def sentence(found: SweepResult) -> Text:
     """State what was swept, which case controls, and whether it represents the mechanism."""
-    taken = say_count("{key} takes {number} value;", "{key} takes {number} values;", len(found.value), key=_key(found))
-    controls = say("{case} controls.", case=controlling_case(found))
+    taken = say_count(
+        "{key} takes {number} value;", "{key} takes {number} values;", len(found.value), key=Verbatim(found.key)
+    )
+    case = swept_value(found.value[found.controlling], found.unit)
+    controls = say("{case} controls.", case=case)
     return Paragraph((taken, controls, REPRESENTS if found.governs else REPRESENTED))
-
-
-def controlling_case(found: SweepResult) -> Text:
-    """Return the value of the controlling case, as the user wrote it."""
-    return Verbatim(_as_written(found.value[found.controlling], found.unit))
-
-
-def _key(found: SweepResult) -> Verbatim:
-    return Verbatim(found.key)
-
-
-def _as_written(value: float, unit: str) -> str:
-    return f"{value:.10g}" + ("" if unit == "-" else f" {unit}")
 
 
 def table(found: SweepResult, *, name: str) -> Table:
@@ -74,7 +65,7 @@ def table(found: SweepResult, *, name: str) -> Table:
     caption = say(
         "{key}: rocking parameters of the branch that uplifts first, and the answer that decides; where none does, the "
         "worst of all checks of a code at all levels.",
-        key=_key(found),
+        key=Verbatim(found.key),
     )
     rows = tuple(_row(found, place, on_joints=on_joints) for place in range(len(found.value)))
     return Table(name, caption, columns, rows, small=True)
@@ -84,7 +75,7 @@ def _row(found: SweepResult, place: int, *, on_joints: bool) -> tuple[Cell, ...]
     joints: tuple[Cell, ...] = (found.overturning_flexible_rad[place], found.elastic_frequency_hz[place])
     outcome = found.outcome[place]
     return (
-        Verbatim(_as_written(found.value[place], found.unit)),
+        swept_value(found.value[place], found.unit),
         found.p_eq_per_s[place],
         uplift_cell(found.uplift_multiplier[place]),
         found.overturning_rad[place],

@@ -20,6 +20,7 @@ from reports.chapters.index_text import (
     margin_text,
     target_text,
 )
+from reports.chapters.mechanism_keys import split_key
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import NOTHING, Banner, Block, Facts, Items, Prose, Section
 from reports.language.spectrum_parameters import parameter_rows
@@ -40,15 +41,15 @@ from reports.titles import numbered_title, procedure_title
 
 MANY = 6  # points of a list; page 1 holds no more
 LIMIT_STATES: Mapping[str, Phrase] = {
-    "SLV": say("SLV, life safety"),
-    "SLC": say("SLC, collapse prevention"),
-    "SLD": say("SLD, damage limitation"),
-    "SLO": say("SLO, operation"),
-    "ULS": say("ULS, ultimate limit state"),
-    "DBE": say("DBE, design basis earthquake"),
-    "LS": say("LS, life safety"),
-    "CP": say("CP, collapse prevention"),
-    "NCR": say("NCR, near collapse"),
+    "SLV": say("SLV (life safety)"),
+    "SLC": say("SLC (collapse prevention)"),
+    "SLD": say("SLD (damage limitation)"),
+    "SLO": say("SLO (operation)"),
+    "ULS": say("ULS (ultimate limit state)"),
+    "DBE": say("DBE (design basis earthquake)"),
+    "LS": say("LS (life safety)"),
+    "CP": say("CP (collapse prevention)"),
+    "NCR": say("NCR (near collapse)"),
 }
 ESSENTIAL: Mapping[str, Phrase] = {
     "soil": say("subsoil category {value}"),
@@ -89,40 +90,55 @@ def sections(results: Results) -> list[Section]:
 def headline(found: Verdict) -> Text:
     """Return the meaning of the verdict in one sentence."""
     pga = quantity(found.action.pga_g, "ground acceleration", 3)
-    every, number = len(found.mechanisms), sum(one.outcome == found.outcome for one in found.mechanisms)
-    if found.outcome == Decision.PASS and is_lowered(found):
+    if found.outcome == Decision.PASS:
+        return _all_hold(found, pga)
+    if found.outcome == Decision.FAIL:
+        return _some_fail(found, pga)
+    if not found.basis:
+        return say("No code is named that decides: the results of all methods are for comparison only.")
+    return _some_are_open(found, pga)
+
+
+def _all_hold(found: Verdict, pga: Quantity) -> Text:
+    """Return that the action is borne, or that share of it which is the target."""
+    target = target_text(found)
+    if is_lowered(found) and target is not None:
         return say_count(
             "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
             "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
-            every,
+            len(found.mechanisms),
             pga=pga,
-            target=target_text(found) or NOTHING,
+            target=target,
         )
-    if found.outcome == Decision.PASS:
-        return say_count(
-            "The one mechanism examined holds at the site’s own action, PGA {pga}.",
-            "All {number} mechanisms examined hold at the site’s own action, PGA {pga}.",
-            every,
-            pga=pga,
-        )
-    if found.outcome == Decision.FAIL:
-        if every == 1:
-            return say("The one mechanism examined fails at the site’s own action, PGA {pga}.", pga=pga)
-        return say_count(
-            "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
-            "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
-            number,
-            every=count(every),
-            pga=pga,
-        )
-    if not found.basis:
-        return say("No code is named that decides: the results of all methods are for comparison only.")
+    return say_count(
+        "The one mechanism examined holds at the site’s own action, PGA {pga}.",
+        "All {number} mechanisms examined hold at the site’s own action, PGA {pga}.",
+        len(found.mechanisms),
+        pga=pga,
+    )
+
+
+def _some_fail(found: Verdict, pga: Quantity) -> Text:
+    every = len(found.mechanisms)
+    if every == 1:
+        return say("The one mechanism examined fails at the site’s own action, PGA {pga}.", pga=pga)
+    return say_count(
+        "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
+        "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
+        sum(one.outcome == Decision.FAIL for one in found.mechanisms),
+        every=count(every),
+        pga=pga,
+    )
+
+
+def _some_are_open(found: Verdict, pga: Quantity) -> Text:
+    every = len(found.mechanisms)
     if every == 1:
         return say("The one mechanism examined has no deciding answer at the site’s own action, PGA {pga}.", pga=pga)
     return say_count(
         "{number} of {every} mechanisms examined has no deciding answer at the site’s own action, PGA {pga}.",
         "{number} of {every} mechanisms examined have no deciding answer at the site’s own action, PGA {pga}.",
-        number,
+        sum(one.outcome == Decision.INCOMPLETE for one in found.mechanisms),
         every=count(every),
         pga=pga,
     )
@@ -147,25 +163,23 @@ def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
     known = premises.knowledge(results)
     if known is not None:
         yield say("Knowledge level"), known
-    target = target_text(found)
-    if target is not None:
-        yield say("Target"), _with_works(results, target)
-    index = building_index_text(found)
-    if index is not None:
-        yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
-    least = least_margin(found)
-    if least is not None:
-        yield (
-            say("Least margin"),
-            say(
-                "{mechanism} holds up to a PGA of {margin}",
-                mechanism=numbered_title(results, least.mechanism),
-                margin=margin_text(least, found.action) or NOTHING,
-            ),
-        )
+    yield from _measures(results, found)
     left = not_examined_text(results)
     if left is not None:
         yield say("Possible, not examined"), left
+
+
+def _measures(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
+    """Yield target, index and least margin, as far as they are known."""
+    target, index, least = target_text(found), building_index_text(found), least_margin(found)
+    if target is not None:
+        yield say("Target"), _with_works(results, target)
+    if index is not None:
+        yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
+    if least is not None:
+        margin = margin_text(least, found.action) or NOTHING
+        title = numbered_title(results, least.mechanism)
+        yield say("Least margin"), say("{mechanism} holds up to a PGA of {margin}", mechanism=title, margin=margin)
 
 
 def _code(results: Results, found: Verdict) -> Text:
@@ -253,7 +267,7 @@ def _placed(results: Results, same: Sequence[Message]) -> Text:
 def _owner(results: Results, where: str) -> str:
     """Return the mechanism that a message is about, by its name or its key; empty for none."""
     named = any(where == each.name for each in results.mechanisms)
-    return where if named else missing_inputs.owner_and_key(results, where)[0]
+    return where if named else split_key(results, where)[0]
 
 
 def is_shortened(points: Sequence[Text]) -> bool:

@@ -91,6 +91,11 @@ def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
     assert [letters(column.label) for column in table.columns] == ["Material", "Density", "Young’s modulus E"]
 
 
+def test_the_quality_of_the_masonry_is_told(results: Results) -> None:
+    made = with_project(results, masonry_quality=given("squared stone\n"))
+    assert "Quality of the masonry: squared stone" in lines(assumptions.sections(made))
+
+
 def test_a_project_that_assumes_nothing_says_so(results: Results) -> None:
     assert any("No value is marked as assumed" in line for line in lines(assumptions.sections(with_project(results))))
 

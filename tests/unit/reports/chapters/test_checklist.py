@@ -67,6 +67,24 @@ def test_a_ratio_is_at_least(results: Results) -> None:
     assert "at least the largest" in letters(checklist.meaning(house(ratio, LEAF)))
 
 
+@pytest.mark.parametrize(
+    ("items", "said"),
+    [
+        ((GABLE,), "Every mechanism of this list is examined or absent. The response of the building"),
+        ((GABLE, LEAF), "1 possible mechanism was not examined: the verdict says nothing of it."),
+    ],
+)
+def test_what_is_left_bounds_no_index_where_there_is_none(
+    results: Results, items: tuple[ChecklistItem, ...], said: str
+) -> None:
+    assert results.verdict is not None
+    without = replace(results, verdict=replace(results.verdict, index=None))
+    for each in (without, replace(results, verdict=None)):
+        words = letters(checklist.meaning(house(each, *items)))
+        assert words.startswith(said)
+        assert "index" not in words
+
+
 def test_without_a_list_the_page_says_that_nobody_gave_one(results: Results) -> None:
     bare = replace(results, mechanisms=results.mechanisms[1:])
     said = lines(key_plan.sections(bare))

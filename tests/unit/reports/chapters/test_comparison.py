@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from assess.codes.check import Family, Outcome
+from assess.codes.check import Family, Outcome, PgaCurve
 from assess.results import Results
 from reports.chapters import comparison, comparison_words
-from reports.document import Cell, Graded
+from reports.document import Cell, Figure, Graded
 from reports.language.locale import Locale
 from reports.language.texts import Text
 
@@ -67,7 +67,7 @@ def test_disagreement_names_who_fails_by_which_method(
     judged = judged_at(results, 0.45)
     said = told(comparison_words.findings(judged))
     assert "At the site’s own action the methods disagree on M1" in said
-    assert "DMI 2008, linear fails M1. It compares the acceleration that starts the motion" in said
+    assert "DMI 2008, linear fails M1 and M2. It compares the acceleration that starts the motion" in said
     agreed = tuple(
         replace(m, checks=tuple(replace(c, verdict=Outcome.PASS) for c in m.checks)) for m in judged.mechanisms
     )
@@ -119,3 +119,34 @@ def test_a_method_without_an_answer_passes_nothing(results: Results) -> None:
     said = told(comparison_words.findings(replace(results, mechanisms=apart)))
     assert "All of these are passed by NTC 2018, non-linear kinematic." in said
     assert "M2 is passed by NTC 2018, response history." in said
+    assert "NTC 2018, linear kinematic fails M1 and M2." in said
+
+
+def test_a_method_is_named_with_every_mechanism_that_it_fails(results: Results) -> None:
+    """Methods disagree on M1 alone, but M2 fails as well."""
+    wall, parapet = results.mechanisms
+    assert results.verdict is not None
+    first = replace(wall.checks[0], level_pga_g=results.verdict.action.pga_g, reading="letter", informs=False)
+    one = replace(first, procedure="ntc2018-linear", verdict=Outcome.FAIL)
+    two = replace(first, procedure="ntc2018-nonlinear", verdict=Outcome.PASS)
+    failed = replace(two, verdict=Outcome.FAIL)
+    apart = (replace(wall, checks=(one, two)), replace(parapet, checks=(one, failed)))
+    said = told(comparison_words.findings(replace(results, mechanisms=apart)))
+    assert "the methods disagree on M1." in said
+    assert "NTC 2018, linear kinematic fails M1 and M2." in said
+    assert "M1 is passed by NTC 2018, non-linear kinematic." in said
+
+
+def test_a_figure_without_anything_to_draw_is_left_out(results: Results) -> None:
+    """A tabled limit of slenderness has neither a PGA at capacity nor a curve over the PGA."""
+    bare = tuple(
+        replace(
+            each,
+            checks=tuple(replace(c, pga_curve=PgaCurve((), ()), capacity_pga_g=None) for c in each.checks),
+        )
+        for each in results.mechanisms
+    )
+    (section,) = comparison.sections(replace(results, mechanisms=bare))
+    assert [block.name for block in section.blocks if isinstance(block, Figure)] == ["comparison", "critical"][
+        : 1 + (results.critical is not None)
+    ]

@@ -90,7 +90,7 @@ def test_scatter_is_no_reason_to_survey(results: Results) -> None:
 
 def test_without_a_study_what_to_survey_is_not_known(results: Results) -> None:
     told = said(results)
-    assert "no sensitivity was studied" in told
+    assert "which a sensitivity study would show: none was made" in told
     assert "[analysis]" not in told
 
 

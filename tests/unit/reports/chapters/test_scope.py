@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from assess.codes.check import Check, Outcome
 from assess.messages.message import note
-from assess.results import MechanismResult, Results
+from assess.results import MechanismResult, Resolved, Results
 from reports.chapters import methods, references, scope
 from tests.support.letters import letters, lines, rows
 
@@ -21,6 +21,11 @@ def with_checks(mechanism: MechanismResult, *more: Check) -> MechanismResult:
 
 def without_histories(results: Results) -> Results:
     return replace(results, mechanisms=tuple(replace(each, histories=()) for each in results.mechanisms))
+
+
+def test_notes_of_the_engineer_are_signed(results: Results) -> None:
+    made = replace(results, project={"notes": Resolved("The attic was not seen.", given=True)})
+    assert "Notes: The attic was not seen." in lines(scope.sections(made))
 
 
 def test_limits_of_histories_need_histories(results: Results) -> None:

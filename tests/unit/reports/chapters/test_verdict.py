@@ -97,7 +97,7 @@ def test_the_basis_names_titles_action_target_and_index(results: Results) -> Non
     project = {**results.project, "building.use_class": Resolved("III", True)}
     said = lines(verdict.sections(replace(known, project=project)))
     assert "Code: ASCE/SEI 43-05" in said
-    assert "Limit state: DBE, design basis earthquake" in said
+    assert "Limit state: DBE (design basis earthquake)" in said
     assert "Site’s own action: PGA 0.067 g, stated for DBE, return period not stated, class of use III" in said
     assert "Methods that may decide: ASCE 43-05, response history and ASCE 43-05, approximate method" in said
     assert "Target: ζ_E of at least 1" in said

@@ -52,8 +52,8 @@ def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> Flatf
     """
     found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
     matched = len({by.nga for by in found})
-    told = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
-    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, told)
+    said = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
+    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, said)
 
 
 def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> list[Recording | None]:

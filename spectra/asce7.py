@@ -68,8 +68,8 @@ def mapped_spectrum(
     ]
     if s_1 > s_s:
         warnings.append(warning("mapped-exchanged", s_1=in_g(s_1), s_s=in_g(s_s)))
-    doubts = plausibility_warnings(s_s=s_s, s_1=s_1)
-    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, warnings=(*doubts, *warnings))
+    implausible = plausibility_warnings(s_s=s_s, s_1=s_1)
+    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, warnings=(*implausible, *warnings))
 
 
 def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:

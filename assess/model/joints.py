@@ -57,7 +57,7 @@ def place_on_joints(
         ]
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
-    warnings = [each for side in found for _, told in side for each in told]
+    warnings = [each for side in found for _, messages in side for each in messages]
     joints = [tuple(joint for joint, _ in side) for side in found]
     through = through_of(definition.loads)
     moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
@@ -220,6 +220,6 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
             if joint is None:
                 continue
             found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
-            told = out_of_plane_warning(joint.section, found, interface=f"{letter}{mark}")
-            if told is not None:
-                yield told
+            warned = out_of_plane_warning(joint.section, found, interface=f"{letter}{mark}")
+            if warned is not None:
+                yield warned

@@ -28,7 +28,7 @@ from records.scaling import SCALING_PERIODS
 from records.selection import Selection
 
 EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
-TOLD = 3  # files, cells or records that a warning names
+MOST_NAMED = 3  # files, cells or records that a warning names
 LONGEST = 30  # characters of a cell that are shown
 
 
@@ -154,15 +154,15 @@ def cell_message(cell: BadCell) -> Message:
 
 def record_messages(records: Sequence[Record]) -> Iterator[Message]:
     """Which records have peaks or steps that ground hardly has, or files that contradict themselves."""
-    doubts = [warning("of-record", record=record.id, what=what) for record in records for what in record_doubts(record)]
-    yield from _first(locate([*doubts, *warnings_among(records)], "records.unit"), "of-further-records")
+    own = [warning("of-record", record=record.id, what=what) for record in records for what in record_doubts(record)]
+    yield from _first(locate([*own, *warnings_among(records)], "records.unit"), "of-further-records")
 
 
-def _first(told: Sequence[Message], key: str) -> Iterator[Message]:
+def _first(messages: Sequence[Message], key: str) -> Iterator[Message]:
     """Yield the first of many messages, and how many others there are."""
-    yield from told[:TOLD]
-    if len(told) > TOLD:
-        yield warning(key, told[0].where, number=whole_number(len(told) - TOLD))
+    yield from messages[:MOST_NAMED]
+    if len(messages) > MOST_NAMED:
+        yield warning(key, messages[0].where, number=whole_number(len(messages) - MOST_NAMED))
 
 
 def with_unique_names(records: Sequence[Record]) -> tuple[Record, ...]:

@@ -29,14 +29,14 @@ def table_text(suite: Suite) -> str:
     motion = suite.motion
     steps = () if motion.selection is None else motion.selection.remaining
     left = "; ".join(f"{one.number} {one.step}" for one in steps)
-    told = "\n".join([*map(Locale().text, sentences(motion)), *([f"Candidates: {left}."] if left else [])])
+    written = "\n".join([*map(Locale().text, sentences(motion)), *([f"Candidates: {left}."] if left else [])])
     asked = [_short(row) for row in requirements(motion).rows]
     columns = ("requirement", "clause", "code", "found", "limit", "periods", "met")
     return (
         "\n".join(
             (
                 text_table(_COLUMNS, [_row(record) for record in suite.records]),
-                f"{told}\n",
+                f"{written}\n",
                 text_table(columns, asked),
                 messages_text(suite.messages),
             )

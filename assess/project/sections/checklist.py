@@ -109,7 +109,7 @@ def _reasons(report: Report, building_type: BuildingType, absent: Sequence[str])
         where: Key = ("report", "not_examined", written)
         key = _known(building_type, written, where).key
         if not reason.strip():
-            raise wrong(where, 'no reason; write why nobody examined it, like "no access"')
+            raise wrong(where, 'no reason; write why it was not examined, like "no access"')
         if key in found:
             raise wrong(where, f'"{key}" stands there twice, by number and by key; remove one')
         if key in absent:

@@ -103,7 +103,7 @@ class Report(Section):
     absent: ItemKeys = ()
     """keys of that list which the building cannot have, like ["corner", "chimney"]"""
     not_examined: dict[Line, Paragraph] = Field(default_factory=dict)
-    """keys of that list which the building can have and nobody examined, each with the reason"""
+    """keys of that list which are possible and were not examined, each with the reason"""
     sources: dict[str, Source] = Field(default_factory=dict)
     """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
     "assumed: …\""""

@@ -2,14 +2,13 @@
 
 The reactions come from the equilibrium of every block about its hinges. Here the whole mechanism is taken at once: the
 sum of its reactions must balance the sum of weights, loads and inertia forces, which are added up from the list of
-masses and loads with the uplift multiplier of the oscillator, found by virtual work.
+masses and loads with the uplift multiplier of the oscillator, found by virtual work, or on joints that deform or crush
+with that by moments about the hinges moved inwards.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-
-from scipy.constants import g
 
 from assess.hinge_forces import HingeForces
 from assess.mechanisms.chain import Chain
@@ -19,6 +18,7 @@ from assess.messages.message import Quantity, note
 from assess.oscillator import Oscillator, threshold
 from assess.results import Control
 from assess.study.controls.acting import acting_on
+from assess.study.controls.hand_multiplier import moment_multiplier
 from assess.study.controls.outcome import made, not_made
 
 VERTICAL, HORIZONTAL = "vertical reactions", "horizontal reactions"
@@ -50,7 +50,7 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
         for chain, branch, multiplier in zip(
             (mechanism.positive, mechanism.negative),
             ("positive", "negative"),
-            multipliers(mechanism, oscillator, forces),
+            multipliers(mechanism, oscillator),
             strict=False,
         )
         if chain is not None
@@ -58,15 +58,14 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
     return tuple(max(each, key=lambda one: one.difference or 0.0) for each in zip(*found, strict=True))
 
 
-def multipliers(
-    mechanism: Mechanism, oscillator: Oscillator, forces: Sequence[HingeForces]
-) -> tuple[float, float | None]:
-    """Return the multiplier of each branch: of the oscillator, or on joints that of the hinges moved inwards [-]."""
+def multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[float, float | None]:
+    """Return the multiplier of each branch: of the oscillator, or on joints by moments about the moved hinges [-]."""
     if not mechanism.flexible:
         other = oscillator.negative
         return threshold(oscillator.positive) or 0.0, None if other is None else threshold(other)
-    started = {each.branch: each.acceleration / g for each in forces}
-    return started["positive"], started.get("negative")
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    positive, *others = (moment_multiplier(chain_at_start(chain, name=mechanism.name)) for chain in chains)
+    return positive, others[0] if others else None
 
 
 def of_branch(

@@ -12,9 +12,11 @@ from scipy.constants import g
 
 from assess.dynamics.history import Jobs, peaks, trace_with_events
 from assess.geometry.planar import planar_body_from_values
+from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.face import Face
 from assess.mechanisms.four_hinge import four_hinge
+from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
@@ -300,6 +302,24 @@ MECHANISMS = {
 
 def kinds_of(controls: tuple[Control, ...], mechanism: str) -> list[tuple[str, bool | None]]:
     return [(each.kind, each.met) for each in controls if each.mechanism == mechanism]
+
+
+def test_a_wrong_multiplier_of_moved_hinges_shows_in_their_reactions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On joints the multiplier is not that of the forces, which a fault in their equilibrium would carry along."""
+    (soft,) = study_of(tmp_path, project_toml(mechanisms={"soft": MECHANISMS["soft"]})).mechanisms
+
+    def faster(mechanism: Mechanism) -> tuple[HingeForces, ...]:
+        found = hinge_forces(mechanism)
+        return tuple(
+            replace(each, acceleration=1.001 * each.acceleration, horizontal=1.001 * each.horizontal) for each in found
+        )
+
+    assert all(each.met for each in equilibrium_controls(soft, soft.oscillator))
+    monkeypatch.setattr("assess.study.controls.equilibrium.hinge_forces", faster)
+    vertical, horizontal = equilibrium_controls(soft, soft.oscillator)
+    assert (vertical.met, horizontal.met) == (True, False)
 
 
 def test_a_run_controls_every_mechanism_whatever_the_number_of_jobs(tmp_path: Path) -> None:

@@ -41,6 +41,14 @@ def test_the_description_names_kind_sides_direction_and_loads(results: Results) 
     assert "It carries 8 loads." in described(replace(parapet, loads=parapet.loads * 4))
 
 
+def test_the_x_of_a_sketch_is_told_from_that_of_the_model(results: Results) -> None:
+    other = "This x is not the axis of the model."
+    wall = results.mechanisms[0]
+    along, back = (replace(wall, direction=way) for way in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)))
+    assert other not in told([mechanism_page.sketch_caption(along)])
+    assert told([mechanism_page.sketch_caption(back)]).endswith(f"crosses: centroids. {other}")
+
+
 def test_heights_follow_the_units(results: Results) -> None:
     above = replace(results.mechanisms[0], base_elevation_m=3.048, above_ground=True)
     assert "Its base is 10 ft above the ground." in told([mechanism_words.description(above)], US)

@@ -39,6 +39,11 @@ def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
 
+def answered(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """Return the checks that pass or fail: what one that is not answered finds may be on the unsafe side."""
+    return tuple(check for check in checks if check.verdict not in SILENT)
+
+
 def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
     """Return the checks at one level [g]."""
     return tuple(check for check in checks if isclose(check.level_pga_g, level_pga_g, rel_tol=SAME))

@@ -131,7 +131,11 @@ def derived_numbers(results: Results) -> list[float]:
 
 def _of_each_procedure(mechanism: MechanismResult) -> list[float]:
     """Return the PGA at capacity of a mechanism by each method of a code [g], those that it withstands at all."""
-    return [each for each in governing.capacities(governing.code_checks(mechanism.checks)).values() if each > 0.0]
+    return [
+        each
+        for each in governing.capacities(governing.answered(governing.code_checks(mechanism.checks))).values()
+        if each > 0.0
+    ]
 
 
 def _at_peaks(mechanism: MechanismResult) -> Iterator[float]:

@@ -150,3 +150,17 @@ def test_a_figure_without_anything_to_draw_is_left_out(results: Results) -> None
     assert [block.name for block in section.blocks if isinstance(block, Figure)] == ["comparison", "critical"][
         : 1 + (results.critical is not None)
     ]
+
+
+def test_a_method_without_an_answer_is_not_compared(results: Results) -> None:
+    """The ground motion unamplified at a height may fail a mechanism: the PGA at its capacity is no capacity."""
+    said = told(comparison_words.findings(results))
+    assert "PGA at capacity" in said
+    silent = tuple(
+        replace(
+            each,
+            checks=tuple(replace(c, verdict=Outcome.NOT_ANSWERED) for c in each.checks if c.reading == "letter"),
+        )
+        for each in results.mechanisms
+    )
+    assert "PGA at capacity by" not in told(comparison_words.findings(replace(results, mechanisms=silent)))

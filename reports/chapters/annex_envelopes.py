@@ -221,7 +221,7 @@ def data(results: Results) -> list[Table]:
     )
     critical = results.critical.mechanism if results.critical is not None else ()
     rows: tuple[tuple[Cell, ...], ...] = tuple(
-        (Verbatim(mechanism.name), f, bound, sign, up, factor, omega, ratio, name == mechanism.name)
+        (numbered_title(results, mechanism.name), f, bound, sign, up, factor, omega, ratio, name == mechanism.name)
         for mechanism, one in mapped
         for f, bound, sign, up, factor, omega, ratio, name in zip(
             one.frequency_hz, one.lower_bound_g, one.polarity, one.uplift_g, one.factor, one.omega,

@@ -9,7 +9,7 @@ from reports.chapters import suite
 from reports.chapters.cells import MECHANISM
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Listing, Term, Text, Verbatim, quantity, say
-from reports.titles import mechanism_title, numbered_title
+from reports.titles import numbered_title
 
 MARK = "D"
 FITS = {"suite": say("the mean of the suite"), "each": say("each record by itself")}
@@ -87,7 +87,7 @@ def amplification(results: Results) -> Table:
     """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
-    columns = (Column(say("Record"), share=0.25), *(Column(Verbatim(mechanism_title(m)), "ratio") for m in raised))
+    columns = (Column(say("Record"), share=0.25), *(Column(numbered_title(results, m.name), "ratio") for m in raised))
     rows: tuple[tuple[Cell, ...], ...] = tuple(
         (Verbatim(r.id), *(of.get(r.id) for of in factors)) for r in (results.records if raised else ())
     )

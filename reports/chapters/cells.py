@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isclose
 
 from assess.codes.check import Check, Reason
 from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
 from reports.document import Cell, Column, Graded
-from reports.language.texts import Phrase, Text, say
+from reports.language.texts import Phrase, say
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
@@ -33,6 +34,10 @@ _NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
 
 MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground acceleration")
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
+FIGURES = 3
+DEMAND, ALLOWABLE = Column(say("Demand")), Column(say("Allowable"))
+RATIO = Column(say("D/C"), "ratio", FIGURES)
+CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
 
 
 def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> Graded:
@@ -92,6 +97,20 @@ def uplift_cell(at: float | None) -> Cell:
     return NONE if at is None else at
 
 
-def words(known: Mapping[str, Phrase], name: str) -> Text:
-    """Return the words of a name; raises KeyError for an unknown one."""
-    return known[name]
+def demand_or_rest(check: Check, demand: Cell) -> Cell:
+    """Return the demand of a check, or words where the body does not rock or comes to rest again."""
+    words = rotation_cell(check)
+    return words if check.rotation_ratio is not None and words in (NO_LASTING, NO_ROCKING) else demand
+
+
+def ratio_cell(check: Check) -> Cell:
+    """Return demand over capacity, or why there is no finite one."""
+    return unbounded_text(check) or check.ratio
+
+
+def clause(check: Check) -> str:
+    """Return the clause by which a check compares demand and capacity; empty without steps."""
+    wanted = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
+    steps = check.steps[::-1]
+    found = (step for value in wanted for step in steps if step.value is not None and isclose(step.value, value))
+    return next((step.clause for step in found), steps[0].clause if steps else "")

@@ -11,8 +11,17 @@ from assess.codes.verdict import MechanismVerdict
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import annex_envelopes, comparison_words
-from reports.chapters.cells import MECHANISM, METHOD, NO_LASTING, NO_ROCKING, OUTCOMES, rotation_cell, unbounded_text
-from reports.chapters.check_cells import CAPACITY_PGA, FIGURES
+from reports.chapters.cells import (
+    CAPACITY_PGA,
+    FIGURES,
+    MECHANISM,
+    METHOD,
+    NO_LASTING,
+    NO_ROCKING,
+    OUTCOMES,
+    rotation_cell,
+    unbounded_text,
+)
 from reports.document import Block, Cell, Column, Figure, Graded, Prose, Section, Table
 from reports.figures import comparison as figure
 from reports.language.texts import Phrase, Text, quantity, say

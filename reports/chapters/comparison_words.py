@@ -9,7 +9,7 @@ from assess.codes.check import Check, Family, Outcome
 from assess.codes.families import FAMILIES, uses_histories
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
-from reports.chapters.check_cells import FIGURES
+from reports.chapters.cells import FIGURES
 from reports.language.texts import Listing, Paragraph, Phrase, Text, count, listing, names, quantity, say
 from reports.titles import mechanism_number, numbered_title, procedure_title
 

@@ -8,8 +8,8 @@ from assess.messages.message import Message
 from assess.results import Control, ControlKind, Results
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Cell, Column, Graded, Items, Prose, Table, nonempty
-from reports.language.texts import Phrase, Term, Text, Verbatim, quantity, say, say_count
-from reports.titles import mechanism_number, numbered_title
+from reports.language.texts import Phrase, Term, Text, quantity, say, say_count
+from reports.titles import numbered_title
 
 TITLES: Mapping[ControlKind, Phrase] = {
     "equilibrium": say("Equilibrium of reactions"),
@@ -142,7 +142,7 @@ def control_rows(results: Results) -> Table:
     )
     rows = tuple(
         (
-            Verbatim(mechanism_number(results, each.mechanism)),
+            numbered_title(results, each.mechanism),
             TITLES[each.kind],
             Term(each.quantity),
             None if each.value is None else quantity(each.value, each.dimension, 6),

@@ -28,7 +28,7 @@ from reports.chapters.cells import (
 from reports.chapters.varied_values import input_name
 from reports.document import Cell, Column, Table
 from reports.language.texts import Listing, Phrase, Term, Verbatim, quantity, say
-from reports.titles import file_stem, mechanism_title, procedure_title
+from reports.titles import file_stem, numbered_title, procedure_title
 
 PROCEDURE = Column(say("Procedure"))
 ROTATION = Column(say("Rotation φ/φₒᵥ"), "ratio")
@@ -106,7 +106,7 @@ def verdicts(results: Results) -> Table:
         Column(say("Why")),
         Column(say("Conditions and remarks")),
     )
-    rows = tuple((Verbatim(mechanism_title(mechanism)), *_verdict(check)) for mechanism, check in pairs)
+    rows = tuple((numbered_title(results, mechanism.name), *_verdict(check)) for mechanism, check in pairs)
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
     caption = say("Demand, allowable, ratio and outcome of every check. Readings of the thesis (grey) never decide.")
     return Table("verdicts", caption, columns, rows, muted)
@@ -143,7 +143,7 @@ def pga_at_capacity(results: Results) -> Table:
     known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
     columns = (MECHANISM, *(Column(procedure_title(name), "ground acceleration") for name in known))
     rows = tuple(
-        (Verbatim(mechanism_title(m)), *map(by_mechanism[m.name].get, known))
+        (numbered_title(results, m.name), *map(by_mechanism[m.name].get, known))
         for m in results.mechanisms
         if by_mechanism[m.name]
     )
@@ -166,7 +166,7 @@ def rotations(results: Results) -> Table:
     )
     rows = tuple(
         (
-            Verbatim(mechanism_title(mechanism)),
+            numbered_title(results, mechanism.name),
             Verbatim(procedure),
             procedure_title(procedure),
             *_rotations(checks, levels),
@@ -199,9 +199,8 @@ def comparison(results: Results) -> Table:
         RATIO,
         Column(say("Input at")),
     )
-    titles = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
     checks = [governing.check_of(results, row) for row in results.comparison]
-    rows = tuple(_compared(row, check, titles) for row, check in zip(results.comparison, checks, strict=True))
+    rows = tuple(_compared(results, row, check) for row, check in zip(results.comparison, checks, strict=True))
     muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.reading == "thesis")
     caption = say(
         "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
@@ -209,10 +208,10 @@ def comparison(results: Results) -> Table:
     return Table("comparison", caption, columns, rows, muted)
 
 
-def _compared(row: ComparisonRow, check: Check | None, titles: dict[str, str]) -> tuple[Cell, ...]:
+def _compared(results: Results, row: ComparisonRow, check: Check | None) -> tuple[Cell, ...]:
     rotation = rocking_cell(row.rotation_ratio) if check is None else rotation_cell(check)
     place: tuple[Cell, ...] = (
-        Verbatim(titles.get(row.mechanism, row.mechanism)),
+        numbered_title(results, row.mechanism),
         row.level_pga_g,
         Verbatim(row.procedure),
         procedure_title(row.procedure),
@@ -251,7 +250,7 @@ def capacity_curves(results: Results) -> Table:
     rows: list[tuple[Cell, ...]] = []
     for mechanism in results.mechanisms:
         for branch, curve in (("positive", mechanism.curve.positive), ("negative", mechanism.curve.negative)):
-            start = (Verbatim(mechanism.name), BRANCHES[branch])
+            start = (numbered_title(results, mechanism.name), BRANCHES[branch])
             rows += [] if curve is None else [(*start, *point) for point in _points(curve)]
     return Table("capacity-curves", say("Capacity curves of both branches."), columns, tuple(rows))
 
@@ -264,7 +263,7 @@ def _points(curve: BranchCurve) -> Iterator[tuple[float, ...]]:
 def pga_curves(results: Results) -> Table:
     """Tabulate the PGA-rotation curves of every mechanism and procedure, point by point."""
     rows = tuple(
-        (Verbatim(mechanism.name), Verbatim(check.procedure), Verbatim(check.limit_state), ratio, pga)
+        (numbered_title(results, mechanism.name), Verbatim(check.procedure), Verbatim(check.limit_state), ratio, pga)
         for mechanism in results.mechanisms
         for check in _one_for_each_curve(mechanism.checks)
         for ratio, pga in zip(check.pga_curve.rotation_ratio, check.pga_curve.pga_g, strict=True)
@@ -301,13 +300,13 @@ def sensitivity(results: Results) -> Table:
     caption = say(
         "Every check with each value at its low and its high end; there is no ratio where the body overturns."
     )
-    return Table("sensitivity", caption, columns, tuple(map(_varied, results.sensitivity)))
+    return Table("sensitivity", caption, columns, tuple(_varied(results, row) for row in results.sensitivity))
 
 
-def _varied(row: SensitivityResult) -> tuple[Cell, ...]:
+def _varied(results: Results, row: SensitivityResult) -> tuple[Cell, ...]:
     outcomes = (row.verdict_base, row.verdict_low, row.verdict_high)
     return (
-        Verbatim(row.mechanism),
+        numbered_title(results, row.mechanism),
         input_name(row),
         Verbatim(row.key),
         Verbatim(row.unit),

@@ -11,7 +11,7 @@ from assess.messages.message import DIMENSIONS, Quantity
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import premises
-from reports.chapters.check_cells import FIGURES, clause
+from reports.chapters.cells import FIGURES, clause
 from reports.chapters.index_text import index_text, is_lowered, outcome_text, state_text, target_text
 from reports.document import Facts
 from reports.language.texts import Term, Text, listing, names, quantity, say

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 from assess.codes.bases import BASES
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Verdict
-from assess.codes.verdict.target import whole
 from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 SYMBOLS: Mapping[str, str] = {"zeta_E": "ζ_E"}
@@ -69,7 +68,7 @@ def target_text(found: Verdict) -> Text | None:
 
 def is_lowered(found: Verdict) -> bool:
     """Return whether the target is less than what is asked of a new building."""
-    return found.target is not None and found.basis in BASES and found.target < whole(BASES[found.basis])
+    return found.target is not None and found.target < (100.0 if index_name(found) == SHARE else 1.0)
 
 
 def index_name(found: Verdict) -> str:

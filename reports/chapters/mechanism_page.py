@@ -12,8 +12,10 @@ from reports.chapters import governing_words, mechanism_tables, mechanism_words
 from reports.document import Block, Figure, Items, Prose, Row, Section, nonempty
 from reports.figures import capacity, pga_rotation, place, sketch
 from reports.figures.key_plan import has_place
-from reports.language.texts import Text, Verbatim, listing, quantity, say
+from reports.language.texts import Paragraph, Text, Verbatim, listing, quantity, say
 from reports.titles import mechanism_number, mechanism_title, procedure_title
+
+ALONG_X = 1.0 - 1e-9  # cosine of a direction that is the x axis of the model
 
 
 def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Section]:
@@ -51,7 +53,14 @@ def _shape(results: Results, mechanism: MechanismResult, stem: str) -> Iterator[
 
 
 def sketch_caption(mechanism: MechanismResult) -> Text:
-    """Return the caption of the drawing of a mechanism."""
+    """Return the caption of the drawing of a mechanism, whose x may be another than the axis of the model."""
+    shape = _shape_caption(mechanism)
+    if mechanism.direction is None or mechanism.direction[0] > ALONG_X:
+        return shape
+    return Paragraph((shape, say("This x is not the axis of the model.")))
+
+
+def _shape_caption(mechanism: MechanismResult) -> Text:
     turned = quantity(mechanism.drawing.displaced.rotation_rad, "rotation", 2)
     if mechanism.drawing.displaced_negative is None:
         return say(

@@ -9,22 +9,19 @@ from assess.codes.verdict import Answer
 from assess.results import MechanismResult, OscillatorResult, Results
 from reports import governing
 from reports.chapters.cells import (
+    ALLOWABLE,
     BRANCHES,
+    CAPACITY_PGA,
+    DEMAND,
     METHOD,
     NONE,
     OUTCOME,
+    RATIO,
     ROLES,
     capacity_cell,
     demand_cell,
-    outcome_cell,
-    words,
-)
-from reports.chapters.check_cells import (
-    ALLOWABLE,
-    CAPACITY_PGA,
-    DEMAND,
-    RATIO,
     demand_or_rest,
+    outcome_cell,
     ratio_cell,
 )
 from reports.document import Cell, Column, Table
@@ -123,7 +120,7 @@ def _caption(results: Results) -> Text:
 def _row(check: Check, among: tuple[Check, ...], answers: tuple[Answer, ...]) -> tuple[Cell, ...]:
     return (
         check_title(check, among),
-        words(ROLES, check.role),
+        ROLES[check.role],
         demand_or_rest(check, demand_cell(check)),
         capacity_cell(check),
         ratio_cell(check),

@@ -109,7 +109,7 @@ def _of_joints(results: Results) -> Iterator[Text]:
     if soft:
         yield say(
             "The joints of {mechanisms} take no tension and are linear in compression up to the strength, then "
-            "plastic; crushing leaves no memory, so that unloading recovers what it took. Normal forces follow from "
+            "plastic; crushing leaves no memory, so that unloading recovers the deformation. Normal forces follow from "
             "static equilibrium, without the vertical inertia of the motion.",
             mechanisms=mechanism_list(results, soft),
         )

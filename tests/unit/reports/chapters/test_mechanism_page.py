@@ -13,7 +13,7 @@ from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, Resolved, Results
 from reports import governing
 from reports.chapters import governing_words, mechanism_page, mechanism_tables, mechanism_words
-from reports.chapters.check_cells import clause
+from reports.chapters.cells import clause
 from reports.document import Figure, Graded, Row
 from reports.language.locale import Locale
 from reports.language.texts import Text
@@ -39,6 +39,14 @@ def test_the_description_names_kind_sides_direction_and_loads(results: Results) 
     assert "rocks to one side only" in described(parapet)
     assert "Loads: floor <beam> and =cmd()." in described(parapet)
     assert "It carries 8 loads." in described(replace(parapet, loads=parapet.loads * 4))
+
+
+def test_the_x_of_a_sketch_is_told_from_that_of_the_model(results: Results) -> None:
+    other = "This x is not the axis of the model."
+    wall = results.mechanisms[0]
+    along, back = (replace(wall, direction=way) for way in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)))
+    assert other not in told([mechanism_page.sketch_caption(along)])
+    assert told([mechanism_page.sketch_caption(back)]).endswith(f"crosses: centroids. {other}")
 
 
 def test_heights_follow_the_units(results: Results) -> None:

@@ -15,7 +15,7 @@ from assess.results.stamp import origin
 from assess.study.site_results import spectrum_result
 from reports.language.locale import Locale
 from reports.language.spectrum_parameters import corners, parameter_rows
-from reports.language.texts import Verbatim
+from reports.language.texts import Phrase, Verbatim
 from reports.render.csv import csv_lines
 from spectra.spectrum import Spectrum
 
@@ -75,10 +75,10 @@ def draw(spectrum: Spectrum, path: Path) -> Path:
     )
 
 
-def _shown(value: Quantity | Verbatim) -> tuple[str, str]:
+def _shown(value: Quantity | Verbatim | Phrase) -> tuple[str, str]:
     """Return a value and its unit, "-" for none."""
     locale = Locale()
-    if isinstance(value, Verbatim):
-        return value.text, "-"
+    if not isinstance(value, Quantity):
+        return locale.text(value), "-"
     unit = locale.table_unit(value.dimension)
     return locale.number(value.value / unit.size, figures=value.figures), unit.name or "-"

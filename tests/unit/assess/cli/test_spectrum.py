@@ -72,6 +72,16 @@ def test_the_table_shows_parameters_and_corners(capsys: pytest.CaptureFixture[st
     assert ["1", "0.3750", "93.15"] in rows
 
 
+@pytest.mark.parametrize("code", list(OPTIONS))
+def test_the_table_of_every_code_shows_its_parameters(code: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", code, *OPTIONS[code]) == 0
+    rows = [line.split() for line in capsys.readouterr().out.split("\n\n")[1].splitlines()]
+    assert rows[0] == ["parameter", "value", "unit"]
+    assert all(len(row) >= 3 for row in rows)
+    words = [" ".join(row) for row in rows if row[0] == "hazard"]
+    assert words == {"asce7-16": ["hazard design -"], "ibc2009": ["hazard maximum considered -"]}.get(code, [])
+
+
 def test_csv_is_read_as_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("spectrum", "--code", "ec8", *OPTIONS["ec8"], "--csv") == 0
     (tmp_path / "own.csv").write_text(capsys.readouterr().out)

@@ -29,6 +29,7 @@ from reports.chapters import (
     verdict,
 )
 from reports.document import Document, Section
+from reports.figures.building import building_of
 from reports.language.catalogue import ENGLISH
 from reports.language.locale import Locale
 from reports.language.texts import say
@@ -64,12 +65,13 @@ def is_full(results: Results, detail: Detail | None) -> bool:
 def _main(results: Results) -> Iterator[Section]:
     """Yield the sections that are signed."""
     yield from verdict.sections(results)
-    yield from key_plan.sections(results)
+    building = building_of(results)
+    yield from key_plan.sections(results, building)
     yield from scope.sections(results)
     yield from assumptions.sections(results)
     yield from site.sections(results)
     for place, each in enumerate(results.mechanisms, start=1):
-        yield from mechanism_page.sections(results, each, file_stem(each.name, place))
+        yield from mechanism_page.sections(results, each, file_stem(each.name, place), building)
     yield from comparison.sections(results)
     yield from sensitivity.sections(results)
     yield from recommendations.sections(results)

@@ -10,12 +10,16 @@ from reports.chapters.front_matter import photograph
 from reports.chapters.mechanism_list import mechanism_list
 from reports.document import Block, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
+from reports.figures.building import Building
 from reports.language.texts import Verbatim, say
 
 
-def sections(results: Results) -> list[Section]:
-    """Return the page, after it the revisions where they are given, and the photographs as a chapter of their own."""
-    blocks = (*plan(results), *checklist.blocks(results))
+def sections(results: Results, building: Building | None) -> list[Section]:
+    """Return the page, after it the revisions where they are given, and the photographs as a chapter of their own.
+
+    building : the bodies of all mechanisms, None where none has geometry
+    """
+    blocks = (*plan(results, building), *checklist.blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -23,13 +27,13 @@ def sections(results: Results) -> list[Section]:
     ]
 
 
-def plan(results: Results) -> list[Block]:
+def plan(results: Results, building: Building | None) -> list[Block]:
     """Return the key plan with the mechanisms that it cannot show, or why there is none."""
-    model = key_plan.model_of_key_plan(results)
-    if model is None:
+    if building is None:
         return [Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))]
-    figure = Figure("key-plan", key_plan.caption(results), partial(key_plan.draw, results), model)
-    undrawn = [each.name for each in results.mechanisms if not key_plan.has_place(each)]
+    model = key_plan.model_of_key_plan(building)
+    figure = Figure("key-plan", key_plan.caption(building), partial(key_plan.draw, building), model)
+    undrawn = [each.name for each in results.mechanisms if each.name not in building.mechanisms]
     if not undrawn:
         return [figure]
     mechanisms = mechanism_list(results, undrawn)

@@ -11,19 +11,25 @@ from reports import governing
 from reports.chapters import governing_words, mechanism_tables, mechanism_words
 from reports.document import Block, Figure, Items, Prose, Row, Section, nonempty
 from reports.figures import capacity, pga_rotation, place, sketch
-from reports.figures.key_plan import has_place
+from reports.figures.building import Building
 from reports.language.texts import Paragraph, Text, Verbatim, listing, quantity, say
 from reports.titles import mechanism_number, mechanism_title, procedure_title
 
 ALONG_X = 1.0 - 1e-9  # cosine of a direction that is the x axis of the model
 
 
-def sections(results: Results, mechanism: MechanismResult, stem: str) -> list[Section]:
-    """Return the page of a mechanism. stem : beginning of the names of its figures and tables."""
+def sections(
+    results: Results, mechanism: MechanismResult, stem: str, building: Building | None = None
+) -> list[Section]:
+    """Return the page of a mechanism.
+
+    stem : beginning of the names of its figures and tables
+    building : the bodies of all mechanisms, None where its place among them is not drawn
+    """
     beside = tuple(mechanism_words.representation(results, mechanism))
     answers = mechanism_tables.answers(results, mechanism, name=f"{stem}-answers")
     warnings = mechanism_words.warnings(results, mechanism)
-    pairs = _in_pairs([*_shape(results, mechanism, stem), *_curves(mechanism, stem)])
+    pairs = _in_pairs([*_shape(mechanism, stem, building), *_curves(mechanism, stem)])
     blocks: list[Block] = [
         Prose((mechanism_words.description(mechanism), *beside)),
         *governing_words.summary(results, mechanism),
@@ -45,11 +51,11 @@ def _in_pairs(figures: list[Figure]) -> list[Block]:
     return [Row(tuple(pair)) if len(pair) > 1 else pair[0] for pair in pairs]
 
 
-def _shape(results: Results, mechanism: MechanismResult, stem: str) -> Iterator[Figure]:
+def _shape(mechanism: MechanismResult, stem: str, building: Building | None) -> Iterator[Figure]:
     yield Figure(f"{stem}-sketch", sketch_caption(mechanism), partial(sketch.draw, mechanism))
-    if has_place(mechanism):
+    if building is not None and mechanism.name in building.mechanisms:
         caption = say("Its place in the building; the arrow is the direction of motion.")
-        yield Figure(f"{stem}-place", caption, partial(place.draw, results, mechanism))
+        yield Figure(f"{stem}-place", caption, partial(place.draw, building, mechanism.name))
 
 
 def sketch_caption(mechanism: MechanismResult) -> Text:

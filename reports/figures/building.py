@@ -19,7 +19,7 @@ from reports.titles import mechanism_number
 from spectra.arrays import FloatArray, IntArray
 
 Outcome = Literal["pass", "fail", "incomplete"]
-MOST_TRIANGLES = 1000  # of a body
+MOST_TRIANGLES = 400  # of a body
 BESIDE, MOST = 0.3, 8  # bodies drawn apart: the gap, of the widest, and how many stand in a row
 
 
@@ -61,6 +61,11 @@ class Building:
     moving: tuple[Moving, ...]
     apart: bool
     direction: FloatArray
+
+    @property
+    def mechanisms(self) -> frozenset[str]:
+        """The names of the mechanisms that are drawn."""
+        return frozenset(name for moving in self.moving for name in moving.names)
 
 
 def building_of(results: Results) -> Building | None:

@@ -11,14 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from assess.results import MechanismResult, Results
 from reports.document import Model, Wire
-from reports.figures.building import Building, Moving, Outcome, building_of
+from reports.figures.building import Building, Moving, Outcome
 from reports.figures.faces import Hatching, Look, paint_bodies
 from reports.figures.labels import Label, write_tags
 from reports.figures.model import places, scene_model
 from reports.figures.projection import Camera, Room, fit_camera, scene_sheet
-from reports.figures.sight import project_faces, split_line, visible_middle
+from reports.figures.sight import Curtain, project_faces, split_line, visible_middle
 from reports.figures.style import FIXED, INK, VERDICT, WIDTH, report_style
 from reports.language.locale import Locale
 from reports.language.texts import Paragraph, Phrase, Text, say
@@ -36,20 +35,17 @@ HATCHED: Mapping[Outcome, Hatching] = {
 WORDS: Mapping[Outcome, Phrase] = {"pass": say("pass"), "fail": say("fail"), "incomplete": say("incomplete")}
 
 
-def draw(results: Results, locale: Locale) -> Figure:
-    """Draw all bodies; raises ValueError where no mechanism has geometry."""
-    building = building_of(results)
-    if building is None:
-        raise ValueError("no mechanism has geometry that can be drawn in space")
+def draw(building: Building, locale: Locale) -> Figure:
+    """Draw all bodies."""
     camera = fit_camera(building.direction, scene_points(building, building.moving), ROOM)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND)
         paint_building(axes, building, camera, dict(enumerate(building.moving)))
-        faces, owner = project_faces(building.surface, building.owner, camera)
+        before, owner = project_faces(building.surface, building.owner, camera)
         tags = []
         for place, moving in enumerate(building.moving):
-            draw_lines(axes, moving, camera, faces)
-            seen = visible_middle(faces[owner == place], faces)
+            draw_lines(axes, moving, camera, before)
+            seen = visible_middle(before.faces[owner == place], before)
             x, y, _ = (camera.project(moving.middle) if seen is None else seen).tolist()
             tags.append(Label(moving.title, (x, y)))
         write_tags(axes, tags)
@@ -57,28 +53,19 @@ def draw(results: Results, locale: Locale) -> Figure:
         return figure
 
 
-def has_place(mechanism: MechanismResult) -> bool:
-    """Return whether a mechanism has geometry that can be drawn in space."""
-    return mechanism.view is not None and bool(mechanism.view.triangles)
-
-
-def caption(results: Results) -> Text:
+def caption(building: Building) -> Text:
     """Return what the key plan shows."""
     shows = say(
         "Key plan: the bodies in one view, the moving part of each mechanism with its number and in the colour of its "
         "verdict, with its axes of rotation and cracks."
     )
-    building = building_of(results)
-    if building is None or not building.apart:
+    if not building.apart:
         return shows
     return Paragraph((shows, say("The bodies are drawn apart: the project gives them no common position.")))
 
 
-def model_of_key_plan(results: Results) -> Model | None:
-    """Return the scene for renderers on which a reader can turn it; None where no mechanism has geometry."""
-    building = building_of(results)
-    if building is None:
-        return None
+def model_of_key_plan(building: Building) -> Model:
+    """Return the scene for renderers on which a reader can turn it."""
     colours = {owner: _colour(building, owner) for owner in np.unique(building.owner).tolist()}
     wires = tuple(wire for moving in building.moving for wire in _wires(moving))
     return scene_model(building.surface, building.owner, colours, wires, SHARP, building.direction)
@@ -110,16 +97,16 @@ def paint_building(axes: Axes, building: Building, camera: Camera, shown: Mappin
     paint_bodies(axes, building.surface, building.owner, camera, Look(colours, hatched, SHARP))
 
 
-def draw_lines(axes: Axes, moving: Moving, camera: Camera, faces: FloatArray) -> None:
-    """Draw the axes of rotation of a part, thick, and its cracks, dashed; what `faces` hide of them is dotted."""
+def draw_lines(axes: Axes, moving: Moving, camera: Camera, before: Curtain) -> None:
+    """Draw the axes of rotation of a part, thick, and its cracks, dashed; what is hidden of them is dotted."""
     for ring in moving.cracks:
-        _draw_line(axes, camera.project(ring), faces, colour=INK, width=0.7, dash=CRACK)
+        _draw_line(axes, camera.project(ring), before, colour=INK, width=0.7, dash=CRACK)
     for line in moving.hinges:
-        _draw_line(axes, camera.project(line), faces, colour=HINGE, width=1.8, dash="-")
+        _draw_line(axes, camera.project(line), before, colour=HINGE, width=1.8, dash="-")
 
 
-def _draw_line(axes: Axes, line: FloatArray, faces: FloatArray, *, colour: str, width: float, dash: Any) -> None:
-    for piece, hidden in split_line(line, faces):
+def _draw_line(axes: Axes, line: FloatArray, before: Curtain, *, colour: str, width: float, dash: Any) -> None:
+    for piece, hidden in split_line(line, before):
         look = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
         axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **look)
 

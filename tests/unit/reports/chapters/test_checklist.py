@@ -87,7 +87,7 @@ def test_what_is_left_bounds_no_index_where_there_is_none(
 
 def test_without_a_list_the_page_says_that_nobody_gave_one(results: Results) -> None:
     bare = replace(results, mechanisms=results.mechanisms[1:])
-    said = lines(key_plan.sections(bare))
+    said = lines(key_plan.sections(bare, None))
     assert any("does not say which mechanisms" in line for line in said)
     assert any("there is no key plan" in line for line in said)
 

@@ -15,6 +15,7 @@ from reports import governing
 from reports.chapters import governing_words, mechanism_page, mechanism_tables, mechanism_words
 from reports.chapters.cells import clause
 from reports.document import Figure, Graded, Row
+from reports.figures.building import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Text
 
@@ -198,7 +199,7 @@ def test_figures_stand_in_pairs_and_none_is_lost(results: Results) -> None:
         (["sketch", "place", "capacity", "pga-rotation"], ["sketch", "capacity", "pga-rotation"]),
         strict=True,
     ):
-        (section,) = mechanism_page.sections(results, mechanism, "s")
+        (section,) = mechanism_page.sections(results, mechanism, "s", building_of(results))
         rows = [block for block in section.blocks if isinstance(block, Row)]
         alone = [block for block in section.blocks if isinstance(block, Figure)]
         figures = [figure for row in rows for figure in row.figures] + alone

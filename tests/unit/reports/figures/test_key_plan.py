@@ -105,7 +105,7 @@ def test_bodies_in_one_place_stand_apart_and_the_caption_says_so(results: Result
     first, second = (found.surface.vertices[found.surface.triangles[found.group == group]] for group in (0, 1))
     right = np.array([found.direction[0], 0.0, 0.0]) + np.array([0.0, 1.0, 0.0])
     assert (first @ right).max() < (second @ right).min()
-    assert "drawn apart" in Locale().text(key_plan.caption(together))
+    assert "drawn apart" in Locale().text(key_plan.caption(found))
 
 
 def test_walls_at_their_places_stay_there(results: Results) -> None:
@@ -114,22 +114,23 @@ def test_walls_at_their_places_stay_there(results: Results) -> None:
     assert found is not None
     assert not found.apart
     assert found.surface.vertices[:, 0].max() == pytest.approx(5.3)
-    assert "drawn apart" not in Locale().text(key_plan.caption(beside))
+    assert "drawn apart" not in Locale().text(key_plan.caption(found))
 
 
 def test_results_without_geometry_have_no_key_plan(results: Results) -> None:
     bare = built(results, [(None, "wall")])
     assert building_of(bare) is None
-    assert key_plan.model_of_key_plan(bare) is None
-    with pytest.raises(ValueError, match="no mechanism has geometry"):
-        key_plan.draw(bare, Locale())
-    with pytest.raises(ValueError, match='mechanism "m1" has no geometry'):
-        place.draw(bare, bare.mechanisms[0], Locale())
+    one = building_of(built(results, [(wall(), "wall")]))
+    assert one is not None
+    with pytest.raises(ValueError, match='mechanism "m7" has no geometry'):
+        place.draw(one, "m7", Locale())
 
 
 def test_every_number_and_no_two_on_one_another(results: Results) -> None:
     walls = [(wall((0.8 * x, 3.2 * y, 0.0), cut=3.0), f"w{x}{y}") for x in range(4) for y in range(3)]
-    figure = key_plan.draw(built(results, walls), Locale())
+    found = building_of(built(results, walls))
+    assert found is not None
+    figure = key_plan.draw(found, Locale())
     figure.draw_without_rendering()
     tags = [text for text in figure.axes[0].texts if text.get_text().startswith("M")]
     assert sorted(tag.get_text() for tag in tags) == sorted(f"M{number}" for number in range(1, 13))
@@ -151,8 +152,9 @@ def test_hatching_lies_within_the_triangle() -> None:
 
 
 def test_the_model_has_a_part_for_each_colour_and_names_the_hinges(results: Results) -> None:
-    model = key_plan.model_of_key_plan(built(results, [(wall(cut=2.0), "a"), (wall((4.0, 0.0, 0.0)), "b")]))
-    assert model is not None
+    found = building_of(built(results, [(wall(cut=2.0), "a"), (wall((4.0, 0.0, 0.0)), "b")]))
+    assert found is not None
+    model = key_plan.model_of_key_plan(found)
     assert {part.colour for part in model.parts} == {FIXED, VERDICT["pass"], VERDICT["fail"]}
     assert [wire.name for wire in model.wires if wire.name] == ["M1", "M2"]
     assert sum(wire.dashed for wire in model.wires) == 1

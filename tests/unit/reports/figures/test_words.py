@@ -32,6 +32,7 @@ from reports.figures import (
     tornado,
     view,
 )
+from reports.figures.building import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, say
 
@@ -47,6 +48,8 @@ class _Bracketed(Locale):
 
 
 def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
+    building = building_of(results)
+    assert building is not None
     for each in results.mechanisms:
         yield from (partial(draw, each) for draw in (sketch.draw, capacity.draw, pga_rotation.draw))
         if joints.deformable_joints(each):
@@ -62,11 +65,11 @@ def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
             yield partial(amplification.draw, each.amplification.motion)
         if each.view is not None:
             yield partial(view.draw, each.view, 1)
-            yield partial(place.draw, results, each)
+            yield partial(place.draw, building, each.name)
     yield from (partial(sweep.draw, each) for each in results.sweeps)
     yield from (partial(draw, results) for draw in (comparison.draw_capacities, comparison.draw_demands))
     yield partial(comparison.draw_curves, results)
-    yield partial(key_plan.draw, results)
+    yield partial(key_plan.draw, building)
     if results.critical is not None:
         yield partial(envelope.bounds, results)
     if results.ground_motion is not None:

@@ -38,6 +38,7 @@ KINDS: Mapping[Family, Phrase] = {
     Family.FRICTION: say("{methods}: static, by equilibrium."),
 }
 """The kind of analysis of each family of methods."""
+FOLLOW_ROTATION = (Family.DISPLACEMENT, Family.ENERGY, Family.HISTORY, Family.PART)
 
 
 def sections(results: Results) -> list[Section]:
@@ -65,11 +66,7 @@ def analysis(results: Results) -> Iterator[Text]:
         yield say("No method decides; the kinds of analysis for comparison are listed under Codes and methods.")
     yield Paragraph(
         (
-            say(
-                "Walls loaded out of their plane lose their equilibrium as nearly rigid bodies before their material "
-                "fails, and hold well beyond the action that starts the motion: this is why the mechanisms are "
-                "analysed as rocking bodies with large rotations."
-            ),
+            _reason(deciding),
             say(
                 "The seismic action is combined with the permanent loads of each mechanism; both directions of motion "
                 "are analysed where the mechanism can rock both ways, and the worse one counts."
@@ -80,6 +77,21 @@ def analysis(results: Results) -> Iterator[Text]:
         "Loads, with their signs, are listed under Combination of actions and drawn on the page of each mechanism with "
         "its displaced shape, checks and units. Forces at the hinges and every step of the calculation are in annex A "
         "of the full report."
+    )
+
+
+def _reason(deciding: list[Check]) -> Text:
+    """Return why the mechanisms are rigid bodies, with large rotations where a method that decides follows these."""
+    if deciding and not any(FAMILIES.get(check.procedure) in FOLLOW_ROTATION for check in deciding):
+        return say(
+            "Walls loaded out of their plane lose their equilibrium as nearly rigid bodies before their material "
+            "fails: this is why the mechanisms are analysed as rigid bodies. The methods that decide do not follow "
+            "them through large rotations."
+        )
+    return say(
+        "Walls loaded out of their plane lose their equilibrium as nearly rigid bodies before their material "
+        "fails, and hold well beyond the action that starts the motion: this is why the mechanisms are "
+        "analysed as rocking bodies with large rotations."
     )
 
 

@@ -85,6 +85,16 @@ def test_the_kind_of_analysis_is_that_of_the_methods_that_decide(results: Result
     assert "DMI 2008" not in said
 
 
+def test_large_rotations_are_claimed_only_of_methods_that_follow_them(results: Results) -> None:
+    assert "with large rotations" in "\n".join(lines(declaration.sections(results)[:1]))
+    linear = tuple(
+        replace(each, checks=tuple(replace(check, procedure="ec8-element") for check in each.checks))
+        for each in results.mechanisms
+    )
+    said = "\n".join(lines(declaration.sections(replace(results, mechanisms=linear))[:1]))
+    assert "do not follow them through large rotations" in said
+
+
 def test_the_clause_is_named_where_an_italian_code_decides(results: Results) -> None:
     assert results.verdict is not None
     italian = replace(results, verdict=replace(results.verdict, basis="ntc2018"))

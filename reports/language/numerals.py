@@ -10,7 +10,7 @@ _NOT_FINITE = {"inf": "∞", "-inf": "−∞", "nan": "—"}
 
 
 def numeral(value: float, *, figures: int = FIGURES, aligned: bool = False, point: str = ".") -> str:
-    """Return `value` to so many significant figures: 0.1, 12.34, 45670, 1.234×10⁶.
+    """Return `value` to so many significant figures: 0.1, 12.34, 456700, 1.234×10⁶.
 
     Parameters
     ----------
@@ -23,10 +23,10 @@ def numeral(value: float, *, figures: int = FIGURES, aligned: bool = False, poin
         return _NOT_FINITE[str(float(value))]
     mantissa, power = f"{value:.{figures - 1}e}".split("e")
     exponent = int(power)
-    whole = value == round(value) and abs(value) < 1e5
+    whole = value == round(value) and abs(value) < 1e6
     if value == 0 or (whole and figures > exponent and not aligned):
         return f"{value:.0f}".replace("-", "−") if value else "0"
-    if -4 <= exponent < 5:
+    if -4 <= exponent < 6:
         text = f"{float(f'{mantissa}e{power}'):.{max(0, figures - 1 - exponent)}f}"
         return _written(text, aligned=aligned, point=point)
     return f"{_written(mantissa, aligned=aligned, point=point)}×10{str(exponent).translate(_SUPERSCRIPT)}"

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TypeGuard
+
 from assess.messages.message import Quantity
 from reports.document import Cell, Column, Graded
 from reports.language.locale import Locale
@@ -31,9 +34,42 @@ def cell_text(cell: Cell, column: Column, locale: Locale) -> str:
     if isinstance(cell, bool):
         return locale.text(YES if cell else NO)
     if isinstance(cell, int | float):
-        value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
-        return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE)
+        return _number(cell, column, locale)
     return locale.text(cell.text if isinstance(cell, Graded) else cell) or NOTHING
+
+
+def column_texts(cells: Sequence[Cell], column: Column, locale: Locale) -> list[str]:
+    """Return the cells of a column in letters; zeros follow a number as far as others have decimals, and it figures.
+
+    Parameters
+    ----------
+    cells : of the column, from above
+    column : whose unit numbers have
+    locale : language and units
+    """
+    texts = [cell_text(cell, column, locale) for cell in cells]
+    kept = [_decimals(text, locale) if _is_measure(cell, text) else 0 for cell, text in zip(cells, texts, strict=True)]
+    pairs = zip(cells, texts, strict=True)
+    return [_padded(cell, column, locale, max(kept)) if _is_measure(cell, text) else text for cell, text in pairs]
+
+
+def _is_measure(cell: Cell, text: str) -> TypeGuard[float]:
+    return isinstance(cell, float) and cell != 0.0 and "×" not in text
+
+
+def _padded(cell: float, column: Column, locale: Locale, most: int) -> str:
+    """Return a number with zeros up to `most` decimals, as far as its figures go."""
+    whole, point, decimals = _number(cell, column, locale, aligned=True).partition(locale.point)
+    return f"{whole}{point}{decimals[:most]}" if most else whole
+
+
+def _number(cell: float, column: Column, locale: Locale, *, aligned: bool = False) -> str:
+    value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
+    return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE, aligned=aligned)
+
+
+def _decimals(text: str, locale: Locale) -> int:
+    return len(text.partition(locale.point)[2])
 
 
 def is_number(cell: Cell) -> bool:

@@ -33,7 +33,7 @@ from reports.document import (
 from reports.language.formula import mark_up
 from reports.language.lettering import visible
 from reports.language.texts import Kind, Text, say
-from reports.render.cell_text import cell_text, is_numeric
+from reports.render.cell_text import column_texts, is_numeric
 from reports.render.frame_words import SHEET_HEADS, SIGNATURE_HEADS, verdict_word
 from reports.render.sheet_rows import SheetRow, sheet_rows
 from reports.render.svg import Picture
@@ -173,7 +173,7 @@ class Elements:
 
     def _column(self, column: Column, cells: tuple[Cell, ...]) -> tuple[str, list[str]]:
         """Return the head of a column, and the cells below it."""
-        texts, number = [cell_text(cell, column, self.locale) for cell in cells], is_numeric(cells)
+        texts, number = column_texts(cells, column, self.locale), is_numeric(cells)
         words = any(len(text) > _WORDS for text in texts)
         look = "number" if number else "words" if words else ""
         head = markup(self.locale.heading(column.label, column.dimension))

@@ -14,7 +14,7 @@ from reports.figures.style import BANNER, GRID, MUTED
 from reports.language.lettering import truncate
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim
-from reports.render.cell_text import cell_text, is_numeric
+from reports.render.cell_text import column_texts, is_numeric
 from reports.render.frame_words import SHEET_HEADS
 from reports.render.sheet_rows import SheetRow, sheet_rows
 from reports.render.typeset import STYLES, formula, markup, paragraph, width_of
@@ -57,10 +57,10 @@ class Rows(LongTable):
 def table_grid(table: Table, locale: Locale, width: float) -> Rows:
     """Return a table as wide as its cells need, at most `width` [pt]; with the head again on each page."""
     prefix = "small-" if table.small else ""
-    rows = [
-        [printable(cell_text(*each, locale)) for each in zip(row, table.columns, strict=True)] for row in table.rows
-    ]
-    right = [is_numeric(tuple(row[place] for row in table.rows)) for place in range(len(table.columns))]
+    columns = [tuple(row[place] for row in table.rows) for place in range(len(table.columns))]
+    texts = (column_texts(*each, locale) for each in zip(columns, table.columns, strict=True))
+    rows = [list(map(printable, row)) for row in zip(*texts, strict=True)]
+    right = list(map(is_numeric, columns))
     heads = [printable(_head(column, locale)) for column in table.columns]
     widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}head")
     styles = [f"{prefix}{'number' if each else 'cell'}" for each in right]

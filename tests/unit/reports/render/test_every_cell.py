@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from lxml import html
 from openpyxl import load_workbook
 
-from reports.document import Table
+from reports.document import Cell, Column, Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
-from reports.render.cell_text import PlainCell, cell_text, plain_cell
+from reports.render.cell_text import PlainCell, column_texts, plain_cell
 from reports.render.csv import field, write_csv
 from reports.render.sheet_rows import sheet_rows
 from reports.render.sheet_table import as_table
@@ -58,6 +59,11 @@ def read_as(cell: PlainCell) -> object:
     return pytest.approx(cell, rel=1e-15) if isinstance(cell, float) else cell
 
 
+def columns_of(table: Table) -> Iterator[tuple[tuple[Cell, ...], Column]]:
+    for place, column in enumerate(table.columns):
+        yield tuple(row[place] for row in table.rows), column
+
+
 @LOCALES
 def test_page(tmp_path: Path, locale: Locale) -> None:
     document = sample_document(locale)
@@ -66,8 +72,8 @@ def test_page(tmp_path: Path, locale: Locale) -> None:
     for number, table in enumerate(printed, start=1):
         rows = tree.xpath(f"//table[@id='table-{number}']/tbody/tr")
         written = [
-            [visible(cell_text(*each, document.writer)) for each in zip(row, table.columns, strict=True)]
-            for row in table.rows
+            [visible(text) for text in row]
+            for row in zip(*(column_texts(*each, document.writer) for each in columns_of(table)), strict=True)
         ]
         assert [[cell.text_content() for cell in row] for row in rows] == written
     (sheet,) = document.sheets

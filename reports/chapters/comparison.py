@@ -57,7 +57,8 @@ def _curves(results: Results) -> Iterator[Figure]:
         return
     if any(governing.capacities(each.checks) for each in results.mechanisms):
         caption = say(
-            "Peak ground acceleration at capacity of every mechanism by every method; hollow: thesis readings."
+            "Peak ground acceleration at capacity of every mechanism by every method, also where its input allows no "
+            "answer; hollow: thesis readings."
         )
         yield Figure("capacities", caption, partial(figure.draw_capacities, results))
     procedure = figure.curve_procedure(results)

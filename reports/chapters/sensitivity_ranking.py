@@ -85,11 +85,10 @@ def representative_answers(rows: Sequence[SensitivityResult]) -> list[Sensitivit
     ratios = [row for row in rows if row.quantity == "demand_capacity"]
     known = [row for row in rows if row.quantity == "capacity_pga_g" and row.at_base]
     if not known:
-        worst = max(ratios, key=lambda row: answer_value(row, "base") or 0.0)
-        return [worst]
+        return sorted(ratios, key=lambda row: answer_value(row, "base") or 0.0)[-1:]
     least = min(known, key=lambda row: row.at_base or inf)
     levels = sorted({row.level_pga_g or 0.0 for row in ratios})
-    near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))))
+    near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))), default=None)
     there = [row for row in ratios if row.level_pga_g == near]
     own = [row for row in there if (row.procedure, row.limit_state) == (least.procedure, least.limit_state)]
     return [least, *own[:1], *[row for row in there if uses_histories(row.procedure)][:1]]

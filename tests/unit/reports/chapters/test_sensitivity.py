@@ -179,3 +179,10 @@ def test_damage_does_not_stand_for_collapse() -> None:
     life = [replace(row, limit_state="SLV") for row in rows("thickness", 0.17, 0.205)]
     assert {row.limit_state for row in rank_inputs([*damage, *life])[0].shown} == {"SLV"}
     assert {row.limit_state for row in rank_inputs(damage)[0].shown} == {"SLD"}
+
+
+def test_a_capacity_without_ratios_is_told_and_one_that_is_not_known_is_left_out(results: Results) -> None:
+    alone = tuple(row for row in rows("density", 0.1, 0.2) if row.quantity == "capacity_pga_g")
+    unknown = tuple(replace(row, at_base=None, at_low=None, at_high=None) for row in alone)
+    assert chapter(results, alone).blocks
+    assert sensitivity.sections(replace(results, sensitivity=unknown)) == []

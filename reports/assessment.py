@@ -53,6 +53,7 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         running=front_matter.running_head(results),
         logo=front_matter.logo(results),
         stamp=results.stamp,
+        date=front_matter.date(results),
         locale=locale_of(results),
     )
 

@@ -226,6 +226,7 @@ class Document:
     sections : in order; the first is the first page, the contents come after the second
     data : tables for the spreadsheet and the CSV files only
     program : name and version of the program that made it; stamp : of the results that it tells, "" for none
+    date : of the report as the project gives it, "" for none
     locale : in which it is to be written
     """
 
@@ -240,6 +241,7 @@ class Document:
     running: tuple[Text, ...] = ()
     logo: Photograph | None = None
     stamp: str = ""
+    date: str = ""
     locale: Locale = field(default_factory=Locale)
 
     @property

@@ -44,6 +44,11 @@ def reference(results: Results) -> str:
     return results.report.reference or project_text(results, "reference")
 
 
+def date(results: Results) -> str:
+    """Return the date of the report, as the project writes it; empty where none is given."""
+    return results.report.date or project_text(results, "date")
+
+
 def facts(results: Results) -> tuple[Fact, ...]:
     """Return labels and what they say, of what is given."""
     matter = results.report
@@ -53,7 +58,7 @@ def facts(results: Results) -> tuple[Fact, ...]:
         *_coordinates(results),
         *_people(results),
         (say("Reference"), reference(results)),
-        (say("Date"), matter.date or project_text(results, "date")),
+        (say("Date"), date(results)),
         (say("Status"), matter.status),
         *_latest_revision(results),
         (say("Seismic zone"), matter.seismic_zone),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,14 @@ _SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
 _HEAD, _FOOT = 5 * mm, 10 * mm  # of the running head above the text, of the foot above the edge
 _LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each part of the running head
 _RUNNING_SHARE, _GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
+
+
+def pdf_date(date: str) -> str:
+    """Return a date like 2026-05-12 as the properties of a PDF have it; empty for one that is not written so."""
+    try:
+        return f"D:{datetime.date.fromisoformat(date):%Y%m%d}000000Z"
+    except ValueError:
+        return ""
 
 
 class DeferredCanvas(Canvas):
@@ -104,6 +113,9 @@ class Pages(BaseDocTemplate):
 
     def _furniture(self, canvas: Canvas, _: object) -> None:
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
+        made = pdf_date(self.document.date)
+        if made:
+            canvas.setDateFormatter(lambda *_: made)
         left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + _HEAD
         text, document, page = self.locale.text, self.document, self.page
         canvas.saveState()

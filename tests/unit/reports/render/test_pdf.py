@@ -145,6 +145,14 @@ def test_title_author_and_subject_are_in_the_properties(report: Path) -> None:
     assert found.subject == "Seismic assessment of masonry by rocking dynamics"
 
 
+@pytest.mark.parametrize(("date", "year"), [("2026-05-12", 2026), ("12 May", 2000), ("", 2000)])
+def test_the_date_of_the_report_is_that_of_the_file(document: Document, tmp_path: Path, date: str, year: int) -> None:
+    found = PdfReader(write_pdf(replace(document, date=date), tmp_path / "dated.pdf")).metadata
+    assert found is not None
+    assert found.creation_date is not None
+    assert found.creation_date.year == year
+
+
 def test_the_same_document_gives_the_same_bytes(document: Document, report: Path, tmp_path: Path) -> None:
     assert write_pdf(document, tmp_path / "again.pdf").read_bytes() == report.read_bytes()
 

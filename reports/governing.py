@@ -39,7 +39,7 @@ def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
 
-def answered(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def with_answer(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the checks that pass or fail: what one that is not answered finds may be on the unsafe side."""
     return tuple(check for check in checks if check.verdict not in SILENT)
 

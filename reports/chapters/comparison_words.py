@@ -146,7 +146,7 @@ def _spread(results: Results) -> Iterator[Text]:
     """Yield how far apart the methods of codes are in PGA at capacity."""
     spreads = []
     for mechanism in results.mechanisms:
-        known = governing.capacities(governing.answered(governing.code_checks(mechanism.checks)))
+        known = governing.capacities(governing.with_answer(governing.code_checks(mechanism.checks)))
         if len(known) > 1 and min(known.values()) > 0.0:
             low, high = min(known, key=lambda name: known[name]), max(known, key=lambda name: known[name])
             spreads.append((known[high] / known[low], mechanism, low, high))

@@ -133,7 +133,7 @@ def _of_each_procedure(mechanism: MechanismResult) -> list[float]:
     """Return the PGA at capacity of a mechanism by each method of a code [g], those that it withstands at all."""
     return [
         each
-        for each in governing.capacities(governing.answered(governing.code_checks(mechanism.checks))).values()
+        for each in governing.capacities(governing.with_answer(governing.code_checks(mechanism.checks))).values()
         if each > 0.0
     ]
 

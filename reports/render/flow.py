@@ -15,7 +15,7 @@ from reports.render.pdf_tables import Rows
 ROOM = 24 * mm
 """What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
 _LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
-_SMALLEST = 0.75  # reduction of figures
+_SMALLEST = 0.7  # reduction of figures
 _SLACK = 8.0  # of a page that is filled to its end: spaces that the parts put between each other [pt]
 
 

@@ -26,10 +26,16 @@ def numeral(value: float, *, figures: int = FIGURES, aligned: bool = False, poin
     whole = value == round(value) and abs(value) < 1e6
     if value == 0 or (whole and figures > exponent and not aligned):
         return f"{value:.0f}".replace("-", "−") if value else "0"
-    if -4 <= exponent < 6:
-        text = f"{float(f'{mantissa}e{power}'):.{max(0, figures - 1 - exponent)}f}"
-        return _written(text, aligned=aligned, point=point)
+    places = decimals(value, figures=figures)
+    if places is not None:
+        return _written(f"{float(f'{mantissa}e{power}'):.{places}f}", aligned=aligned, point=point)
     return f"{_written(mantissa, aligned=aligned, point=point)}×10{str(exponent).translate(_SUPERSCRIPT)}"
+
+
+def decimals(value: float, *, figures: int) -> int | None:
+    """Return the decimals that show a finite number to so many significant figures; None for a power of ten."""
+    exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
+    return max(0, figures - 1 - exponent) if -4 <= exponent < 6 else None
 
 
 def _written(text: str, *, aligned: bool, point: str) -> str:

@@ -18,7 +18,7 @@ from reports.document import Cell, Column, Document, Graded, Sheet, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.lettering import truncate, visible
 from reports.language.locale import Locale
-from reports.language.numerals import numeral
+from reports.language.numerals import decimals, numeral
 from reports.language.texts import Kind, say
 from reports.render.cell_text import NOTHING, PlainCell, is_numeric, plain_cell
 from reports.render.frame_words import origin
@@ -124,10 +124,9 @@ def _cut(name: str, length: int) -> str:
 
 def number_format(value: float, figures: int) -> str:
     """Return the format in which a spreadsheet shows a number as the report does: to so many figures."""
-    exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
-    if value != 0 and not -4 <= exponent < 5:
+    places = decimals(value, figures=figures) if value else 0
+    if places is None:
         return f"0.{'0' * (figures - 1)}E+00"
-    places = max(0, figures - 1 - exponent) if value != 0 else 0
     return f"0.{'0' * places}" if places else "0"
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
 from assess.results import Results
+from assess.workers import available_cores
 from reports.assessment import Detail, assessment, locale_of
 from reports.document import Document
 from reports.render.csv import write_csv
@@ -72,7 +72,7 @@ def write_document(
     for part in ("tables", "figures"):
         (folder / part).mkdir(exist_ok=True)
     creator = document.locale.text(origin(document))
-    with processes(jobs or os.cpu_count() or 1, document) as submit:
+    with processes(jobs or available_cores(), document) as submit:
         report_stage("figures")
         drawings = trace_figures(document, submit)
         tables = submit(_write_tables, folder)

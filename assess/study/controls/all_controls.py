@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -19,6 +18,7 @@ from assess.study.motions import ScaledRecord
 from assess.study.study import Study
 from assess.study.sweep_cases import MechanismSweep
 from assess.study.sweeps import motions_of_case
+from assess.workers import available_cores
 
 
 @dataclass(frozen=True, repr=False)
@@ -64,7 +64,7 @@ def controls_of(
         _controlled(study, controlling.get(each.name), motions, found[each.name], jobs=jobs)
         for each in study.mechanisms
     ]
-    with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+    with ThreadPoolExecutor(jobs or available_cores()) as pool:
         return tuple(control for made in pool.map(mechanism_controls, cases) for control in made)
 
 

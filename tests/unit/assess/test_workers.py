@@ -20,7 +20,10 @@ from assess.workers import process_pool
 if __name__ == "__main__":
     try:
         with raise_on_signals(), process_pool(2) as pool:
-            list(pool.map(print, ["ready", "ready"])); sys.stdout.flush()
+            started = set()
+            while len(started) < 2:  # a worker ended while it starts may print a traceback
+                started.update([made.result() for made in [pool.submit(os.getpid) for _ in range(4)]])
+            print("ready", flush=True)
             list(pool.map(time.sleep, [60.0] * 9))
     except Terminated as ended:
         sys.exit(128 + ended.number)

@@ -1,0 +1,210 @@
+"""How likely a mechanism is to rock and to overturn, given the strength of the ground motion: `assess fragility`.
+
+Intensities stand in the unit of the measure's dimension: accelerations in g, velocities in m/s, ratios without unit.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from assess.messages.message import Message
+from assess.results.inputs import Input, Program
+from assess.results.report_matter import NO_MATTER, ReportMatter
+from assess.results.values import Floats
+from assess.short_repr import ShortRepr
+
+FRAGILITY_VERSION = 1
+Method = Literal["ida", "stripes", "cloud"]
+StateName = Literal["rocking", "rotation", "overturning"]
+CurveName = Literal["empirical", "lognormal", "first"]
+
+
+@dataclass(frozen=True, repr=False)
+class MeasureResult(ShortRepr):
+    """A measure of intensity.
+
+    key : as the project names it, "pga", "pgv", "sa", "sa-average", "pga/(g tan alpha)", "p pgv/(g tan alpha)"
+    dimension : "ground acceleration" [g], "velocity" [m/s] or "ratio" [-]
+    at : whether it measures the motion of the ground, or that at the base of a mechanism above it
+    periods_s : of "sa" one, of "sa-average" all that are averaged; empty for the others
+    """
+
+    key: str
+    dimension: str
+    at: Literal["ground", "base"]
+    periods_s: Floats = ()
+
+
+@dataclass(frozen=True, repr=False)
+class StateResult(ShortRepr):
+    """A state that fragility is found for; share : of the rotation that overturns, None but for "rotation" [-]."""
+
+    name: StateName
+    share: float | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class EmpiricalPoint(ShortRepr):
+    """The share of records that reach a state at one intensity, with its Wilson interval at 95 %."""
+
+    intensity: float
+    records: int
+    reached: int
+    share: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, repr=False)
+class LognormalResult(ShortRepr):
+    """A lognormal curve and its bootstrap intervals at 95 %, by earthquake; an interval is None where draws fail.
+
+    median [unit of the measure]; dispersion : standard deviation of its natural logarithm [-]
+    """
+
+    median: float
+    dispersion: float
+    median_interval: tuple[float, float] | None = None
+    dispersion_interval: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class FragilityCurve(ShortRepr):
+    """The fragility of one mechanism in one state by one measure.
+
+    records, events : how many records, of how many earthquakes
+    censored : records that do not reach the state at their largest scale
+    hollow : scale factors above 4 among the runs that decide the curve
+    empirical : at rising intensity; what rates are computed from
+    lognormal : by binomial maximum likelihood; None where the data do not bound one, for the reason in `notes`
+    first : of the least intensity at which each record reaches the state, censored ones included: a bound, as rocking
+        is not monotone and a record may stand again at a higher intensity
+    """
+
+    measure: MeasureResult
+    state: StateResult
+    method: Method
+    records: int
+    events: int
+    censored: int
+    hollow: int
+    empirical: tuple[EmpiricalPoint, ...]
+    lognormal: LognormalResult | None
+    first: LognormalResult | None
+    notes: tuple[Message, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class RecordRuns(ShortRepr):
+    """The runs of one record on one mechanism, in the worse polarity, at rising scale.
+
+    scale [n] [-]; ratio [n] : largest rotation over that which overturns it, None where it overturned
+    intensity : of each measure of the mechanism, at scale 1 or at the ground as it is, in their order
+    islands : ranges of scale in which the record leaves it standing although a lower scale overturns it
+    """
+
+    record: str
+    event: str
+    magnitude: float | None
+    distance_km: float | None
+    intensity: Floats
+    scale: Floats
+    ratio: tuple[float | None, ...]
+    islands: tuple[tuple[float, float], ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class Trend(ShortRepr):
+    """The slope of the residuals of ln intensity at first overturning on a property of the records, and its p-value.
+
+    on : "magnitude", "distance" (of its natural logarithm) or "scale" (of its natural logarithm); n : records
+    """
+
+    on: Literal["magnitude", "distance", "scale"]
+    slope: float
+    p_value: float
+    n: int
+
+
+@dataclass(frozen=True, repr=False)
+class MeasureComparison(ShortRepr):
+    """How well a measure explains a state: its dispersion, and what is left that depends on the records."""
+
+    measure: MeasureResult
+    state: StateResult
+    dispersion: float | None
+    trends: tuple[Trend, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class HazardResult(ShortRepr):
+    """The hazard of the site in one measure.
+
+    source : a file, or the key of the project; intensity [n] rising; annual_rate [n] of exceedance, falling [1/year]
+    """
+
+    measure: MeasureResult
+    source: str
+    intensity: Floats
+    annual_rate: Floats
+
+
+@dataclass(frozen=True, repr=False)
+class RiskResult(ShortRepr):
+    """The annual rate of a state, of one curve with the hazard of the site.
+
+    contribution [n-1] : shares of the rate between neighbouring intensities of the hazard [-]
+    beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
+    target_rate : that the project sets [1/year]; None where it sets none
+    """
+
+    measure: MeasureResult
+    state: StateResult
+    curve: CurveName
+    annual_rate: float
+    probability_50_years: float
+    intensity: Floats
+    contribution: Floats
+    beyond: float
+    target_rate: float | None = None
+    notes: tuple[Message, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class MechanismFragility(ShortRepr):
+    """The fragility of one mechanism.
+
+    epistemic : dispersion of what is not known of the mechanism, apart from that of records; None where none is given
+    epistemic_sources : key of the project and its share, by name
+    """
+
+    name: str
+    label: str
+    slenderness_rad: float
+    p_eq_per_s: float
+    above_ground: bool
+    runs: tuple[RecordRuns, ...]
+    curves: tuple[FragilityCurve, ...]
+    comparison: tuple[MeasureComparison, ...]
+    risks: tuple[RiskResult, ...]
+    epistemic: float | None = None
+    epistemic_sources: dict[str, float] | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class FragilityResults(ShortRepr):
+    """The tree of fragility.json; seed and draws : of the bootstrap."""
+
+    schema_version: int
+    program: Program
+    inputs: tuple[Input, ...]
+    warnings: tuple[Message, ...]
+    title: str
+    method: Method
+    seed: int
+    draws: int
+    mechanisms: tuple[MechanismFragility, ...]
+    hazard: tuple[HazardResult, ...] = ()
+    stamp: str = ""
+    report: ReportMatter = NO_MATTER

@@ -1,1 +1,1 @@
-"""Many projects at once: what is to be assessed, in which order, and what is known of each."""
+"""Many projects assessed as one: tasks, the processes that compute them, and the ledger of what is done."""

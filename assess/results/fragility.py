@@ -5,11 +5,11 @@ Intensities stand in the unit of the measure's dimension: accelerations in g, ve
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from assess.messages.message import Message
-from assess.results.inputs import Input, Program
+from assess.results.inputs import Input, Program, Resolved
 from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.results.values import Floats
 from assess.short_repr import ShortRepr
@@ -194,7 +194,7 @@ class MechanismFragility(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class FragilityResults(ShortRepr):
-    """The tree of fragility.json; seed and draws : of the bootstrap."""
+    """The tree of fragility.json; seed and draws : of the bootstrap; project : each resolved key, as in results.json."""
 
     schema_version: int
     program: Program
@@ -208,3 +208,4 @@ class FragilityResults(ShortRepr):
     hazard: tuple[HazardResult, ...] = ()
     stamp: str = ""
     report: ReportMatter = NO_MATTER
+    project: dict[str, Resolved] = field(default_factory=dict)

@@ -194,7 +194,7 @@ class MechanismFragility(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class FragilityResults(ShortRepr):
-    """The tree of fragility.json; seed and draws : of the bootstrap; project : each resolved key, as in results.json."""
+    """The tree of fragility.json; seed and draws : of the bootstrap; project : resolved values, as in results.json."""
 
     schema_version: int
     program: Program

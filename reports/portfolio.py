@@ -11,8 +11,9 @@ from assess.portfolio.row import Row
 from assess.results.program import describe_program
 from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
 from reports.document import Cell, Column, Document, Graded, Link, Prose, Section, Table
-from reports.language.locale import Locale, System
+from reports.language.locale import Locale
 from reports.language.texts import Phrase, Text, Verbatim, count, say
+from reports.language.units import System
 from reports.render.csv import write_csv
 from reports.render.html import write_html
 from reports.render.spreadsheet import write_xlsx

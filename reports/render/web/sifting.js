@@ -1,8 +1,10 @@
 // A long table of outcomes: only the rows of one outcome, and only those with some words.
 
+const MOST = 1000; // rows that the style sheet shows at once
+
 for (const table of document.querySelectorAll("table.sifted")) {
   const form = document.getElementById("sifting").content.firstElementChild.cloneNode(true);
-  const [select, search, count] = ["select", "input", "output"].map((name) => form.querySelector(name));
+  const [select, search, whole, count] = ["select", "[type=search]", "[type=checkbox]", "output"].map((name) => form.querySelector(name));
   const rows = [...table.tBodies[0].rows].map((row) => {
     const outcome = row.querySelector(".pass, .fail, .incomplete, .comparison");
     return { row, outcome: outcome?.textContent ?? "", words: row.textContent.toLowerCase() };
@@ -21,6 +23,8 @@ for (const table of document.querySelectorAll("table.sifted")) {
     }
     count.textContent = `${shown} / ${rows.length}`;
   };
+  whole.addEventListener("change", () => table.classList.toggle("whole", whole.checked));
+  whole.parentElement.hidden = rows.length <= MOST;
   form.addEventListener("input", sift);
   form.addEventListener("submit", (event) => event.preventDefault());
   sift();

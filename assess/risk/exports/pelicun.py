@@ -7,12 +7,11 @@ DamageStateWeights.
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Sequence
 
 from assess.risk.exports.curve import Export, ExportedCurve, LeftOut
+from assess.risk.exports.table import Cell, table_text
 
 UNITS = {"g": "g", "m/s": "mps", "-": "ea"}
 
@@ -40,11 +39,7 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
         else:
             several = names.count(each.name) > 1
             rows.append(_row(each, demand, number, identifier(f"{each.name}.{demand}" if several else each.name)))
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_header(number))
-    writer.writerows(rows)
-    return Export(text.getvalue(), tuple(left_out))
+    return Export(table_text([_header(number), *rows]), tuple(left_out))
 
 
 def demand_of(curve: ExportedCurve) -> str | None:
@@ -65,9 +60,9 @@ def _header(states: int) -> list[str]:
     return [*fixed, *(f"LS{at}-{part}" for at in range(1, states + 1) for part in parts)]
 
 
-def _row(curve: ExportedCurve, demand: str, states: int, name: str) -> list[str]:
-    row = [name, "0", demand, UNITS[curve.unit], "0", "0"]
+def _row(curve: ExportedCurve, demand: str, states: int, name: str) -> list[Cell]:
+    row: list[Cell] = [name, 0, demand, UNITS[curve.unit], 0, 0]
     for state in curve.states:
         if state.lognormal is not None:
-            row += ["lognormal", repr(float(state.lognormal.median)), repr(float(state.lognormal.dispersion)), ""]
-    return row + [""] * (4 * (states - len(curve.states)))
+            row += ["lognormal", float(state.lognormal.median), float(state.lognormal.dispersion), None]
+    return row + [None] * (4 * (states - len(curve.states)))

@@ -38,7 +38,9 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
             left_out.append(LeftOut(each.name, each.measure, each.period, "state-without-curve", lacking))
         else:
             several = names.count(each.name) > 1
-            rows.append(_row(each, demand, number, identifier(f"{each.name}.{demand}" if several else each.name)))
+            name = identifier(f"{each.name}.{demand}" if several else each.name)
+            alike = sum(str(row[0]).split("..")[0] == name for row in rows)
+            rows.append(_row(each, demand, number, f"{name}..{alike + 1}" if alike else name))
     return Export(table_text([_header(number), *rows]), tuple(left_out))
 
 
@@ -50,8 +52,8 @@ def demand_of(curve: ExportedCurve) -> str | None:
 
 
 def identifier(name: str) -> str:
-    """Return a name as an ID of pelicun: letters, digits, dots and underscores."""
-    return re.sub(r"[^A-Za-z0-9._]+", "_", name).strip("_") or "_"
+    """Return a name as an ID of pelicun, which splits names at hyphens: letters, digits, underscores and single dots."""
+    return re.sub(r"\.+", ".", re.sub(r"[^A-Za-z0-9.]+", "_", name)).strip("_.") or "_"
 
 
 def _header(states: int) -> list[str]:

@@ -52,7 +52,7 @@ def demand_of(curve: ExportedCurve) -> str | None:
 
 
 def identifier(name: str) -> str:
-    """Return a name as an ID of pelicun, which splits names at hyphens: letters, digits, underscores and single dots."""
+    """Return a name as an ID of pelicun, which splits them at hyphens: letters, digits, underscores, dots."""
     return re.sub(r"\.+", ".", re.sub(r"[^A-Za-z0-9.]+", "_", name)).strip("_.") or "_"
 
 

@@ -26,7 +26,8 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
     ----------
     curves : of the mechanisms
     """
-    rows, left_out = [], []
+    rows: list[list[Cell]] = []
+    left_out = []
     number = max((len(each.states) for each in curves), default=0)
     names = [each.name for each in curves]
     for each in curves:

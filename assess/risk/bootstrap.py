@@ -1,10 +1,10 @@
 """Bootstrap intervals of fragility by earthquake: all records of one event are drawn together.
 
-Intervals are basic ones of the logarithms, 2 ln e - q, where e is the estimate and q the quantiles of the draws: Davison
-and Hinkley 1997, "Bootstrap Methods and their Application", eq. 5.6, with clusters drawn whole as in section 3.8. The
-quantiles are those that make a mean's interval as wide as Student's of events less one degrees of freedom: Hesterberg
-2015, The American Statistician 69(4), 371-386, section 3.2. Percentiles and BCa intervals of dispersion cover the truth in
-70 to 85 % of trials with 10 to 40 events, as maximum likelihood finds it too small; these cover it in 92 to 95 %.
+Intervals are basic ones of the logarithms, 2 ln e - q, with e the estimate and q the quantiles of the draws (Davison and
+Hinkley 1997, "Bootstrap Methods and their Application", eq. 5.6; clusters drawn whole as in section 3.8). The quantiles
+are those that make a mean's interval as wide as Student's with events less one degrees of freedom (Hesterberg 2015, The
+American Statistician 69(4), 371-386, section 3.2). Percentile and BCa intervals of dispersion cover the truth in 70 to
+88 % of trials with 10 to 40 events, as maximum likelihood finds it too small; these do in 92 to 95 %.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ Fit = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 @dataclass(frozen=True, repr=False)
 class LognormalIntervals(ShortRepr):
-    """Intervals of median and dispersion; None where more draws fail than confidence leaves, or with under three events.
+    """Intervals of median and dispersion; None with fewer than three events, or where too many draws fail.
 
     median [unit of intensity], dispersion [-] : lower and upper bound
-    draws : how many; unbounded : draws whose data do not bound a curve, left out of the intervals
+    draws : how many; unbounded : draws whose data do not bound a curve, left out unless more than confidence leaves
     """
 
     median: tuple[float, float] | None

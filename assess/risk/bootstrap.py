@@ -1,6 +1,6 @@
 """Bootstrap intervals of fragility by earthquake: all records of one event are drawn together.
 
-Intervals are basic ones of the logarithms, 2 ln e - q, with e the estimate and q the quantiles of the draws (Davison and
+Intervals are basic ones of the logarithms, 2 ln e - q, with e the estimate, q the quantiles of the draws (Davison and
 Hinkley 1997, "Bootstrap Methods and their Application", eq. 5.6; clusters drawn whole as in section 3.8). The quantiles
 are those that make a mean's interval as wide as Student's with events less one degrees of freedom (Hesterberg 2015, The
 American Statistician 69(4), 371-386, section 3.2). Percentile and BCa intervals of dispersion cover the truth in 70 to

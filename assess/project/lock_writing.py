@@ -15,8 +15,8 @@ from assess.project.suite_lock import (
     LockedChoice,
     LockedRecord,
     LockedTarget,
-    lock_text,
     is_replaceable,
+    lock_text,
 )
 from assess.study.motions import ScaledRecord
 from assess.study.study import Artificial, Fitting

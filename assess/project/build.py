@@ -74,10 +74,50 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
         return study_of(project, executor=executor)
 
 
+def build_to_decide(project: Project) -> Study:
+    """Build the study of a project as far as its verdict depends on it: without messages, sensitivity and report.
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : as `build`
+    """
+    with locate_errors(str(project.path)):
+        if project.variations:
+            return study_of(project)
+        return deciding_part_of(project)[0]
+
+
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     report = report_matter_of(content, project.folder)
+    study, files, messages = deciding_part_of(project, executor=executor)
+    spectrum, solids = files.spectrum, files.solids
+    return replace(
+        study,
+        inputs=tuple(inputs_of(project, files.named.records)),
+        report=report,
+        resolved=with_asked_procedures(resolve(project), content),
+        messages=(
+            *project.messages,
+            *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
+            *project_messages(content, solids, study),
+            *messages,
+        ),
+        sweeps=tuple(
+            sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
+            for variation in project.variations
+        ),
+        survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
+        variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
+    )
+
+
+def deciding_part_of(
+    project: Project, *, executor: Executor | None = None
+) -> tuple[Study, Files, tuple[Message, ...]]:
+    """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
+    content = project.content
     site = site_in(content)
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
@@ -94,27 +134,8 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             folder=project.folder,
             executor=executor,
         )
-    files = Files(models, solids, spectrum, named)
-    return replace(
-        study,
-        records=named.records,
-        fitting=named.fitting,
-        inputs=tuple(inputs_of(project, named.records)),
-        report=report,
-        resolved=with_asked_procedures(resolve(project), content),
-        messages=(
-            *project.messages,
-            *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
-            *project_messages(content, solids, study),
-            *messages,
-        ),
-        sweeps=tuple(
-            sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
-            for variation in project.variations
-        ),
-        survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
-        variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
-    )
+    study = replace(study, records=named.records, fitting=named.fitting)
+    return study, Files(models, solids, spectrum, named), messages
 
 
 def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:

@@ -47,12 +47,11 @@ print(json.dumps(run.damage.ds_model.probabilities().iloc[0].to_list()))
     [("pga", None, "g", "PGA g"), ("pgv", None, "m/s", "PGV mps"), ("sa", 0.5, "g", "SA_0.5 g")],
 )
 def test_pelicun_draws_the_probabilities_of_the_curves(tmp_path, measure, period, unit, demand):
-    none = np.zeros(0)
-    states = [ExportedState(name, fit, none, none.astype(int), none.astype(int), none, none)
-              for name, fit in (("rocking", Lognormal(0.15, 0.30)), ("overturning", Lognormal(0.40, 0.45)))]  # fmt: skip
-    (tmp_path / "damage.csv").write_text(
-        pelicun_text([ExportedCurve("wall-6", measure, period, unit, tuple(states))]).text
-    )
+    none, whole = np.zeros(0), np.zeros(0, dtype=np.int64)
+    fits = {"rocking": Lognormal(0.15, 0.30), "overturning": Lognormal(0.40, 0.45)}
+    states = tuple(ExportedState(name, fit, none, whole, whole, none, none) for name, fit in fits.items())
+    export = pelicun_text([ExportedCurve("wall-6", measure, period, unit, states)])
+    (tmp_path / "damage.csv").write_text(export.text)
     (tmp_path / "program.py").write_text(PROGRAM)
     command = [PYTHON, "-W", "ignore", "program.py", "damage.csv", *demand.split(), "0.3", str(DRAWS)]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)

@@ -14,11 +14,12 @@ from pydantic import (
 )
 
 from assess.model.ranges import MOST_VOUSSOIRS
-from assess.project.quantities import Angle, PlanePoint, Point
+from assess.project.quantities import Angle, Coordinate, PlanePoint, a_point
 from assess.project.section import Section, wrong
 from assess.project.sections.uncertain_number import UNCERTAIN_COORDINATE
 
-UncertainPoint = Annotated[Point, UNCERTAIN_COORDINATE]
+Place = Annotated[Coordinate, UNCERTAIN_COORDINATE]
+UncertainPoint = Annotated[tuple[Place, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
 
 
 class Hinges(Section):

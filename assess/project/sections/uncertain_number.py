@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
+from math import inf, pi
 from typing import Annotated, Any
 
 from pydantic import Field, GetJsonSchemaHandler, PlainValidator, StrictStr, WithJsonSchema, model_validator
@@ -14,28 +14,29 @@ from assess.project.quantities import Name, Ratio
 from assess.project.section import Section, wrong
 from assess.results.uncertainty import Distribution
 
-SCHEMA = "UncertainNumber"
+
+MARK = "or { mean, cov }"
+"""Stands in the schema of a marked key until `with_uncertain_numbers` has replaced it."""
 
 
 @dataclass(frozen=True)
 class Uncertain:
-    """The mark of a key whose number may be `{ mean, cov }`; physical limits of its values in SI, both excluded.
+    """The mark of a key whose number may be `{ mean, cov }`.
 
-    least : 0 of what is positive by nature, -inf of coordinates; most : 1 of restitutions
+    most : the largest size that it can have [SI]; crosses_zero : whether its values may change sign, as coordinates
     """
 
-    least: float = 0.0
     most: float = inf
+    crosses_zero: bool = False
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        plain = handler(schema)
-        said = {"description": plain.pop("description")} if "description" in plain else {}
-        return {"anyOf": [plain, {"$ref": f"#/$defs/{SCHEMA}"}], **said} if plain else said
+        return {**handler(schema), MARK: True}
 
 
 UNCERTAIN = Uncertain()
-UNCERTAIN_COORDINATE = Uncertain(least=-inf)
+UNCERTAIN_COORDINATE = Uncertain(crosses_zero=True)
 UNCERTAIN_RESTITUTION = Uncertain(most=1.0)
+UNCERTAIN_UPLIFT = Uncertain(most=pi / 2.0)
 
 
 def _a_quantity(value: Any) -> Any:
@@ -66,3 +67,21 @@ class UncertainNumber(Section):
         if (self.cov is None) == (self.sd is None):
             raise wrong("cov", "give either cov, a share of the mean like 0.05, or sd, in the unit of the mean")
         return self
+
+
+def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the JSON Schema of a project file with { mean, cov } allowed at every key that is marked."""
+
+    def allow(node: Any) -> Any:
+        if isinstance(node, list):
+            return [allow(each) for each in node]
+        if not isinstance(node, dict):
+            return node
+        plain = {key: allow(each) for key, each in node.items() if key != MARK}
+        if MARK not in node:
+            return plain
+        kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
+        return {"anyOf": [plain, {"$ref": f"#/$defs/{UncertainNumber.__name__}"}], **kept} if plain else kept
+
+    found = allow(schema)
+    return {**found, "$defs": {**found["$defs"], UncertainNumber.__name__: UncertainNumber.model_json_schema()}}

@@ -32,6 +32,7 @@ from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.study_messages import project_messages
 from assess.project.survey import survey_of
+from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
@@ -102,6 +103,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
             *project.messages,
+            *uncertainty_messages(project),
             *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
             *project_messages(content, solids, study),
             *messages,
@@ -112,6 +114,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         ),
         survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
+        sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
     )
 
 
@@ -192,6 +195,16 @@ def alone(
     """Build the study of one mechanism from other content of the project, with some of its bodies replaced."""
     known = reread(content, project, files)
     return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
+
+
+def cases_of(content: sections.Content, *, project: Project, files: Files) -> Cases:
+    """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
+    known = reread(content, project, files)
+
+    def case(name: str, replaced: Mapping[str, Solid]) -> Study:
+        return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
+
+    return Cases(known.solids, case)
 
 
 def reread(content: sections.Content, project: Project, files: Files) -> Files:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -13,10 +13,14 @@ import numpy as np
 
 from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError, locate_errors
+from assess.geometry.affine import scale_density
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, locate
-from assess.model.weakest import mechanism_in_direction
+from assess.model.assembly import Built
+from assess.model.body import Bodies
+from assess.model.definitions import Definition
+from assess.model.weakest import mechanism_as_given, mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
@@ -45,6 +49,7 @@ from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
 
+Builder = Callable[[str, Definition, Bodies], Built]
 CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 
@@ -118,13 +123,18 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     )
 
 
-def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
-    """Build the study of some mechanisms of a project, without messages about its file."""
+def part_of(
+    content: sections.Content, files: Files, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
+) -> Study:
+    """Build the study of some mechanisms of a project, without messages about its file.
+
+    built_by : builds a mechanism; `mechanism_as_given` where direction and sides are settled
+    """
     site, building, synthetic = site_in(content), content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
-    built = {name: mechanism_in_direction(name, definitions[name], bodies) for name in chosen}
+    built = {name: built_by(name, definitions[name], bodies) for name in chosen}
     in_place = {
         name: MechanismInPlace(
             name=name,
@@ -192,9 +202,11 @@ def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[st
 def alone(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
 ) -> Study:
-    """Build the study of one mechanism from other content of the project, with some of its bodies replaced."""
-    known = reread(content, project, files)
-    return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
+    """Build the study of one mechanism from other content of the project, with some of its bodies replaced.
+
+    Its direction and sides stand in the content.
+    """
+    return cases_of(content, project=project, files=files).build(name, replaced)
 
 
 def cases_of(content: sections.Content, *, project: Project, files: Files) -> Cases:
@@ -202,7 +214,8 @@ def cases_of(content: sections.Content, *, project: Project, files: Files) -> Ca
     known = reread(content, project, files)
 
     def case(name: str, replaced: Mapping[str, Solid]) -> Study:
-        return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
+        solids = {**known.solids, **replaced}
+        return part_of(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
 
     return Cases(known.solids, case)
 
@@ -213,8 +226,8 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
     models = models_of(changed, known=files.models)
     solids = {
-        name: solid_of(name, body, content.materials, models) if name in changed else files.solids[name]
-        for name, body in content.bodies.items()
+        name: solid_in_case(name, content, whole, models, files.solids) if name in changed else files.solids[name]
+        for name in content.bodies
     }
     site = site_in(content)
     spectrum = files.spectrum if site is None or site == site_in(whole) else spectrum_of(site)
@@ -223,6 +236,17 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
         raise ProjectError("records: a sweep cannot vary what records are selected by; sweep another key")
     records = files.named if same else all_records(content.records, project.folder)[0]
     return Files(models, solids, spectrum, records)
+
+
+def solid_in_case(
+    name: str, case: sections.Content, whole: sections.Content, models: Models, solids: Mapping[str, Solid | None]
+) -> Solid | None:
+    """Return the solid of a body that a case changes; a mesh of another density only is not put together again."""
+    body, known = case.bodies[name], solids[name]
+    if known is None or body != whole.bodies[name] or not isinstance(body, sections.MeshBody):
+        return solid_of(name, body, case.materials, models)
+    before, after = (content.materials[body.material].density for content in (whole, case))
+    return scale_density(known, after / before)
 
 
 def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:

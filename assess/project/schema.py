@@ -218,8 +218,8 @@ def resolve(project: Project) -> dict[str, Resolved]:
 
 def _covs(key: str, covs: Mapping[str, float]) -> dict[str, float]:
     """Return the scatter of the numbers at and below a key; one number may stand for the keys of a table, above it."""
-    above = {"": cov for written, cov in covs.items() if key.startswith(f"{written}.")}
-    return _below(key, covs) or above
+    above = [cov for written, cov in covs.items() if key.startswith(f"{written}.")]
+    return {"": above[0]} if above else _below(key, covs)
 
 
 def _below(key: str, known: Mapping[str, T]) -> dict[str, T]:

@@ -25,8 +25,8 @@ from assess.results.uncertainty import Distribution, UncertainInput
 
 LISTED = (
     "sizes of boxes, lengths of profiles, hinges, densities, moduli and strengths of materials, friction, stiffness, "
-    "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent blocks, "
-    "and the building's period"
+    "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent "
+    "blocks, and the building's period"
 )
 APART = ("analysis", "report", "format")
 """Tables without numbers that may scatter."""
@@ -131,10 +131,12 @@ def _share(number: UncertainNumber, mean: float, kind: Kind, key: str) -> float:
 def _check_positive(distribution: Distribution, cov: float, key: str) -> None:
     """Refuse a scatter too large for a number that keeps its sign."""
     if cov >= 1.0:
-        raise ProjectError(f"{key}.sd: {cov:.4g} times the mean: must be less than the mean of a number that keeps its sign")
+        raise ProjectError(
+            f"{key}.sd: {cov:.4g} times the mean: must be less than the mean of a number that keeps its sign"
+        )
     if distribution == "uniform" and cov >= 1.0 / sqrt(3.0):
-        remedy = "write at most 0.577, or another distribution"
-        raise ProjectError(f"{key}.cov: {cov:.4g}: the lower bound, mean (1 - sqrt(3) cov), is beyond zero; {remedy}")
+        remedy = "write less than 0.577, or another distribution"
+        raise ProjectError(f"{key}.cov: {cov:.4g}: its lower bound, mean (1 - √3 cov), is beyond zero; {remedy}")
 
 
 def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:

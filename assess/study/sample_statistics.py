@@ -9,8 +9,8 @@ import numpy as np
 
 from assess.results.uncertainty import Influence
 from assess.risk.wilson import wilson
-from assess.study.sample_answers import FAILED, OPEN
-from spectra.arrays import FloatArray, IntArray
+from assess.study.sample_answers import FAILED, OPEN, Outcomes
+from spectra.arrays import FloatArray
 
 QUANTILES = (0.05, 0.16, 0.50, 0.84, 0.95)
 
@@ -26,7 +26,7 @@ class Statistics(TypedDict):
     ratios: tuple[float | None, ...]
 
 
-def statistics_of(ratio: FloatArray, outcome: IntArray) -> Statistics:
+def statistics_of(ratio: FloatArray, outcome: Outcomes) -> Statistics:
     """Return what is counted over the samples of one answer.
 
     Parameters
@@ -63,7 +63,7 @@ def influences_of(
     columns: Mapping[str, FloatArray],
     keys: Mapping[str, tuple[str, ...]],
     ratio: FloatArray,
-    outcome: IntArray,
+    outcome: Outcomes,
     moves: Mapping[str, bool],
 ) -> tuple[Influence, ...]:
     """Return what each group does to one answer: Spearman's correlation of the ranks, and its square.

@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from assess.codes.check import Check, Outcome
+from assess.codes.families import uses_histories
 from assess.errors import AssessError
 from assess.messages.message import Message, Quantity, note
 from assess.results import MechanismResult
@@ -21,7 +22,16 @@ from assess.results.uncertainty import UncertainAnswer, UncertaintyResult
 from assess.study.distributions import share_cut_off, values_at
 from assess.study.motions import ScaledRecord
 from assess.study.progress import Progress
-from assess.study.sample_answers import SampleAnswers, Tally, same_answers, sample_answers, unbuilt
+from assess.study.sample_answers import (
+    OPEN,
+    Flags,
+    SampleAnswers,
+    Tally,
+    rocking_of,
+    same_answers,
+    sample_answers,
+    unbuilt,
+)
 from assess.study.sample_statistics import influences_of, statistics_of
 from assess.study.sensitivity import check_case
 from assess.study.sensitivity_rows import Answer, by_answer
@@ -79,8 +89,8 @@ def uncertainty(
     done = 0
     with ThreadPoolExecutor(jobs or available_cores()) as pool:
         for sample, found in enumerate(pool.map(sampler.at, points)):
-            for name, answers in found.items():
-                tallies[name].put(sample, answers)
+            for name, each in found.items():
+                tallies[name].put(sample, each)
             done += 1
             progress("samples", done, len(points))
         changed = changes(sampler, points, pool)
@@ -148,7 +158,7 @@ class Sampler:
             try:
                 case = replace(build(name), procedures=procedures, suite_faults=self.study.suite_faults)
                 checks = by_answer(check_case(case, self.spectrum, self.motions, jobs=1))
-                found[name] = sample_answers(asked[name], checks)
+                found[name] = sample_answers(asked[name], checks, rocking_of(case))
             except (AssessError, SpectrumError) as error:
                 found[name] = unbuilt(asked[name], str(error))
         return found
@@ -160,13 +170,17 @@ class Sampler:
         return tuple(number.given.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
 
 
-def changes(sampler: Sampler, points: FloatArray, pool: ThreadPoolExecutor) -> dict[tuple[str, str], FloatArray]:
+def changes(sampler: Sampler, points: FloatArray, pool: ThreadPoolExecutor) -> dict[tuple[str, str], Flags]:
     """Return by mechanism and group which answers change when the group alone goes to both `ENDS`.
 
     The others are at their means, then at their values in the first sample.
     """
     groups = sampler.sampling.groups
-    changed: dict[tuple[str, str], FloatArray] = {}
+    by_histories = {
+        name: np.array([uses_histories(procedure) for procedure, _, _ in asked])
+        for name, asked in sampler.questions.items()
+    }
+    changed: dict[tuple[str, str], Flags] = {}
     for base in (np.full(len(groups), np.nan), points[0]):
         names = [[each for each in sampler.questions if group in sampler.sampling.groups_of(each)] for group in groups]
         asked = [(place, end) for place in range(len(groups)) for end in ENDS if names[place]]
@@ -175,8 +189,9 @@ def changes(sampler: Sampler, points: FloatArray, pool: ThreadPoolExecutor) -> d
         found = pool.map(sampler.at, moved, [names[place] for place, _ in asked])
         for (place, _), answers in zip(asked, found, strict=True):
             for name, each in answers.items():
-                key, differs = (name, groups[place]), ~same_answers(at_base[name], each)
-                changed[key] = changed.get(key, np.zeros_like(differs)) | differs
+                key, known = (name, groups[place]), by_histories[name]
+                differs = ~same_answers(at_base[name], each, histories=known)
+                changed[key] = changed.get(key, np.zeros_like(known)) | differs
     return changed
 
 
@@ -186,7 +201,7 @@ def answers_of(
     asked: Mapping[Answer, Check],
     points: FloatArray,
     sampling: Sampling,
-    changed: Mapping[tuple[str, str], FloatArray],
+    changed: Mapping[tuple[str, str], Flags],
 ) -> Iterator[UncertainAnswer]:
     """Yield every answer of one mechanism over all samples."""
     groups = sampling.groups_of(name)
@@ -195,7 +210,8 @@ def answers_of(
     for place, check in enumerate(asked.values()):
         ratio, outcome = tally.ratio[:, place], tally.outcome[:, place]
         moves = {group: bool(changed[name, group][place]) for group in groups}
-        still = tuple(group for group in groups if not moves[group])
+        answered = bool(np.any(outcome != OPEN))
+        still = tuple(group for group in groups if answered and not moves[group])
         yield UncertainAnswer(
             mechanism=name,
             procedure=check.procedure,
@@ -203,7 +219,7 @@ def answers_of(
             level_pga_g=check.level_pga_g,
             role=check.role,
             at_mean=check.ratio,
-            influences=influences_of(columns, keys, ratio, outcome, moves),
+            influences=influences_of(columns, keys, ratio, outcome, moves) if answered else (),
             notes=(*tally.unanswered(place), *(note("uncertainty-no-influence", group=group) for group in still)),
             **statistics_of(ratio, outcome),
         )
@@ -217,9 +233,7 @@ def cut_off(numbers: Sequence[Sampled]) -> Iterator[Message]:
             yield note("uncertainty-cut-off", number.given.key, key=number.given.key, share=Quantity(share, "ratio", 2))
 
 
-def idle(
-    sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], FloatArray]
-) -> Iterator[Message]:
+def idle(sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]) -> Iterator[Message]:
     """Report the groups that change no answer at all."""
     for group in sampling.groups:
         touched = [name for name in questions if group in sampling.groups_of(name)]

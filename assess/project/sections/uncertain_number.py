@@ -14,7 +14,6 @@ from assess.project.quantities import Name, Ratio
 from assess.project.section import Section, wrong
 from assess.results.uncertainty import Distribution
 
-
 MARK = "or { mean, cov }"
 """Stands in the schema of a marked key until `with_uncertain_numbers` has replaced it."""
 

@@ -117,7 +117,7 @@ TEXTS: Mapping[str, str] = {
     "uncertainty-no-influence": "{group} changes nothing: varied alone from its 5 % to its 95 % quantile, the answer "
     "is the same",
     "uncertainty-idle": "{keys}: no influence on any answer",
-    "uncertainty-cut-off": "{key}: a share of {share} of its distribution lies beyond what is possible; values are "
+    "uncertainty-cut-off": "a share of {share} of its distribution lies beyond what is possible; values are "
     "drawn from the rest",
     # folders of results
     "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "

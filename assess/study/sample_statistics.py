@@ -7,12 +7,10 @@ from typing import TypedDict
 
 import numpy as np
 
-from assess.results.uncertainty import Influence
+from assess.results.uncertainty import QUANTILES, Influence
 from assess.risk.wilson import wilson
 from assess.study.sample_answers import FAILED, OPEN, Outcomes
 from spectra.arrays import FloatArray
-
-QUANTILES = (0.05, 0.16, 0.50, 0.84, 0.95)
 
 
 class Statistics(TypedDict):
@@ -51,7 +49,7 @@ def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
     if not ratio.size:
         return (None,) * len(QUANTILES)
     rising = np.sort(ratio)
-    place = np.array(QUANTILES) * (rising.size - 1)
+    place = np.array(QUANTILES) / 100.0 * (rising.size - 1)
     below, above = rising[np.floor(place).astype(int)], rising[np.ceil(place).astype(int)]
     finite = np.isfinite(above)
     step = np.subtract(above, below, where=finite, out=np.zeros_like(above))

@@ -23,6 +23,7 @@ HEADINGS: Mapping[Kind, str] = {
     "parameter": "rocking parameters (SI)",
     "sweep": "parametric studies",
     "sensitivity": "sensitivity",
+    "uncertainty": "uncertainty",
     "other": "other blocks of results.json that differ",
     "site": "site and records",
     "project": "project (SI)",

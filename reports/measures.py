@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from assess.messages.message import Quantity
 from assess.results.fragility import (
     FragilityCurve,
     HazardResult,
@@ -13,7 +14,7 @@ from assess.results.fragility import (
     RiskResult,
     StateResult,
 )
-from reports.language.texts import Phrase, Quantity, Text, Verbatim, quantity, say
+from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 FIGURES = 3
 PERCENT = 100.0
@@ -67,8 +68,8 @@ def interval(ends: tuple[float, float] | None, dimension: str) -> Text | None:
 
 
 def measures_of(mechanism: MechanismFragility) -> tuple[MeasureResult, ...]:
-    """Return the measures of a mechanism, in the order of its curves."""
-    return tuple(dict.fromkeys(curve.measure for curve in mechanism.curves))
+    """Return the measures of a mechanism, the one of the project's choice first."""
+    return mechanism.measures or tuple(dict.fromkeys(curve.measure for curve in mechanism.curves))
 
 
 def states_of(mechanism: MechanismFragility) -> tuple[StateResult, ...]:

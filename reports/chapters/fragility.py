@@ -45,6 +45,10 @@ WORKS = (
         "American Statistical Association 22(158), 209–212."
     ),
     Verbatim(
+        "Luco, N. and Cornell, C. A. (2007). Structure-specific scalar intensity measures for near-source and ordinary "
+        "earthquake ground motions. Earthquake Spectra 23(2), 357–392."
+    ),
+    Verbatim(
         "Cornell, C. A. (1968). Engineering seismic risk analysis. Bulletin of the Seismological Society of America "
         "58(5), 1583–1606."
     ),

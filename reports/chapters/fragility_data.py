@@ -13,7 +13,7 @@ from reports.chapters import fragility_tables as printed
 from reports.chapters.fragility_words import RATES
 from reports.document import Cell, Column, Table
 from reports.language.texts import Phrase, Verbatim, say
-from reports.measures import BELOW, PERCENT, measure_text, measures_of, state_text, unit_intensity
+from reports.measures import BELOW, measure_text, measures_of, state_text, unit_intensity
 
 LEAD = (printed.MECHANISM, printed.STATE, printed.MEASURE)
 LARGE = say("Scaled by more than 4")
@@ -186,26 +186,10 @@ def _islands(results: FragilityResults) -> Table:
 
 
 def _risks(results: FragilityResults) -> Table:
-    columns = (
-        *LEAD,
-        Column(say("Curve")),
-        printed.RATE,
-        printed.PROBABILITY,
-        printed.TARGET,
-        printed.BEYOND,
-    )
     rows = tuple(
-        (
-            printed.numbered(results, each),
-            state_text(risk.state),
-            measure_text(risk.measure),
-            RATES[risk.curve],
-            risk.annual_rate,
-            PERCENT * risk.probability_50_years,
-            risk.target_rate,
-            risk.beyond,
-        )
+        (printed.numbered(results, each), *printed.risk_cells(risk))
         for each in results.mechanisms
         for risk in each.risks
     )
+    columns = (printed.MECHANISM, *printed.RISK, printed.WITH_EPISTEMIC)
     return Table("fragility-rates", say("Annual rates and probabilities in 50 years."), columns, rows)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from assess.messages.message import Message, distinct
-from assess.results.fragility import FragilityCurve, FragilityResults, MechanismFragility
+from assess.messages.message import distinct
+from assess.results.fragility import FragilityCurve, FragilityResults, MeasureResult, MechanismFragility, RecordRuns
 from reports.chapters import fragility_tables as tables
 from reports.chapters import fragility_words as words
 from reports.document import Block, Figure, Items, Prose, Row, Section, nonempty
@@ -69,11 +69,7 @@ def _runs(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
     """Yield the figure of the runs, beside that of all states where there are several."""
     measure = first_measure(mechanism)
     curves = curves_by(mechanism, measure)
-    pairs = [
-        (run, unit)
-        for run in (mechanism.runs if measure is not None else ())
-        if (unit := unit_intensity(mechanism, measure, run)) is not None
-    ]  # fmt: skip
+    pairs = _with_units(mechanism, measure)
     found = []
     if pairs and measure is not None:
         draw = partial(
@@ -91,6 +87,14 @@ def _runs(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
     if len(curves) > 1:
         found.append(_states(curves, stem))
     yield from [Row(tuple(found))] if len(found) > 1 else found
+
+
+def _with_units(mechanism: MechanismFragility, measure: MeasureResult | None) -> list[tuple[RecordRuns, float]]:
+    """Return the runs of each record whose intensity is known, with its intensity at scale 1."""
+    if measure is None:
+        return []
+    units = ((run, unit_intensity(mechanism, measure, run)) for run in mechanism.runs)
+    return [(run, unit) for run, unit in units if unit is not None]
 
 
 def _states(curves: tuple[FragilityCurve, ...], stem: str) -> Figure:
@@ -117,7 +121,7 @@ def _risk(results: FragilityResults, mechanism: MechanismFragility, stem: str) -
 def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
     """Yield notes on curves and rates, each once; those on curves of other measures say so."""
     first = first_measure(mechanism)
-    said: list[Text] = list(_texts(note for curve in curves_by(mechanism, first) for note in curve.notes))
+    said: list[Text] = list(distinct(note for curve in curves_by(mechanism, first) for note in curve.notes))
     for curve in mechanism.curves:
         if curve.measure != first:
             said += [
@@ -130,11 +134,8 @@ def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
                 for note in curve.notes
                 if note not in said
             ]
-    said += [note for note in _texts(note for risk in mechanism.risks for note in risk.notes) if note not in said]
+    others = (*mechanism.notes, *(note for risk in mechanism.risks for note in risk.notes))
+    said += [note for note in distinct(others) if note not in said]
     if said:
         yield Prose((say("Remarks on this mechanism:"),))
         yield Items(tuple(said))
-
-
-def _texts(notes: Iterator[Message]) -> tuple[Message, ...]:
-    return distinct(notes)

@@ -11,6 +11,7 @@ from assess.results.fragility import (
     MeasureComparison,
     MechanismFragility,
     RecordRuns,
+    RiskResult,
     Trend,
 )
 from reports.chapters import fragility_words as words
@@ -18,6 +19,7 @@ from reports.document import Cell, Column, Graded, Table
 from reports.language.texts import Text, Verbatim, quantity, say
 from reports.measures import (
     FIGURES,
+    PERCENT,
     curves_by,
     first_measure,
     intensity,
@@ -37,6 +39,8 @@ RATE = Column(say("Annual rate"), "annual rate", FIGURES)
 PROBABILITY = Column(say("In 50 years"), "percent", FIGURES)
 TARGET = Column(say("Target rate"), "annual rate", FIGURES)
 BEYOND = Column(say("Beyond the hazard"), "annual rate", FIGURES)
+WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", FIGURES)
+RISK = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND)
 SIGNIFICANT = 0.05
 MOST = 10
 """Islands on a page; the tables of the spreadsheet have all."""
@@ -71,7 +75,7 @@ def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Itera
     yield None if measure is None else measure_text(measure)
     yield from (None, None, None) if curve is None else _fitted(curve)
     yield None if risk is None else risk.annual_rate
-    yield None if risk is None else 100.0 * risk.probability_50_years
+    yield None if risk is None else PERCENT * risk.probability_50_years
     yield None if risk is None else risk.target_rate
     yield None if risk is None or risk.target_rate is None else _outcome(within=words.is_within_target(risk))
 
@@ -201,25 +205,29 @@ def islands(mechanism: MechanismFragility, name: str, *, most: int | None = None
 
 def risks(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the annual rates of a mechanism, a row for each state, measure and curve."""
-    columns = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND)
-    rows = tuple(
-        (
-            state_text(risk.state),
-            measure_text(risk.measure),
-            words.RATES[risk.curve],
-            risk.annual_rate,
-            100.0 * risk.probability_50_years,
-            risk.target_rate,
-            risk.beyond,
-        )
-        for risk in mechanism.risks
-    )
+    spread = any(risk.with_epistemic is not None for risk in mechanism.risks)
+    columns = (*RISK, *([WITH_EPISTEMIC] if spread else []))
+    rows = tuple(risk_cells(risk)[: len(columns)] for risk in mechanism.risks)
     muted = frozenset(place for place, risk in enumerate(mechanism.risks) if risk.curve == "first")
     caption = say(
-        "Annual rates and probabilities in 50 years. Last column: what the rate can lack, if every motion stronger "
-        "than the last row of the hazard reaches the state."
+        "Annual rates and probabilities in 50 years. Beyond the hazard: what the rate can lack, if every motion "
+        "stronger than the last row of the hazard reaches the state."
     )
     return Table(name, caption, columns, rows, muted, small=True)
+
+
+def risk_cells(risk: RiskResult) -> tuple[Cell, ...]:
+    """Return the cells of a rate."""
+    return (
+        state_text(risk.state),
+        measure_text(risk.measure),
+        words.RATES[risk.curve],
+        risk.annual_rate,
+        PERCENT * risk.probability_50_years,
+        risk.target_rate,
+        risk.beyond,
+        risk.with_epistemic,
+    )
 
 
 def records(results: FragilityResults) -> Table:

@@ -195,14 +195,14 @@ def epistemic(mechanism: MechanismFragility) -> Iterator[Text]:
     if parts:
         yield say(
             "Epistemic dispersion, of what is not known of the mechanism: {total} ({parts}). It is stated apart and is "
-            "not in the curves or rates.",
+            "not in the curves.",
             total=total,
             parts=listing(parts),
         )
     else:
         yield say(
             "Epistemic dispersion, of what is not known of the mechanism: {total}. It is stated apart and is not in "
-            "the curves or rates.",
+            "the curves.",
             total=total,
         )
 

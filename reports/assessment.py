@@ -30,6 +30,7 @@ from reports.chapters import (
     sensitivity,
     signatures,
     site,
+    uncertainty,
     verdict,
 )
 from reports.document import Document, Section
@@ -79,6 +80,7 @@ def _main(results: Results) -> Iterator[Section]:
         yield from mechanism_page.sections(results, each, file_stem(each.name, place), building)
     yield from comparison.sections(results)
     yield from sensitivity.sections(results)
+    yield from uncertainty.sections(results)
     yield from recommendations.sections(results)
     yield from declaration.sections(results)
     yield from signatures.sections(results)
@@ -88,6 +90,7 @@ def _annexes(results: Results) -> Iterator[Section]:
     """Yield what a reviewer needs to redo the calculation."""
     yield from annex_sheets.sections(results)
     yield from sensitivity.others(results)
+    yield from uncertainty.others(results)
     yield from annex_histories.sections(results)
     yield from annex_envelopes.sections(results)
     yield from annex_suite.sections(results)

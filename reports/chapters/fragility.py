@@ -76,7 +76,7 @@ def _summary(results: FragilityResults) -> Section:
     warned = tuple(each for each in results.warnings if each.severity is not Severity.NOTE)
     if warned:
         blocks += [Prose((say("Warnings:"),)), Items(warned)]
-    return Section(say("How strong, and how likely"), 0, tuple(blocks))
+    return Section(say("Fragility and risk"), 0, tuple(blocks))
 
 
 def _reading(results: FragilityResults) -> Iterator[Text]:

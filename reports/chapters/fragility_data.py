@@ -55,7 +55,7 @@ def _curves_of(
 
 
 def _curves(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
-    low, high = say("low"), say("high")
+    low, high = say("from"), say("to")
     columns = (
         *LEAD,
         Column(say("Curve")),
@@ -77,7 +77,7 @@ def _points(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ..
         *LEAD,
         Column(say("Intensity"), dimension),
         *(Column(label) for label in (say("Records"), say("Reached"), LARGE)),
-        *(Column(label, "ratio") for label in (say("Share"), say("low"), say("high"))),
+        *(Column(label, "ratio") for label in (say("Share"), say("from"), say("to"))),
     )
     rows: Rows = [
         (*lead, p.intensity, p.records, p.reached, p.hollow, p.share, p.low, p.high)

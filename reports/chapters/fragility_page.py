@@ -33,7 +33,7 @@ def section(results: FragilityResults, mechanism: MechanismFragility) -> Section
     blocks: list[Block] = [
         *_prose(words.summary(mechanism)),
         *_curve(mechanism, stem),
-        *nonempty(tables.curves(mechanism, f"{stem}-fragility")),
+        *nonempty(tables.curves(mechanism, f"{stem}-curves")),
         *_runs(mechanism, stem),
         Prose((words.islands(mechanism),)),
         *nonempty(tables.islands(mechanism, f"{stem}-islands", most=tables.MOST)),

@@ -98,7 +98,7 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the curves of a mechanism by its first measure, a row for each state."""
     measure = first_measure(mechanism)
     dimension = "ratio" if measure is None else measure.dimension
-    low, high = say("low"), say("high")
+    low, high = say("from"), say("to")
     columns = (
         STATE,
         *(Column(label, dimension, FIGURES) for label in (FIVE.label, low, high, HALF.label, low, high)),
@@ -119,7 +119,7 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
         for curve in found
     )
     caption = say(
-        "Lognormal curves by {measure}, with 95 % intervals (low, high) by bootstrap of the earthquakes. Bound: of the "
+        "Lognormal curves by {measure}, with 95 % intervals (from, to) by bootstrap of the earthquakes. Bound: of the "
         "first intensity that reaches the state. Not reached: records that do not reach it at their largest scale.",
         measure=say("no measure") if measure is None else measure_text(measure),
     )

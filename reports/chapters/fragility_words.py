@@ -40,7 +40,7 @@ METHODS: Mapping[Method, Phrase] = {
 RATES: Mapping[str, Phrase] = {
     "empirical": say("from the shares counted"),
     "lognormal": say("from the lognormal"),
-    "first": say("bound, from first overturning"),
+    "first": say("bound, from the first intensity"),
 }
 
 

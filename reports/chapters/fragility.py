@@ -67,7 +67,11 @@ def sections(results: FragilityResults) -> list[Section]:
 
 def _summary(results: FragilityResults) -> Section:
     told = tuple(
-        say("{mechanism}: {sentences}", mechanism=fragility_tables.numbered(results, each), sentences=Paragraph(said))
+        say(
+            "{mechanism}: {sentences}",
+            mechanism=fragility_tables.numbered_name(results, each),
+            sentences=Paragraph(said),
+        )
         for each in results.mechanisms
         if (said := tuple(words.summary(each)))
     )

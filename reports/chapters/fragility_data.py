@@ -50,7 +50,7 @@ def _curves_of(
     for mechanism in results.mechanisms:
         for curve in mechanism.curves:
             if curve.measure.dimension == dimension:
-                lead = printed.numbered(results, mechanism), state_text(curve.state), measure_text(curve.measure)
+                lead = printed.numbered_name(results, mechanism), state_text(curve.state), measure_text(curve.measure)
                 yield mechanism, curve, lead
 
 
@@ -97,7 +97,7 @@ def _contributions(results: FragilityResults, dimension: str) -> tuple[tuple[Col
     )
     rows: Rows = [
         (
-            printed.numbered(results, mechanism),
+            printed.numbered_name(results, mechanism),
             state_text(risk.state),
             measure_text(risk.measure),
             RATES[risk.curve],
@@ -115,7 +115,7 @@ def _intensities(results: FragilityResults, dimension: str) -> tuple[tuple[Colum
     columns = (printed.MECHANISM, printed.MEASURE, Column(say("Record")), Column(say("Intensity"), dimension))
     rows: Rows = [
         (
-            printed.numbered(results, each),
+            printed.numbered_name(results, each),
             measure_text(measure),
             Verbatim(run.record),
             unit_intensity(each, measure, run),
@@ -138,7 +138,7 @@ def _runs(results: FragilityResults) -> Table:
         Column(say("Overturned")),
     )
     rows = tuple(
-        (printed.numbered(results, each), Verbatim(run.record), Verbatim(run.event), scale, ratio, ratio is None)
+        (printed.numbered_name(results, each), Verbatim(run.record), Verbatim(run.event), scale, ratio, ratio is None)
         for each in results.mechanisms
         for run in each.runs
         for scale, ratio in zip(run.scale, run.ratio, strict=True)
@@ -152,7 +152,7 @@ def _trends(results: FragilityResults) -> Table:
     columns = (*LEAD, Column(say("Trend on")), *numbers, Column(say("Records")))
     rows = tuple(
         (
-            printed.numbered(results, mechanism),
+            printed.numbered_name(results, mechanism),
             state_text(each.state),
             measure_text(each.measure),
             on[trend.on],
@@ -177,7 +177,7 @@ def _islands(results: FragilityResults) -> Table:
         Column(say("To scale"), "ratio"),
     )
     rows = tuple(
-        (printed.numbered(results, each), Verbatim(run.record), Verbatim(run.event), *ends)
+        (printed.numbered_name(results, each), Verbatim(run.record), Verbatim(run.event), *ends)
         for each in results.mechanisms
         for run in each.runs
         for ends in run.islands
@@ -187,7 +187,7 @@ def _islands(results: FragilityResults) -> Table:
 
 def _risks(results: FragilityResults) -> Table:
     rows = tuple(
-        (printed.numbered(results, each), *printed.risk_cells(risk))
+        (printed.numbered_name(results, each), *printed.risk_cells(risk))
         for each in results.mechanisms
         for risk in each.risks
     )

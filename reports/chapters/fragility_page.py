@@ -62,7 +62,7 @@ def _curve(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
             measure=measure_text(curve.measure),
         )
         yield Figure(f"{stem}-fragility", caption, partial(figure.draw, curve))
-        yield from _prose(words.counted(curve))
+        yield from _prose(words.describe_counts(curve))
 
 
 def _runs(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:

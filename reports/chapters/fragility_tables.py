@@ -46,7 +46,7 @@ MOST = 10
 """Islands on a page; the tables of the spreadsheet have all."""
 
 
-def numbered(results: FragilityResults, mechanism: MechanismFragility) -> Verbatim:
+def numbered_name(results: FragilityResults, mechanism: MechanismFragility) -> Verbatim:
     """Return number and title of a mechanism: "M1 Front wall"."""
     return Verbatim(f"{number_of(results, mechanism)} {mechanism.label or mechanism.name}")
 
@@ -71,7 +71,7 @@ def overview(results: FragilityResults) -> Table:
 
 def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
     measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
-    yield numbered(results, mechanism)
+    yield numbered_name(results, mechanism)
     yield None if measure is None else measure_text(measure)
     yield from (None, None, None) if curve is None else _fitted(curve)
     yield None if risk is None else risk.annual_rate
@@ -89,8 +89,8 @@ def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
     fitted = curve.lognormal
     if fitted is None:
         return say("not bounded"), say("not bounded"), None
-    five = words.valued(fitted.five_percent, fitted.five_percent_interval, curve.measure)
-    half = words.valued(fitted.median, fitted.median_interval, curve.measure)
+    five = words.value_with_interval(fitted.five_percent, fitted.five_percent_interval, curve.measure)
+    half = words.value_with_interval(fitted.median, fitted.median_interval, curve.measure)
     return five, half, words.dispersion_text(fitted)
 
 

@@ -61,7 +61,7 @@ def how_strong(curve: FragilityCurve) -> Text:
     if fitted is None:
         return _counted(curve)
     low, half = (
-        valued(value, ends, curve.measure)
+        value_with_interval(value, ends, curve.measure)
         for value, ends in (
             (fitted.five_percent, fitted.five_percent_interval),
             (fitted.median, fitted.median_interval),
@@ -101,7 +101,7 @@ def _counted(curve: FragilityCurve) -> Text:
     )
 
 
-def valued(value: float, ends: tuple[float, float] | None, measure: MeasureResult) -> Text:
+def value_with_interval(value: float, ends: tuple[float, float] | None, measure: MeasureResult) -> Text:
     """Return an intensity with its interval in brackets, where it has one."""
     within = interval(ends, measure.dimension)
     shown = intensity(value, measure)
@@ -137,7 +137,7 @@ def rate(value: float) -> Text:
     return quantity(value, "annual rate", FIGURES)
 
 
-def counted(curve: FragilityCurve) -> Iterator[Text]:
+def describe_counts(curve: FragilityCurve) -> Iterator[Text]:
     """Yield how many records make a curve, and what of them asks for care."""
     yield say_count(
         "{number} record of {events} makes this curve.",

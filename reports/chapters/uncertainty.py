@@ -109,7 +109,7 @@ def figures(results: Results, answer: UncertainAnswer) -> Row | Figure:
         **name,
     )
     spread = Figure(f"{stem}-distribution", caption, partial(figure.draw_distribution, answer))
-    if not figure.ranked(answer):
+    if not figure.rank_influences(answer):
         return spread
     caption = say("What this answer hangs on: to the right, a larger value makes it worse.")
     return Row((spread, Figure(f"{stem}-influences", caption, partial(figure.draw_influences, answer))))
@@ -134,7 +134,7 @@ def _table(results: Results, answers: list[UncertainAnswer], name: str) -> Table
 
 
 def _row(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:
-    strongest = figure.ranked(each)[:1]
+    strongest = figure.rank_influences(each)[:1]
     return (
         numbered_title(results, each.mechanism),
         procedure_title(each.procedure),

@@ -39,7 +39,7 @@ def draw_distribution(answer: UncertainAnswer, locale: Locale) -> Figure:
 
 def draw_influences(answer: UncertainAnswer, locale: Locale) -> Figure:
     """Draw the rank correlation of the answer with each group of inputs, the strongest at the top."""
-    found = ranked(answer)[:MOST]
+    found = rank_influences(answer)[:MOST]
     with report_style():
         figure = sheet(HEIGHT, locale, width=HALF)
         axes = figure.subplots()
@@ -56,7 +56,7 @@ def draw_influences(answer: UncertainAnswer, locale: Locale) -> Figure:
         return figure
 
 
-def ranked(answer: UncertainAnswer) -> list[Influence]:
+def rank_influences(answer: UncertainAnswer) -> list[Influence]:
     """Return the groups that change an answer, the strongest first."""
     known = [each for each in answer.influences if each.rank_correlation is not None]
     return sorted(known, key=lambda each: -abs(each.rank_correlation or 0.0))

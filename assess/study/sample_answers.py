@@ -125,7 +125,7 @@ class Tally:
             number, first = self.open[place].get(reason.key, (0, reason))
             self.open[place][reason.key] = (number + 1, first)
 
-    def unanswered(self, place: int) -> Iterator[Message]:
+    def open_answers(self, place: int) -> Iterator[Message]:
         """Yield how many samples have no answer to a question, with the first reason of each kind."""
         samples = whole_number(len(self.outcome))
         number, why = self.unbuilt

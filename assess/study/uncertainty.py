@@ -219,7 +219,7 @@ def answers_of(
             role=check.role,
             at_mean=check.ratio,
             influences=influences_of(columns, keys, ratio, outcome, moves) if answered else (),
-            notes=(*tally.unanswered(place), *(note("uncertainty-no-influence", group=group) for group in still)),
+            notes=(*tally.open_answers(place), *(note("uncertainty-no-influence", group=group) for group in still)),
             **statistics_of(ratio, outcome),
         )
 

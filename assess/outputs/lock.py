@@ -55,13 +55,14 @@ class Holder:
 
 
 @contextmanager
-def hold_lock(folder: Path, *, command: str, patient: bool = False) -> Iterator[None]:
+def hold_lock(folder: Path, *, command: str, patient: bool = False, name: str = LOCK) -> Iterator[None]:
     """Hold the lock of `folder` while the block runs.
 
     command : what holds it, named to other commands; patient : whether to wait a while for a living holder
+    name : of the lock file, another for what is not of the whole folder
     Raises HeldError, which names the holder.
     """
-    file = folder / LOCK
+    file = folder / name
     handle = _acquire(file, patient=patient)
     try:
         _sign(handle, command)

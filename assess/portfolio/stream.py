@@ -126,9 +126,10 @@ def _done(given: Iterable[Future[Computed]], opened: Opened) -> Iterator[Future[
 
 def _result(future: Future[Computed], opened: Opened) -> Computed | None:
     """Return what a chunk came to; None if its worker ended or its outputs are held by another."""
+    losses: tuple[type[BaseException], ...] = (*opened.losses, HeldError)
     try:
         return future.result()
-    except (*opened.losses, HeldError):
+    except losses:
         return None
     except CancelledError:
         opened.check()

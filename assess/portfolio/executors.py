@@ -29,6 +29,7 @@ class Opened:
     width : returns how many tasks it computes at a time; 0 while there are no workers
     spare : chunks of tasks given to it beyond those
     losses : exceptions of a task whose worker ended
+    trials : how often a task may end its worker, alone, before it is given up
     check : raises AssessError if the executor itself is lost
     """
 
@@ -36,6 +37,7 @@ class Opened:
     width: Callable[[], int]
     spare: int
     losses: tuple[type[BaseException], ...]
+    trials: int
     check: Callable[[], None]
 
 
@@ -51,7 +53,7 @@ def processes(jobs: int | None) -> Engine:
     def opened() -> Iterator[Opened]:
         pool = SpawnedPool(number)
         with end_on_error(pool):
-            yield Opened(pool, lambda: number, number, (BrokenExecutor,), lambda: None)
+            yield Opened(pool, lambda: number, number, (BrokenExecutor,), 2, lambda: None)
 
     return opened
 
@@ -85,6 +87,7 @@ def dask(address: str) -> Engine:
                 lambda: sum(client.nthreads().values()),
                 MOST_WAITING,
                 (KilledWorker,),
+                1,  # after several workers
                 lambda: _check(client, address),
             )
 

@@ -2,11 +2,12 @@
 
 Tasks are given out in chunks that take about half a second, so that what a chunk costs beside its tasks is small and
 little is lost where the program is killed. When a worker ends, the tasks that were given out are suspects: each is
-computed again alone, and the one whose worker ends then too is a broken row.
+computed again alone, and one whose worker ends then, and once more, is a broken row.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from itertools import islice
@@ -20,8 +21,8 @@ CHUNK = 0.5  # s
 MOST = 256  # tasks of a chunk
 PATIENCE = 1.0  # s, between looks at the executor
 ENDED = (
-    "the process that computed it ended twice, the second time with nothing beside it: not enough memory, or a fault "
-    "in compiled code; try it alone with `assess run`"
+    "it ended the process that computed it, alone and twice: not enough memory, or a fault in compiled code; try it "
+    "with `assess run`"
 )
 Keeper = Callable[[Sequence[tuple[Job, Row]]], None]
 """Takes rows as they come, with their jobs."""
@@ -48,11 +49,11 @@ def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engi
     AssessError
         If the executor is lost, or cannot compute anything.
     """
-    line, suspects = _Line(jobs, total), list[Job]()
+    line, suspects, losses = _Line(jobs, total), list[Job](), Counter[str]()
     while line.left or suspects:
         with engine() as opened:
             if suspects:
-                suspects = _compute_alone(suspects, runner, opened, keep)
+                suspects = _compute_alone(suspects, losses, runner, opened, keep)
             else:
                 suspects = _compute_together(line, runner, opened, keep)
 
@@ -102,8 +103,13 @@ def _compute_together(line: _Line, runner: Runner, opened: Opened, keep: Keeper)
     return suspects
 
 
-def _compute_alone(suspects: Sequence[Job], runner: Runner, opened: Opened, keep: Keeper) -> list[Job]:
-    """Compute jobs one at a time until one ends its worker, which is broken then; return those that are left."""
+def _compute_alone(
+    suspects: Sequence[Job], losses: Counter[str], runner: Runner, opened: Opened, keep: Keeper
+) -> list[Job]:
+    """Compute jobs one at a time until one ends its worker; return those that are left.
+
+    losses : how often each, by its key, ended its worker alone
+    """
     for place, job in enumerate(suspects):
         future = opened.executor.submit(compute_rows, runner, (job,))
         for _ in _done([future], opened):
@@ -111,10 +117,19 @@ def _compute_alone(suspects: Sequence[Job], runner: Runner, opened: Opened, keep
         if computed is not None:
             keep(((job, computed.rows[0]),))
             continue
-        held = isinstance(future.exception(), HeldError)
-        keep(((job, broken_row(job, str(future.exception()) if held else ENDED, INPUT_IS_WRONG if held else BUG)),))
+        losses[job.task.key] += 1
+        if losses[job.task.key] < opened.trials:
+            return list(suspects[place:])
+        keep(((job, _lost_row(job, future.exception())),))
         return list(suspects[place + 1 :])
     return []
+
+
+def _lost_row(job: Job, error: BaseException | None) -> Row:
+    """Return the row of a project that ends its worker, or whose outputs another command writes."""
+    if isinstance(error, HeldError):
+        return broken_row(job, str(error), INPUT_IS_WRONG)
+    return broken_row(job, ENDED, BUG)
 
 
 def _done(given: Iterable[Future[Computed]], opened: Opened) -> Iterator[Future[Computed]]:

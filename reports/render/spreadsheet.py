@@ -167,10 +167,11 @@ def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
     numeric = [is_numeric(cells) for cells in zip(*table.rows, strict=True)] or [False] * len(table.columns)
     book.write(sheet, start, 0, book.locale.text(table.caption), _BOLD)
     _head(sheet, start + 1, table.columns, numeric, book)
+    links = sum(any(isinstance(cell, Link) for cell in cells) for cells in zip(*table.rows, strict=True))
     for place, row in enumerate(table.rows):
         for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
             if isinstance(cell, Link):
-                _link(sheet, start + 2 + place, at, cell, len(table.columns), book)
+                _link(sheet, start + 2 + place, at, cell, book, few=place * links < _MOST_LINKS)
                 continue
             plain = plain_cell(cell, column, book.locale)
             colours = _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
@@ -178,11 +179,11 @@ def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
             book.write(sheet, start + 2 + place, at, plain, {**colours, **_quoted(plain), **shape})
 
 
-def _link(sheet: Worksheet, place: int, at: int, link: Link, columns: int, book: _Book) -> None:
-    """Write a link as far as Excel opens so many, else its text."""
+def _link(sheet: Worksheet, place: int, at: int, link: Link, book: _Book, *, few: bool) -> None:
+    """Write a link; its text alone where there are more than Excel opens."""
     text = visible(book.locale.text(link.text))
-    if place * columns < _MOST_LINKS and len(link.address) < _LONGEST_LINK:
-        sheet.write_url(place, at, link.address.removeprefix("./"), book.format(_LINK), text)
+    if few and len(link.address) < _LONGEST_LINK:
+        sheet.write_url(place, at, f"external:{link.address}", book.format(_LINK), text)
     else:
         book.write(sheet, place, at, text, {})
 

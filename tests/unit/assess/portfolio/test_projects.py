@@ -74,9 +74,10 @@ def test_rows_without_id_are_named_by_their_line(tmp_path: Path) -> None:
     ],
 )
 def test_header_that_cannot_be_used_is_one_line(tmp_path: Path, text: str, line: str) -> None:
-    with pytest.raises(ProjectError, match="walls.csv") as caught:
+    with pytest.raises(ProjectError, match=r"walls\.csv") as caught:
         table(tmp_path, text)
-    assert line in str(caught.value) and "\n" not in str(caught.value)
+    assert line in str(caught.value)
+    assert "\n" not in str(caught.value)
 
 
 def test_nearest_key_is_named(tmp_path: Path) -> None:
@@ -86,7 +87,7 @@ def test_nearest_key_is_named(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("template", ["", "title = ", "title = 'no mechanism'", "\x00"])
 def test_template_that_is_no_project_is_one_line(tmp_path: Path, template: str) -> None:
-    with pytest.raises(ProjectError, match="template.toml"):
+    with pytest.raises(ProjectError, match=r"template\.toml"):
         table(tmp_path, "title\na\n", template=template)
 
 
@@ -105,10 +106,12 @@ def test_template_that_is_no_project_is_one_line(tmp_path: Path, template: str) 
 )
 def test_row_with_a_wrong_value_breaks_alone(tmp_path: Path, cells: str, reason: str) -> None:
     good, broken, last = table(tmp_path, f"{THICKNESS},title\n0.5,a\n{cells}\n0.7,c\n")
-    assert project(good).content.title == "a" and project(last).content.title == "c"
+    assert project(good).content.title == "a"
+    assert project(last).content.title == "c"
     with pytest.raises(ProjectError) as caught:
         project(broken)
-    assert reason in str(caught.value) and "\n" not in str(caught.value)
+    assert reason in str(caught.value)
+    assert "\n" not in str(caught.value)
 
 
 def test_text_stays_text_where_the_template_has_text(tmp_path: Path) -> None:
@@ -128,7 +131,8 @@ def test_hash_follows_template_row_and_every_file_named(tmp_path: Path) -> None:
     assert first == [task.sha256 for task in table(tmp_path, rows, template=template)]
     assert first[0] != first[1]
     row = [task.sha256 for task in table(tmp_path, rows.replace("0.6", "0.7"), template=template)]
-    assert row[0] == first[0] and row[1] != first[1]
+    assert row[0] == first[0]
+    assert row[1] != first[1]
     (tmp_path / "more" / "a.csv").write_text("2")
     folder = [task.sha256 for task in table(tmp_path, rows, template=template)]
     (tmp_path / "records" / "b.csv").write_text("1")
@@ -145,7 +149,8 @@ def test_hostile_cell_names_no_file(tmp_path: Path, text: str) -> None:
             table(tmp_path, b"title\n" + cell + b"\n")
     else:
         (task,) = table(tmp_path, b"title\n" + cell + b"\n")
-        assert task.title == text and len(task.content or "") < 6000
+        assert task.title == text
+        assert len(task.content or "") < 6000
 
 
 def test_folder_gives_its_projects_and_no_results(tmp_path: Path) -> None:

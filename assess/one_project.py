@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from assess.outputs.manifest import REPORT, RESULTS
 from assess.portfolio.projects import Task, project_tree
-from assess.portfolio.result_row import row_of_results
 from assess.portfolio.row import Row
 from assess.portfolio.tasks import Job
+from assess.portfolio.verdict_row import row_of_verdict
 from assess.project.build import build
 from assess.project.schema import Project, load, load_tree
 from assess.results import Results
+from assess.study.decision import find_verdict
 from assess.study.run import run
 
 
@@ -20,11 +21,12 @@ def assess_project(job: Job) -> Row:
     ------
     AssessError, RecordError or SpectrumError : something the user can mend
     """
-    results = run(build(load_task(job.task)), jobs=1)
+    study = build(load_task(job.task))
     if job.keep == "rows":
-        return row_of_results(job, results)
+        return row_of_verdict(job, find_verdict(study))
+    results = run(study, jobs=1)
     report = _write(job, results)
-    return row_of_results(job, results, written=f"{job.folder.name}/{RESULTS}", report=report)
+    return row_of_verdict(job, results.verdict, report=report, results=f"{job.folder.name}/{RESULTS}")
 
 
 def load_task(task: Task) -> Project:

@@ -72,7 +72,19 @@ def output_folder(
 
 
 def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> None:
-    """Raise OutputError if the folder holds files that may not be replaced; arguments are those of `output_folder`."""
+    """Raise OutputError if a folder holds files that may not be replaced or removed.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    manifest : Manifest
+        Of the folder.
+    owner : str
+        The set of files to be written.
+    wanted : sequence of str
+        Names of files that are certain to come.
+    """
     _refuse(folder, _obstacles(folder, manifest, owner, wanted))
 
 

@@ -58,9 +58,21 @@ class Holder:
 def hold_lock(folder: Path, *, command: str, patient: bool = False, name: str = LOCK) -> Iterator[None]:
     """Hold the lock of `folder` while the block runs.
 
-    command : what holds it, named to other commands; patient : whether to wait a while for a living holder
-    name : of the lock file, another for what is not of the whole folder
-    Raises HeldError, which names the holder.
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    command : str
+        What holds it, named to other commands.
+    patient : bool
+        Whether to wait a while for a living holder.
+    name : str
+        Of the lock file: another one than the folder's for a part of it.
+
+    Raises
+    ------
+    HeldError
+        Another command holds it; the text names that.
     """
     file = folder / name
     handle = _acquire(file, patient=patient)

@@ -27,7 +27,7 @@ WANTED = (TABLE, "ranked.xlsx", "ranked.csv")
 WORST = (70, 2, 1, 3, 0)
 """Exit codes, the worst first."""
 
-Writer = Callable[[Sequence[Row], Path], None]
+Writer = Callable[[Sequence[Row], Path], object]
 """Writes the ranked table of rows into a folder."""
 
 

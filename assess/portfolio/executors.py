@@ -6,6 +6,7 @@ breaks whole, and is made again.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor
 from contextlib import AbstractContextManager, contextmanager
@@ -72,6 +73,8 @@ def dask(address: str) -> Engine:
             '--scheduler: Dask is not installed; install it with: pip install "rocking-assess[cluster]"'
         ) from None
 
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it writes tracebacks of what is handled here
+
     @contextmanager
     def opened() -> Iterator[Opened]:
         try:
@@ -84,7 +87,7 @@ def dask(address: str) -> Engine:
         with client:
             yield Opened(
                 client.get_executor(pure=False),
-                lambda: sum(client.nthreads().values()),
+                lambda: _width(client, address),
                 MOST_WAITING,
                 (KilledWorker,),
                 1,  # after several workers
@@ -94,7 +97,19 @@ def dask(address: str) -> Engine:
     return opened
 
 
+def _width(client: Client, address: str) -> int:
+    """Return how many tasks the workers compute at a time; raise AssessError if the scheduler has gone."""
+    try:
+        return sum(client.nthreads().values())
+    except OSError:
+        raise _gone(address) from None
+
+
 def _check(client: Client, address: str) -> None:
     """Raise AssessError if the scheduler has gone."""
     if client.status != "running":
-        raise AssessError(f"--scheduler {address}: the scheduler has gone; start it again, and go on with --resume")
+        raise _gone(address)
+
+
+def _gone(address: str) -> AssessError:
+    return AssessError(f"--scheduler {address}: the scheduler has gone; start it again, and go on with --resume")

@@ -121,9 +121,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     )
 
 
-def deciding_part_of(
-    project: Project, *, executor: Executor | None = None
-) -> tuple[Study, Files, tuple[Message, ...]]:
+def deciding_part_of(project: Project, *, executor: Executor | None = None) -> tuple[Study, Files, tuple[Message, ...]]:
     """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
     content = project.content
     site = site_in(content)

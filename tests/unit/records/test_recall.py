@@ -30,7 +30,7 @@ def test_file_is_read_once_until_it_changes(tmp_path: Path, monkeypatch: pytest.
     assert len(read) == 1
     written(path, 2.0)
     assert recall_records(path, NO_OVERRIDES)[0].pga == pytest.approx(2.0 * first[0].pga, rel=1e-5)
-    with pytest.raises(RecordError, match="no such unit|unit"):
+    with pytest.raises(RecordError, match="unit"):
         recall_records(path, HeaderOverrides(unit="parsec"))
     path.unlink()
     with pytest.raises(RecordError, match="cannot be read"):

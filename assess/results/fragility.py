@@ -6,6 +6,8 @@ Intensities stand in the unit of the measure's dimension: accelerations in g, ve
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import exp
+from statistics import NormalDist
 from typing import Literal
 
 from assess.messages.message import Message
@@ -18,6 +20,9 @@ FRAGILITY_VERSION = 1
 Method = Literal["ida", "stripes", "cloud"]
 StateName = Literal["rocking", "rotation", "overturning"]
 CurveName = Literal["empirical", "lognormal", "first"]
+LARGE_SCALE = 4.0
+"""Scale factor above which the runs are drawn hollow and counted."""
+FIVE_PERCENT = NormalDist().inv_cdf(0.05)
 
 
 @dataclass(frozen=True, repr=False)
@@ -46,7 +51,10 @@ class StateResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class EmpiricalPoint(ShortRepr):
-    """The share of records that reach a state at one intensity, with its Wilson interval at 95 %."""
+    """The share of records that reach a state at one intensity, with its Wilson interval at 95 %.
+
+    hollow : how many of the records are scaled by more than 4
+    """
 
     intensity: float
     records: int
@@ -54,6 +62,16 @@ class EmpiricalPoint(ShortRepr):
     share: float
     low: float
     high: float
+    hollow: int = 0
+
+
+@dataclass(frozen=True, repr=False)
+class CurveBand(ShortRepr):
+    """The bootstrap interval at 95 % of a curve at each intensity [n], rising: low and high [n] of the share [-]."""
+
+    intensity: Floats
+    low: Floats
+    high: Floats
 
 
 @dataclass(frozen=True, repr=False)
@@ -61,12 +79,21 @@ class LognormalResult(ShortRepr):
     """A lognormal curve and its bootstrap intervals at 95 %, by earthquake; an interval is None where draws fail.
 
     median [unit of the measure]; dispersion : standard deviation of its natural logarithm [-]
+    five_percent_interval : of the intensity at which 5 % reach the state, median exp(-1.645 dispersion)
+    band : of the curve itself, None where draws fail
     """
 
     median: float
     dispersion: float
     median_interval: tuple[float, float] | None = None
     dispersion_interval: tuple[float, float] | None = None
+    five_percent_interval: tuple[float, float] | None = None
+    band: CurveBand | None = None
+
+    @property
+    def five_percent(self) -> float:
+        """The intensity at which 5 % reach the state [unit of the measure]."""
+        return self.median * exp(FIVE_PERCENT * self.dispersion)
 
 
 @dataclass(frozen=True, repr=False)

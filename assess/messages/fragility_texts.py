@@ -15,13 +15,15 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "curve",
     "fragility-no-threshold": "on joints that deform at once there is no uplift, and the state of rocking is not "
     "defined",
+    "fragility-no-cloud": "too few records make the mechanism rock without overturning it, or their responses do not "
+    "rise with this measure: no lognormal curve",
     # records
     "fragility-few-records": "only {number} records, fewer than {least}: dispersion and tails are hardly known",
     "fragility-artificial": "{number} of the {all} records are artificial, made for one spectrum: they differ less "
     "than earthquakes do, so the dispersion is too small; use recorded motions",
     "fragility-hollow": "{runs} runs have scale factors above 4, up to {largest}: such motions may not resemble "
     "strong earthquakes",
-    "fragility-long-periods": "the periods of {measure} exceed those up to which {records} can be used",
+    "fragility-long-periods": "{measure} needs periods up to {period}, beyond those to which {records} can be used",
     "fragility-no-events": "{number} records name no earthquake: each counts as one of its own, and the intervals "
     "may be too narrow",
     "fragility-stripes-one-measure": "by stripes fragility is found for the measure that records are scaled by, "

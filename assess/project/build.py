@@ -22,6 +22,7 @@ from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
+from assess.project.fragility import fragility_question, hazard_files
 from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
 from assess.project.horizontal_records import horizontal_records, vertical_record_messages
 from assess.project.key_text import value_text
@@ -98,6 +99,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
+        fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
@@ -270,5 +272,6 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     chosen = content.records.select is not None
     used = [project.folder / record.path for record in records] if chosen else content.records.files
     beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
+    beside += hazard_files(content)
     for path in dict.fromkeys([*bodies, *tables, *used, *beside, *picture_files(content)]):
         yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

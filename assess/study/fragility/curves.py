@@ -9,21 +9,23 @@ import numpy as np
 
 from assess.messages.message import Message, message
 from assess.results.fragility import (
+    LARGE_SCALE,
     EmpiricalPoint,
     FragilityCurve,
     LognormalResult,
     MeasureResult,
     StateResult,
 )
-from assess.risk.bootstrap import LognormalIntervals, bootstrap_first, bootstrap_lognormal
-from assess.risk.censored import fit_first
-from assess.risk.lognormal import Lognormal, fit_lognormal, why_unbounded
+from assess.risk.censored import fit_firsts
+from assess.risk.lognormal import fit_lognormals, why_unbounded
+from assess.risk.regression import equivalent_lognormals
 from assess.risk.wilson import wilson
 from assess.short_repr import ShortRepr
+from assess.study.fragility.intervals import Fits, lognormal_result
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.fragility.runs import Runs
 from assess.study.fragility.states import Outcomes, first_bounds, outcomes, reaches
-from spectra.arrays import BoolArray, FloatArray
+from spectra.arrays import FloatArray
 
 PER_POINT = 10
 """Records of a cloud that share a point of the empirical curve, at least."""
@@ -52,90 +54,117 @@ def fragility_curve(
     events : earthquake of each record [records]
     question : method, seed and draws
     """
+    make = cloud_curve if question.method == "cloud" else level_curve
+    return make(runs, by, state, events, question)
+
+
+def level_curve(
+    runs: Runs, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+) -> FragilityCurve:
+    """Return the curve of records at many scales; arguments are those of `fragility_curve`."""
     reached = reaches(runs, state)
-    last = runs.run.sum(axis=1) - 1
-    if question.method == "cloud":
-        alone = runs.scale[:, 0] * by.unit
-        at, found = alone[:, None], Outcomes(alone, reached, runs.run)
-        points = cloud_points(alone, reached[:, 0])
-        fitted = fit_lognormal(alone, reached[:, 0], np.ones(alone.size))
-        why = why_unbounded(alone, reached[:, 0], np.ones(alone.size))
-        first = None
-    else:
-        found = outcomes(runs, by.unit, reached, primary=by.primary)
-        at, counts, yes = found.intensity, found.known.sum(axis=0), found.reached.sum(axis=0)
-        points = level_points(found.intensity, yes, counts)
-        fitted, why = fit_lognormal(at, yes, counts), why_unbounded(at, yes, counts)
-        first = first_lognormal(runs, by, reached, events, question)
+    found = outcomes(runs, by.unit, reached, primary=by.primary)
+    stands, falls = first_bounds(runs, by.unit, reached)
+
+    def counts_at_levels(counts: FloatArray) -> tuple[FloatArray, FloatArray]:
+        return fit_lognormals(found.intensity, counts @ found.reached, counts @ found.known)
+
+    yes, n = found.reached.sum(axis=0), found.known.sum(axis=0)
+    return _curve(
+        runs,
+        by,
+        state,
+        events,
+        question,
+        points=points(found),
+        lognormal=counts_at_levels,
+        first=lambda counts: fit_firsts(stands, falls, counts),
+        why=why_unbounded(found.intensity, yes, n),
+    )
+
+
+def cloud_curve(
+    runs: Runs, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+) -> FragilityCurve:
+    """Return the curve of records that are run once; arguments are those of `fragility_curve`.
+
+    The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.regression`).
+    """
+    at, ratio, reached = runs.scale[:, 0] * by.unit, runs.ratio[:, 0], reaches(runs, state)
+    threshold = {"rocking": 0.0, "overturning": np.inf}.get(state.name, state.share or 0.0)
+    return _curve(
+        runs,
+        by,
+        state,
+        events,
+        question,
+        points=points(in_groups(at, reached[:, 0], runs.scale[:, 0])),
+        lognormal=lambda counts: equivalent_lognormals(at, ratio, counts, threshold),
+        first=None,
+        why=why_unbounded(at, reached[:, 0], np.ones(at.size)) or "no-cloud",
+    )
+
+
+def _curve(
+    runs: Runs,
+    by: Intensities,
+    state: StateResult,
+    events: Sequence[str],
+    question: FragilityQuestion,
+    *,
+    points: tuple[EmpiricalPoint, ...],
+    lognormal: Fits,
+    first: Fits | None,
+    why: str | None,
+) -> FragilityCurve:
+    fitted = _fitted(lognormal, events, question)
     return FragilityCurve(
         measure=by.measure,
         state=state,
         method=question.method,
         records=len(events),
         events=len(set(events)),
-        censored=int(np.count_nonzero(~reached[np.arange(len(events)), last])),
-        hollow=runs.hollow,
+        censored=int(np.count_nonzero(~reaches(runs, state)[np.arange(len(events)), runs.last])),
+        hollow=int(np.count_nonzero(runs.scale > LARGE_SCALE)),
         empirical=points,
-        lognormal=None if fitted is None else with_intervals(fitted, at, found, events, question),
-        first=first,
-        notes=() if why is None else (_unbounded(why.value),),
+        lognormal=fitted,
+        first=None if first is None else _fitted(first, events, question),
+        notes=(_unbounded(str(why)),) if fitted is None and why is not None else (),
     )
 
 
-def level_points(intensity: FloatArray, reached: FloatArray, records: FloatArray) -> tuple[EmpiricalPoint, ...]:
-    """Return the share of records that reach a state at each intensity at which any is known [n]."""
-    some = records > 0
-    low, high = wilson(reached[some], records[some])
-    rows = zip(intensity[some], records[some], reached[some], low, high, strict=True)
+def _fitted(fits: Fits, events: Sequence[str], question: FragilityQuestion) -> LognormalResult | None:
+    return lognormal_result(fits, events, seed=question.seed, draws=question.draws)
+
+
+def points(found: Outcomes) -> tuple[EmpiricalPoint, ...]:
+    """Return the share of records that reach a state at each intensity at which any is known."""
+    some = found.known.any(axis=0)
+    yes, n, hollow = (each.sum(axis=0)[some] for each in (found.reached, found.known, found.hollow & found.known))
+    low, high = wilson(yes, n)
+    rows = zip(found.intensity[some], n, yes, low, high, hollow, strict=True)
     return tuple(
-        EmpiricalPoint(float(at), int(n), int(yes), float(yes / n), float(below), float(above))
-        for at, n, yes, below, above in rows
+        EmpiricalPoint(float(at), int(all_), int(some_), float(some_ / all_), float(below), float(above), int(far))
+        for at, all_, some_, below, above, far in rows
     )
 
 
-def cloud_points(intensity: FloatArray, reached: BoolArray) -> tuple[EmpiricalPoint, ...]:
-    """Return the share of records that reach a state, in groups of as many records of similar intensity.
-
-    Each point stands at the geometric mean of its group.
+def in_groups(at: FloatArray, reached: FloatArray, scale: FloatArray) -> Outcomes:
+    """Return the outcomes of records in groups of similar intensity, each at the geometric mean of its group.
 
     Parameters
     ----------
-    intensity : of each record [records]
+    at : intensity of each record [records]
     reached : whether each reaches the state [records]
+    scale : factor on each [records]
     """
-    count = int(np.clip(intensity.size // PER_POINT, 1, MOST_POINTS))
-    groups = np.array_split(np.argsort(intensity, kind="stable"), count)
-    at = np.array([np.exp(np.mean(np.log(intensity[group]))) for group in groups])
-    yes, n = (np.array([each.sum() for each in parts]) for parts in
-              ([reached[group] for group in groups], [np.ones(group.size) for group in groups]))  # fmt: skip
-    return level_points(at, yes, n)
-
-
-def with_intervals(
-    fitted: Lognormal, at: FloatArray, found: Outcomes, events: Sequence[str], question: FragilityQuestion
-) -> LognormalResult:
-    """Return a fitted curve with its bootstrap intervals; `at` as the bootstrap takes it."""
-    intervals = bootstrap_lognormal(
-        at, found.reached, events, seed=question.seed, draws=question.draws, run=found.known
-    )
-    return _result(fitted, intervals)
-
-
-def first_lognormal(
-    runs: Runs, by: Intensities, reached: BoolArray, events: Sequence[str], question: FragilityQuestion
-) -> LognormalResult | None:
-    """Return the lognormal of the intensity at which records first reach a state; None if they do not bound one."""
-    stands, reaches_at = first_bounds(runs, by.unit, reached)
-    fitted = fit_first(stands, reaches_at)
-    if fitted is None:
-        return None
-    return _result(
-        fitted, bootstrap_first(stands, reaches_at, events, seed=question.seed, draws=question.draws)
-    )
-
-
-def _result(fitted: Lognormal, intervals: LognormalIntervals) -> LognormalResult:
-    return LognormalResult(fitted.median, fitted.dispersion, intervals.median, intervals.dispersion)
+    count = int(np.clip(at.size // PER_POINT, 1, MOST_POINTS))
+    groups = np.array_split(np.argsort(at, kind="stable"), count)
+    known = np.zeros((at.size, count), dtype=bool)
+    for place, group in enumerate(groups):
+        known[group, place] = True
+    middle = np.array([np.exp(np.mean(np.log(at[group]))) for group in groups])
+    return Outcomes(middle, known & np.asarray(reached, dtype=bool)[:, None], known, known & (scale > LARGE_SCALE)[:, None])
 
 
 def _unbounded(why: str) -> Message:

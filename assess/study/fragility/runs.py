@@ -19,7 +19,7 @@ from assess.short_repr import ShortRepr
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.history_levels import with_restitution_factor
 from assess.study.rocking_case import RockingCase
-from spectra.arrays import BoolArray, FloatArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 CHUNK = 20_000
 """Jobs that are run at a time."""
@@ -28,8 +28,6 @@ BELOW_UPLIFT = 0.95
 SEARCH_STEP = 1.25
 """Ratio of the levels at which the highest one is sought."""
 MOST_SEARCHED = 80
-HOLLOW = 4.0
-"""Scale factor above which a record is no longer what was recorded."""
 
 Severity = Callable[[FloatArray], FloatArray]
 """Takes scale factors [records, levels], nan for no run; returns ratios [records, levels] as `Runs` has them."""
@@ -52,9 +50,9 @@ class Runs(ShortRepr):
         return ~np.isnan(self.scale)
 
     @property
-    def hollow(self) -> int:
-        """Number of runs at a scale factor above 4."""
-        return int(np.count_nonzero(self.scale > HOLLOW))
+    def last(self) -> IntArray:
+        """The place of the largest scale of each record [records]."""
+        return np.asarray(self.run.sum(axis=1) - 1, dtype=np.int64)
 
 
 def run_levels(case: RockingCase, unit: FloatArray, question: FragilityQuestion, *, threads: int) -> Runs:

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assess.results.fragility import StateResult
+from assess.results.fragility import LARGE_SCALE, StateResult
 from assess.short_repr import ShortRepr
 from assess.study.fragility.runs import Runs
-from spectra.arrays import BoolArray, FloatArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 
 @dataclass(frozen=True, repr=False)
@@ -17,11 +17,13 @@ class Outcomes(ShortRepr):
     """Whether each record reaches a state at the same intensities.
 
     intensity [n] rising; reached [records, n]; known [records, n] : where the record counts
+    hollow [records, n] : where it is scaled by more than 4
     """
 
     intensity: FloatArray
     reached: BoolArray
     known: BoolArray
+    hollow: BoolArray
 
 
 def reaches(runs: Runs, state: StateResult) -> BoolArray:
@@ -58,20 +60,19 @@ def outcomes(runs: Runs, unit: FloatArray, reached: BoolArray, *, primary: bool)
     step = float(np.nanmax(runs.scale[:, 1] / runs.scale[:, 0])) if runs.scale.shape[1] > 1 else 1.0
     least, most = float(np.nanmin(intensity)), float(np.nanmax(intensity))
     levels = np.nanmax(intensity, axis=0) if primary else np.geomspace(least, most, runs.scale.shape[1])
-    last = runs.run.sum(axis=1) - 1
-    known, found = np.zeros((2, unit.size, levels.size), dtype=bool)
-    for record, end in enumerate(last):
+    known, found, hollow = np.zeros((3, unit.size, levels.size), dtype=bool)
+    for record, end in enumerate(runs.last):
         own = intensity[record, : end + 1]
         place = _nearest(np.log(own), np.log(levels))
-        found[record] = reached[record, place]
+        found[record], hollow[record] = reached[record, place], runs.scale[record, place] > LARGE_SCALE
         known[record] = (levels <= own[-1] * np.sqrt(step) * (1.0 + 1e-9)) | reached[record, end]
-    return Outcomes(levels, found & known, known)
+    return Outcomes(levels, found & known, known, hollow)
 
 
-def _nearest(rising: FloatArray, at: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+def _nearest(rising: FloatArray, at: FloatArray) -> IntArray:
     """Return the place of the nearest of rising numbers [n]; of two as near, the upper one."""
     middle = 0.5 * (rising[1:] + rising[:-1])
-    return np.searchsorted(middle, at, side="right")
+    return np.asarray(np.searchsorted(middle, at, side="right"), dtype=np.int64)
 
 
 def first_bounds(runs: Runs, unit: FloatArray, reached: BoolArray) -> tuple[FloatArray, FloatArray]:
@@ -85,9 +86,9 @@ def first_bounds(runs: Runs, unit: FloatArray, reached: BoolArray) -> tuple[Floa
     unit : intensity of each record at scale 1 [records]
     reached : which runs reach the state [records, levels]
     """
-    rows, last = np.arange(unit.size), runs.run.sum(axis=1) - 1
+    rows = np.arange(unit.size)
     ever, first = reached.any(axis=1), reached.argmax(axis=1)
-    below = np.where(ever, first - 1, last)
+    below = np.where(ever, first - 1, runs.last)
     lower = np.where(below >= 0, runs.scale[rows, np.maximum(below, 0)], 0.0)
     upper = np.where(ever, runs.scale[rows, first], np.inf)
     return lower * unit, upper * unit

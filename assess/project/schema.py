@@ -1,6 +1,7 @@
 """The project file: read, checked against its schema, every quantity in SI.
 
     load(path) -> Project      raises ProjectError with one line: file: key: value: what is wrong; remedy
+    load_tree(tables, path)    the same of tables that no file holds, such as a template with the values of a row
     resolve(project)          every key with its value and whether it was given or is a default
     json_schema()              the schema itself, for editors
 
@@ -73,7 +74,28 @@ def load(path: Path | str) -> Project:
     file = _project_file(Path(path))
     data = _bytes(file)
     try:
-        raw = _upgraded(_toml(_text(data)))
+        tables = _toml(_text(data))
+    except ProjectError as error:
+        raise ProjectError(f"{file}: {error}") from None
+    return load_tree(tables, file, sha256=hashlib.sha256(data).hexdigest())
+
+
+def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
+    """Read the project that parsed TOML says.
+
+    Parameters
+    ----------
+    tables : the parsed TOML
+    file : the project file, or that of the template; messages name it, and paths are relative to its folder
+    sha256 : of what the project is made of
+
+    Raises
+    ------
+    ProjectError : it breaks the schema
+    """
+    raw = tables
+    try:
+        raw = _upgraded(tables)
         content = Content.model_validate(raw, context={"folder": file.parent})
         varied = variations(content, raw, file.parent)
     except ValidationError as error:
@@ -81,7 +103,7 @@ def load(path: Path | str) -> Project:
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
     messages = (*bare_number_messages(raw), *weight_density_messages(content, raw))
-    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, messages, raw)
+    project = Project(content, file, sha256, varied, messages, raw)
     _check_sources(project)
     return project
 

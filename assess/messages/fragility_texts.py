@@ -28,6 +28,8 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "may be too narrow",
     "fragility-stripes-one-measure": "by stripes fragility is found for the measure that records are scaled by, "
     '{measure}; use method = "ida" to compare measures',
+    # exports
+    "fragility-left-out": "{mechanism}, {measure}: {why}",
     # risk
     "fragility-no-hazard-measure": "the hazard is in {measure}, which is not among the measures of the fragility: no "
     "rate; add it to [analysis.fragility] measures",

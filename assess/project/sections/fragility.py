@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, WithJsonSchema, model_validator
@@ -168,7 +169,7 @@ class Risk(Section):
         if self.site is not None and self.curve is None:
             raise wrong("site", "only of curve; remove it")
         rows = self.hazard or ()
-        for place, (low, high) in enumerate(zip(rows, rows[1:], strict=False), start=1):
+        for place, (low, high) in enumerate(pairwise(rows), start=1):
             if not (high.pga > low.pga and high.annual_rate < low.annual_rate):
                 raise wrong(("hazard", place), "rows rise in pga and fall in rate; sort them")
         return self

@@ -29,7 +29,7 @@ Property = Literal["magnitude", "distance", "scale"]
 
 @dataclass(frozen=True, repr=False)
 class Origins(ShortRepr):
-    """What is known of the records, nan where it is not: magnitude, ln distance, and the earthquake of each [records]."""
+    """What is known of the records [records]: magnitude and ln distance, nan where not known, and the earthquake."""
 
     magnitude: FloatArray
     log_distance: FloatArray

@@ -17,7 +17,7 @@ from assess.results.fragility import (
     StateResult,
 )
 from assess.risk.censored import fit_firsts
-from assess.risk.lognormal import fit_lognormals, why_unbounded
+from assess.risk.lognormal import fit_lognormals, unbounded_reason
 from assess.risk.regression import equivalent_lognormals
 from assess.risk.wilson import wilson
 from assess.short_repr import ShortRepr
@@ -25,7 +25,7 @@ from assess.study.fragility.intervals import Fits, lognormal_result
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.fragility.runs import Runs
 from assess.study.fragility.states import Outcomes, first_bounds, outcomes, reaches
-from spectra.arrays import FloatArray
+from spectra.arrays import BoolArray, FloatArray
 
 PER_POINT = 10
 """Records of a cloud that share a point of the empirical curve, at least."""
@@ -34,7 +34,10 @@ MOST_POINTS = 10
 
 @dataclass(frozen=True, repr=False)
 class Intensities(ShortRepr):
-    """A measure with the intensity of each record at scale 1 [records]; primary: records are scaled by it."""
+    """A measure with the intensity of each record at scale 1 [records].
+
+    primary : whether records are scaled by it, or by a measure that is proportional to it
+    """
 
     measure: MeasureResult
     unit: FloatArray
@@ -66,8 +69,10 @@ def level_curve(
     found = outcomes(runs, by.unit, reached, primary=by.primary)
     stands, falls = first_bounds(runs, by.unit, reached)
 
+    reaching, known = found.reached.astype(np.float64), found.known.astype(np.float64)
+
     def counts_at_levels(counts: FloatArray) -> tuple[FloatArray, FloatArray]:
-        return fit_lognormals(found.intensity, counts @ found.reached, counts @ found.known)
+        return fit_lognormals(found.intensity, counts @ reaching, counts @ known)
 
     yes, n = found.reached.sum(axis=0), found.known.sum(axis=0)
     return _curve(
@@ -79,7 +84,7 @@ def level_curve(
         points=points(found),
         lognormal=counts_at_levels,
         first=lambda counts: fit_firsts(stands, falls, counts),
-        why=why_unbounded(found.intensity, yes, n),
+        why=unbounded_reason(found.intensity, yes, n),
     )
 
 
@@ -101,7 +106,7 @@ def cloud_curve(
         points=points(in_groups(at, reached[:, 0], runs.scale[:, 0])),
         lognormal=lambda counts: equivalent_lognormals(at, ratio, counts, threshold),
         first=None,
-        why=why_unbounded(at, reached[:, 0], np.ones(at.size)) or "no-cloud",
+        why=unbounded_reason(at, reached[:, 0], np.ones(at.size)) or "no-cloud",
     )
 
 
@@ -149,7 +154,7 @@ def points(found: Outcomes) -> tuple[EmpiricalPoint, ...]:
     )
 
 
-def in_groups(at: FloatArray, reached: FloatArray, scale: FloatArray) -> Outcomes:
+def in_groups(at: FloatArray, reached: BoolArray, scale: FloatArray) -> Outcomes:
     """Return the outcomes of records in groups of similar intensity, each at the geometric mean of its group.
 
     Parameters
@@ -164,7 +169,7 @@ def in_groups(at: FloatArray, reached: FloatArray, scale: FloatArray) -> Outcome
     for place, group in enumerate(groups):
         known[group, place] = True
     middle = np.array([np.exp(np.mean(np.log(at[group]))) for group in groups])
-    return Outcomes(middle, known & np.asarray(reached, dtype=bool)[:, None], known, known & (scale > LARGE_SCALE)[:, None])
+    return Outcomes(middle, known & reached[:, None], known, known & (scale > LARGE_SCALE)[:, None])
 
 
 def _unbounded(why: str) -> Message:

@@ -26,16 +26,19 @@ from assess.short_repr import ShortRepr
 from assess.study.fragility.comparison import Origins, compare, origins_of
 from assess.study.fragility.curves import Intensities, fragility_curve
 from assess.study.fragility.measures import Rocker, at_base, default_measures, intensities
+from assess.study.fragility.messages import mechanism_notes, study_warnings
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.fragility.risk import risks
 from assess.study.fragility.runs import Runs, run_levels, run_once
 from assess.study.fragility.states import islands
-from assess.study.fragility.messages import mechanism_notes, study_warnings
 from assess.study.motions import motions_of
 from assess.study.progress import Progress, silent
 from assess.study.rocking_case import RockingCase, vibrates
 from assess.study.study import Study
 from records.record import Record
+
+ROUNDING = 1e-9
+"""Relative difference below which the ratios of two measures are one number."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -158,8 +161,10 @@ def shake(
     above = any(one.record is not record for one, record in zip(base, records, strict=True))
     places = [(each, tuple(records)) for each in question.measures]
     places += [(each, tuple(one.record for one in base)) for each in at_base(question.measures) if above]
+    units = [intensities(each, where, rocker) for each, where in places]
     by = tuple(
-        Intensities(each, intensities(each, where, rocker), primary=count == 0) for count, (each, where) in enumerate(places)
+        Intensities(each, unit, primary=bool(np.ptp(unit / units[0]) <= ROUNDING * unit[0] / units[0][0]))
+        for (each, _), unit in zip(places, units, strict=True)
     )
     if question.method == "cloud":
         runs = run_once(case, study.record_factor, threads=jobs)

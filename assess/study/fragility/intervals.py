@@ -19,9 +19,7 @@ BAND_REACH = 2.5
 """Dispersions to each side of the median over which the band of a curve is given."""
 
 
-def lognormal_result(
-    fits: Fits, events: Sequence[str], *, seed: int, draws: int
-) -> LognormalResult | None:
+def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int) -> LognormalResult | None:
     """Return the lognormal of all records with its intervals; None where they do not bound one.
 
     An interval is None where more than 5 % of the draws do not bound a curve.

@@ -99,7 +99,7 @@ def _pga_over_uplift(record: Record, _: MeasureResult, rocker: Rocker) -> float:
 def _pgv_over_impulse(record: Record, _: MeasureResult, rocker: Rocker) -> float:
     """Return p PGV / (g tan alpha), 1 for the impulse that just overturns a slender block.
 
-    Source: Dimitrakopoulos & Paraskeva (2015), Earthquake Eng. Struct. Dyn. 44, 2557-2580.
+    Source: Dimitrakopoulos & Paraskeva (2015), Earthquake Eng. Struct. Dyn. 44, 2015-2033.
     """
     return rocker.p * pgv(record) / (g * tan(rocker.slenderness))
 

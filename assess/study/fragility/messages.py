@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, warning, whole_number
 from assess.messages.plural import first_names
-from assess.mechanisms.mechanism import Mechanism
 from assess.results.fragility import LARGE_SCALE
 from assess.study.coarse_records import MOST_NAMES, coarse_record_messages
 from assess.study.envelope_run import envelope_cases
@@ -51,9 +51,7 @@ def study_warnings(study: Study, records: Sequence[Record], question: FragilityQ
 def _of_records(records: Sequence[Record]) -> Iterator[Message]:
     artificial = sum(record.artificial for record in records)
     if len(records) < FEWEST:
-        yield warning(
-            "fragility-few-records", "records", number=whole_number(len(records)), least=whole_number(FEWEST)
-        )
+        yield warning("fragility-few-records", "records", number=whole_number(len(records)), least=whole_number(FEWEST))
     if artificial:
         yield warning(
             "fragility-artificial", "records", number=whole_number(artificial), all=whole_number(len(records))
@@ -81,9 +79,7 @@ def _of_measures(records: Sequence[Record], study: Study, question: FragilityQue
             )
 
 
-def mechanism_notes(
-    study: Study, mechanism: Mechanism, runs: Runs, question: FragilityQuestion
-) -> tuple[Message, ...]:
+def mechanism_notes(study: Study, mechanism: Mechanism, runs: Runs, question: FragilityQuestion) -> tuple[Message, ...]:
     """Return what should be known of the curves of a mechanism.
 
     Parameters

@@ -23,7 +23,9 @@ NOTABLE = 0.05
 """Share of the rate from which what may be missing of it is told."""
 
 
-def risks(curves: Sequence[FragilityCurve], question: FragilityQuestion, *, epistemic: float | None) -> Iterator[RiskResult]:
+def risks(
+    curves: Sequence[FragilityCurve], question: FragilityQuestion, *, epistemic: float | None
+) -> Iterator[RiskResult]:
     """Yield the rate of each state by each curve in the measure of the hazard.
 
     Parameters
@@ -54,7 +56,10 @@ def _of_curve(
     empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
     found = rate(empirical.probability, hazard, breaks=at)
     yield _risk(curve, "empirical", found, hazard, question, _notes(curve, found, hazard, empirical.probability))
-    fitted: tuple[tuple[CurveName, LognormalResult | None], ...] = (("lognormal", curve.lognormal), ("first", curve.first))
+    fitted: tuple[tuple[CurveName, LognormalResult | None], ...] = (
+        ("lognormal", curve.lognormal),
+        ("first", curve.first),
+    )
     for name, one in fitted:
         if one is None:
             continue
@@ -89,9 +94,7 @@ def _risk(
     )
 
 
-def _notes(
-    curve: FragilityCurve, found: Rate, hazard: HazardCurve, probability: Probability
-) -> tuple[Message, ...]:
+def _notes(curve: FragilityCurve, found: Rate, hazard: HazardCurve, probability: Probability) -> tuple[Message, ...]:
     """Tell where the hazard or the curve ends too soon for the rate."""
     first, last = float(hazard.intensity[0]), float(hazard.intensity[-1])
     starts, ends = (float(probability(np.array([at]))[0]) for at in (first, last))

@@ -147,4 +147,3 @@ def severity_solver(case: RockingCase, *, threads: int) -> Severity:
         return ratio
 
     return solve
-

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil, log
 
 import numpy as np
 
@@ -45,21 +46,20 @@ def outcomes(runs: Runs, unit: FloatArray, reached: BoolArray, *, primary: bool)
     """Return whether each record reaches a state at the intensities of a measure.
 
     Each record is a step function of its intensity: at each intensity it is as in its run of nearest logarithm. All
-    records are run at the same intensities of the primary measure, so there each point is a run. Below its least scale
-    a record is as there, where it does not rock. Above its largest scale it counts as reaching the state if it does
-    there; if it stands there, it is censored and does not count.
+    records are run at the same intensities of the primary measure, so there each point is a run; other measures have
+    points in the same ratio. Below its least scale a record is as there, where it does not rock. Above its largest
+    scale it counts as reaching the state if it does there; if it stands there, it is censored and does not count.
 
     Parameters
     ----------
     runs : of all records, at scales of one ratio
     unit : intensity of each record at scale 1 [records]
     reached : which runs reach the state [records, levels]
-    primary : whether it is the measure that records are scaled by
+    primary : whether it is the measure that records are scaled by, or proportional to it
     """
     intensity = runs.scale * unit[:, None]
-    step = float(np.nanmax(runs.scale[:, 1] / runs.scale[:, 0])) if runs.scale.shape[1] > 1 else 1.0
-    least, most = float(np.nanmin(intensity)), float(np.nanmax(intensity))
-    levels = np.nanmax(intensity, axis=0) if primary else np.geomspace(least, most, runs.scale.shape[1])
+    step = float(np.nanmax(runs.scale[:, 1] / runs.scale[:, 0]))
+    levels = np.nanmax(intensity, axis=0) if primary else _levels(intensity, step)
     known, found, hollow = np.zeros((3, unit.size, levels.size), dtype=bool)
     for record, end in enumerate(runs.last):
         own = intensity[record, : end + 1]
@@ -67,6 +67,13 @@ def outcomes(runs: Runs, unit: FloatArray, reached: BoolArray, *, primary: bool)
         found[record], hollow[record] = reached[record, place], runs.scale[record, place] > LARGE_SCALE
         known[record] = (levels <= own[-1] * np.sqrt(step) * (1.0 + 1e-9)) | reached[record, end]
     return Outcomes(levels, found & known, known, hollow)
+
+
+def _levels(intensity: FloatArray, step: float) -> FloatArray:
+    """Return intensities in the ratio of the runs, from the least to the largest of records that are run twice."""
+    twice = intensity[~np.isnan(intensity[:, 1])]
+    least, most = float(np.nanmin(twice)), float(np.nanmax(twice))
+    return np.geomspace(least, most, 1 + ceil(log(most / least) / log(step) - 1e-9))
 
 
 def _nearest(rising: FloatArray, at: FloatArray) -> IntArray:

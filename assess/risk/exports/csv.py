@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 
 from assess.risk.exports.curve import Export, ExportedCurve, ExportedState
+from assess.risk.exports.table import Cell, table_text
 
 HEADER = (
     "mechanism", "measure", "period_s", "unit", "state", "curve", "intensity", "records", "reached", "share", "low",
@@ -24,28 +23,17 @@ def csv_text(curves: Sequence[ExportedCurve]) -> Export:
     ----------
     curves : of the mechanisms
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(HEADER)
+    rows: list[tuple[Cell, ...]] = [HEADER]
     for curve in curves:
-        period = "" if curve.period is None else repr(float(curve.period))
         for state in curve.states:
-            first = [cell_of(curve.name), curve.measure, period, curve.unit, state.name]
-            writer.writerows([*first, *row] for row in _rows(state))
-    return Export(text.getvalue(), ())
+            first = (curve.name, curve.measure, curve.period, curve.unit, state.name)
+            rows += [(*first, *row) for row in _rows(state)]
+    return Export(table_text(rows), ())
 
 
-def cell_of(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula: an apostrophe stands before =, +, - and @."""
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
-
-
-def _rows(state: ExportedState) -> Iterator[list[str]]:
+def _rows(state: ExportedState) -> Iterator[tuple[Cell, ...]]:
     columns = (state.intensity, state.records, state.reached, state.share, state.low, state.high)
-    for values in zip(*columns, strict=True):
-        im, records, reached, *shares = values
-        yield ["empirical", repr(float(im)), str(int(records)), str(int(reached)),
-               *(repr(float(each)) for each in shares), "", ""]  # fmt: skip
+    for im, records, reached, share, low, high in zip(*columns, strict=True):
+        yield "empirical", float(im), int(records), int(reached), float(share), float(low), float(high), None, None
     if state.lognormal is not None:
-        fit = state.lognormal
-        yield ["lognormal", *[""] * 6, repr(float(fit.median)), repr(float(fit.dispersion))]
+        yield "lognormal", *[None] * 6, float(state.lognormal.median), float(state.lognormal.dispersion)

@@ -7,12 +7,11 @@ DamageStateWeights.
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Sequence
 
 from assess.risk.exports.curve import Export, ExportedCurve, LeftOut
+from assess.risk.exports.table import Cell, table_text
 
 UNITS = {"g": "g", "m/s": "mps", "-": "ea"}
 
@@ -27,7 +26,8 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
     ----------
     curves : of the mechanisms
     """
-    rows, left_out = [], []
+    rows: list[list[Cell]] = []
+    left_out = []
     number = max((len(each.states) for each in curves), default=0)
     names = [each.name for each in curves]
     for each in curves:
@@ -39,12 +39,10 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
             left_out.append(LeftOut(each.name, each.measure, each.period, "state-without-curve", lacking))
         else:
             several = names.count(each.name) > 1
-            rows.append(_row(each, demand, number, identifier(f"{each.name}.{demand}" if several else each.name)))
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_header(number))
-    writer.writerows(rows)
-    return Export(text.getvalue(), tuple(left_out))
+            name = identifier(f"{each.name}.{demand}" if several else each.name)
+            alike = sum(str(row[0]).split("..")[0] == name for row in rows)
+            rows.append(_row(each, demand, number, f"{name}..{alike + 1}" if alike else name))
+    return Export(table_text([_header(number), *rows]), tuple(left_out))
 
 
 def demand_of(curve: ExportedCurve) -> str | None:
@@ -55,8 +53,8 @@ def demand_of(curve: ExportedCurve) -> str | None:
 
 
 def identifier(name: str) -> str:
-    """Return a name as an ID of pelicun: letters, digits, dots and underscores."""
-    return re.sub(r"[^A-Za-z0-9._]+", "_", name).strip("_") or "_"
+    """Return a name as an ID of pelicun, which splits them at hyphens: letters, digits, underscores, dots."""
+    return re.sub(r"\.+", ".", re.sub(r"[^A-Za-z0-9.]+", "_", name)).strip("_.") or "_"
 
 
 def _header(states: int) -> list[str]:
@@ -65,9 +63,9 @@ def _header(states: int) -> list[str]:
     return [*fixed, *(f"LS{at}-{part}" for at in range(1, states + 1) for part in parts)]
 
 
-def _row(curve: ExportedCurve, demand: str, states: int, name: str) -> list[str]:
-    row = [name, "0", demand, UNITS[curve.unit], "0", "0"]
+def _row(curve: ExportedCurve, demand: str, states: int, name: str) -> list[Cell]:
+    row: list[Cell] = [name, 0, demand, UNITS[curve.unit], 0, 0]
     for state in curve.states:
         if state.lognormal is not None:
-            row += ["lognormal", repr(float(state.lognormal.median)), repr(float(state.lognormal.dispersion)), ""]
-    return row + [""] * (4 * (states - len(curve.states)))
+            row += ["lognormal", float(state.lognormal.median), float(state.lognormal.dispersion), None]
+    return row + [None] * (4 * (states - len(curve.states)))

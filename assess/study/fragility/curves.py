@@ -30,6 +30,8 @@ from spectra.arrays import BoolArray, FloatArray
 PER_POINT = 10
 """Records of a cloud that share a point of the empirical curve, at least."""
 MOST_POINTS = 10
+LEAST_DISPERSION = 1e-3
+"""Of a cloud; smaller ones are those of a step."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -93,10 +95,16 @@ def cloud_curve(
 ) -> FragilityCurve:
     """Return the curve of records that are run once; arguments are those of `fragility_curve`.
 
-    The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.regression`).
+    The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.regression`); there is none
+    where a single intensity parts the records that reach the state from the others.
     """
     at, ratio, reached = runs.scale[:, 0] * by.unit, runs.ratio[:, 0], reaches(runs, state)
     threshold = {"rocking": 0.0, "overturning": np.inf}.get(state.name, state.share or 0.0)
+
+    def equivalent(counts: FloatArray) -> tuple[FloatArray, FloatArray]:
+        median, dispersion = equivalent_lognormals(at, ratio, counts, threshold)
+        return median, np.where(dispersion > LEAST_DISPERSION, dispersion, np.nan)
+
     return _curve(
         runs,
         by,
@@ -104,7 +112,7 @@ def cloud_curve(
         events,
         question,
         points=points(in_groups(at, reached[:, 0], runs.scale[:, 0])),
-        lognormal=lambda counts: equivalent_lognormals(at, ratio, counts, threshold),
+        lognormal=equivalent,
         first=None,
         why=unbounded_reason(at, reached[:, 0], np.ones(at.size)) or "no-cloud",
     )

@@ -8,21 +8,25 @@ import numpy as np
 from scipy.special import ndtr
 
 from assess.results.fragility import FIVE_PERCENT, CurveBand, LognormalResult
-from assess.risk.bootstrap import event_counts
+from assess.risk.bootstrap import LEAST, basic_interval, event_counts
 from spectra.arrays import FloatArray
 
 Fits = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 """Takes how often each record counts [draws, records]; returns medians and dispersions [draws], nan where unbounded."""
-LIMITS = (0.025, 0.975)
+MOST_UNBOUNDED = 0.05
+"""Share of draws that need not bound a curve."""
 BAND_POINTS = 25
 BAND_REACH = 2.5
 """Dispersions to each side of the median over which the band of a curve is given."""
+
+FARTHEST = 30.0
+"""Standard deviations beyond which a draw of the band is as good as certain."""
 
 
 def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int) -> LognormalResult | None:
     """Return the lognormal of all records with its intervals; None where they do not bound one.
 
-    An interval is None where more than 5 % of the draws do not bound a curve.
+    Intervals are None where more than 5 % of the draws do not bound a curve, or earthquakes are fewer than three.
 
     Parameters
     ----------
@@ -32,30 +36,40 @@ def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int
     draws : how many
     """
     (median,), (dispersion,) = fits(np.ones((1, len(events))))
-    if np.isnan(median):
+    if np.isnan(median + dispersion):
         return None
+    plain = LognormalResult(float(median), float(dispersion))
+    number = len(set(events))
+    if number < LEAST:
+        return plain
     medians, dispersions = fits(event_counts(events, seed=seed, draws=draws))
     good = np.isfinite(medians) & np.isfinite(dispersions)
-    plain = LognormalResult(float(median), float(dispersion))
-    if np.count_nonzero(good) < (1.0 - (LIMITS[0] + 1.0 - LIMITS[1])) * draws:
+    if np.count_nonzero(~good) > MOST_UNBOUNDED * draws:
         return plain
-    return _with_intervals(plain, medians[good], dispersions[good])
+    return _with_intervals(plain, medians[good], dispersions[good], number)
 
 
-def _with_intervals(plain: LognormalResult, medians: FloatArray, dispersions: FloatArray) -> LognormalResult:
-    reach = BAND_REACH * plain.dispersion
-    at = plain.median * np.exp(np.linspace(-reach, reach, BAND_POINTS))
-    low, high = np.quantile(ndtr(np.log(at / medians[:, None]) / dispersions[:, None]), LIMITS, axis=0)
+def _with_intervals(
+    plain: LognormalResult, medians: FloatArray, dispersions: FloatArray, events: int
+) -> LognormalResult:
+    five = medians * np.exp(FIVE_PERCENT * dispersions)
     return LognormalResult(
         median=plain.median,
         dispersion=plain.dispersion,
-        median_interval=_interval(medians),
-        dispersion_interval=_interval(dispersions),
-        five_percent_interval=_interval(medians * np.exp(FIVE_PERCENT * dispersions)),
-        band=CurveBand(tuple(at.tolist()), tuple(low.tolist()), tuple(high.tolist())),
+        median_interval=basic_interval(medians, plain.median, events=events),
+        dispersion_interval=basic_interval(dispersions, plain.dispersion, events=events),
+        five_percent_interval=basic_interval(five, plain.five_percent, events=events),
+        band=_band(plain, medians, dispersions, events),
     )
 
 
-def _interval(values: FloatArray) -> tuple[float, float]:
-    low, high = np.quantile(values, LIMITS)
-    return float(low), float(high)
+def _band(plain: LognormalResult, medians: FloatArray, dispersions: FloatArray, events: int) -> CurveBand:
+    """Return the band of the curve: at each intensity the interval of its standard normal variable."""
+    normal = np.linspace(-BAND_REACH, BAND_REACH, BAND_POINTS)
+    at = plain.median * np.exp(normal * plain.dispersion)
+    drawn = np.clip(np.log(at / medians[:, None]) / dispersions[:, None], -FARTHEST, FARTHEST)
+    bounds = np.array(
+        [basic_interval(np.exp(each), float(np.exp(z)), events=events) for each, z in zip(drawn.T, normal, strict=True)]
+    )
+    low, high = ndtr(np.log(bounds)).T
+    return CurveBand(tuple(at.tolist()), tuple(low.tolist()), tuple(high.tolist()))

@@ -18,14 +18,14 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "fragility-no-cloud": "too few records make the mechanism rock without overturning it, or their responses do not "
     "rise with this measure: no lognormal curve",
     # records
-    "fragility-few-records": "only {number} records, fewer than {least}: dispersion and tails are hardly known",
-    "fragility-artificial": "{number} of the {all} records are artificial, made for one spectrum: they differ less "
-    "than earthquakes do, so the dispersion is too small; use recorded motions",
-    "fragility-hollow": "{runs} runs have scale factors above 4, up to {largest}: such motions may not resemble "
-    "strong earthquakes",
+    "fragility-few-records": "records: {number}, fewer than {least}: dispersion and tails are hardly known",
+    "fragility-artificial": "artificial records: {number} of {all}; made for one spectrum, they differ less than "
+    "earthquakes do, so the dispersion is too small; use recorded motions",
+    "fragility-hollow": "runs at scale factors above 4: {runs}, up to {largest}; motions scaled so far may not "
+    "resemble strong earthquakes",
     "fragility-long-periods": "{measure} needs periods up to {period}, beyond those to which {records} can be used",
-    "fragility-no-events": "{number} records name no earthquake: each counts as one of its own, and the intervals "
-    "may be too narrow",
+    "fragility-no-events": "records that name no earthquake: {number}; each counts as an earthquake of its own, "
+    "and intervals may be too narrow",
     "fragility-stripes-one-measure": "by stripes fragility is found for the measure that records are scaled by, "
     '{measure}; use method = "ida" to compare measures',
     # exports

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
@@ -22,10 +21,12 @@ from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
+from assess.project.file_digests import file_sha256
 from assess.project.fragility import fragility_question, hazard_files
 from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
 from assess.project.horizontal_records import horizontal_records, vertical_record_messages
 from assess.project.key_text import value_text
+from assess.project.locked_records import files_of_lock, lock_messages, locked_records
 from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.question import facts_of, question_of
 from assess.project.report_matter import picture_files, report_matter_of
@@ -82,12 +83,13 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, messages = all_records(content.records, project.folder)
+    named, messages = all_records(content.records, project.folder, spectrum)
     study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
-    if content.records.select is not None and spectrum is not None:
+    wanted = content.records.selection
+    if wanted is not None and spectrum is not None:
         named, messages = record_set.select_records(
             content.records,
-            content.records.select,
+            wanted,
             spectrum=spectrum,
             mechanisms=study.mechanisms,
             folder=project.folder,
@@ -119,7 +121,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
 
 def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
     """Build the study of some mechanisms of a project, without messages about its file."""
-    site, building, synthetic = site_in(content), content.building, content.records.synthetic
+    site, building, synthetic = site_in(content), content.building, content.records.made
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
@@ -146,7 +148,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         fitting=files.named.fitting,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
-        record_factor=content.records.factor,
+        record_factor=content.records.further_factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
@@ -208,9 +210,10 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     site = site_in(content)
     spectrum = files.spectrum if site is None or site == site_in(whole) else spectrum_of(site)
     same = content.records == whole.records
-    if not same and content.records.select is not None:
-        raise ProjectError("records: a sweep cannot vary what records are selected by; sweep another key")
-    records = files.named if same else all_records(content.records, project.folder)[0]
+    if not same and (content.records.select is not None or content.records.lock is not None):
+        how = "selected by" if content.records.lock is None else "locked by"
+        raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
+    records = files.named if same else all_records(content.records, project.folder, spectrum)[0]
     return Files(models, solids, spectrum, records)
 
 
@@ -251,10 +254,15 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
     return PulseGrid(pulse_shape(section.shape, gamma=section.gamma, nu=section.nu), frequency, amplitude)
 
 
-def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
-    """Read every horizontal record named, with messages; none are read here if a suite is to be selected."""
-    if section.select is not None:
+def all_records(
+    section: sections.Records, folder: Path, spectrum: Spectrum | None
+) -> tuple[RecordSet, tuple[Message, ...]]:
+    """Read every horizontal record named or locked, with messages; none are read here if a suite is to be selected."""
+    if section.selection is not None or (section.lock is not None and spectrum is None):
         return RecordSet((), Fitting(EVERYWHERE)), ()
+    if section.lock is not None and spectrum is not None:
+        locked = locked_records(section.lock, folder=folder, spectrum=spectrum)
+        return locked, (*lock_messages(section.lock, section), *record_messages(locked.records))
     found = record_set.all_of(section, folder)
     return replace(found, records=horizontal_records(found.records)), (
         *vertical_record_messages(found.records),
@@ -263,15 +271,20 @@ def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tup
 
 
 def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
-    """Hash the project file and every file it names; if records are selected, only those chosen."""
+    """Hash the project file and every file it names; if records are selected or locked, only those used."""
     yield Input(project.path.name, project.sha256)
     content = project.content
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
-    chosen = content.records.select is not None
-    used = [project.folder / record.path for record in records] if chosen else content.records.files
-    beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
-    beside += hazard_files(content)
-    for path in dict.fromkeys([*bodies, *tables, *used, *beside, *picture_files(content)]):
-        yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
+    used = record_files(content.records, [project.folder / record.path for record in records])
+    for path in dict.fromkeys([*bodies, *tables, *used, *hazard_files(content), *picture_files(content)]):
+        yield Input(relative_path(path, project.folder), file_sha256(path))
+
+
+def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path, ...]:
+    """Return the files that the records come from; paths: those of the records in use."""
+    if section.lock is not None:
+        return files_of_lock(section.lock)
+    beside = [path for path in (section.flatfile, section.response) if path is not None]
+    return (*(section.files if section.selection is None else paths), *beside)

@@ -228,6 +228,18 @@ InputFile = Annotated[
 ]
 
 
+def _a_path(value: Any, info: ValidationInfo) -> Path:
+    return _folder(info) / _path_text(value)
+
+
+FilePlace = Annotated[
+    Path,
+    BeforeValidator(_a_path),
+    WithJsonSchema({"type": "string", "description": "path relative to the project file"}),
+]
+"""A file that may not exist yet."""
+
+
 def _matching(pattern: Any, folder: Path) -> list[Path]:
     """Return the files that a name or pattern matches, sorted; a file or folder of that exact name comes first."""
     text = _path_text(pattern)

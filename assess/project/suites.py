@@ -15,15 +15,19 @@ from assess.errors import AssessError
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.horizontal_records import horizontal_records
+from assess.project.lock_writing import suite_text, write_lock
+from assess.project.record_set import overrides_of
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
+from assess.project.suite_lock import NAME
 from assess.results import GroundMotionResult, RecordResult
 from assess.study import record_set
 from assess.study.ground_motion import ground_motion, ground_motion_result
 from assess.study.motions import ScaledRecord, motions_of, scale_together
 from assess.study.run import require_spectrum
 from assess.study.site_results import record_result
-from assess.study.study import Fitting
+from assess.study.study import Fitting, Study
+from assess.study.suite_rules import made_band
 from records.band import band, truncate_band
 from records.candidates import PERIODS
 from records.formats.header_overrides import HeaderOverrides
@@ -75,14 +79,92 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     AssessError : the project names no records
     """
     study = build(load(path), executor=executor)
-    spectrum = require_spectrum(study)
     if not study.records:
         raise AssessError(f"{path}: records.files: missing; add the files or the folder to select from")
-    motions = motions_of(replace(study, artificial=None), spectrum)
+    return _suite_of(study, motions_of(replace(study, artificial=None), require_spectrum(study)))
+
+
+def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> Suite:
+    """Return the suite of a study as scaled, with the messages on its records."""
+    spectrum = require_spectrum(study)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
     messages = tuple(each for each in study.messages if each.where.startswith("records"))
     return Suite(results_of(motions, spectrum, study.fitting), found, messages)
+
+
+def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Suite, Path]:
+    """Write the lock of a project: its records as [records] finds, makes and scales them, whatever its lock says.
+
+    Parameters
+    ----------
+    path : of the project
+    executor : processes that share the reading of many records
+
+    Returns
+    -------
+    The suite, and the lock: the file of [records] lock, or records.lock.toml beside the project file
+
+    Raises
+    ------
+    AssessError : [records] names only the lock; or a file is there that is no lock, or was changed by hand
+    """
+    project = load(path)
+    given = project.content.records
+    if given.lock is not None and not given.files and not given.has_key("synthetic"):
+        raise AssessError(f"{project.path}: records.files: missing; add what the lock is to be made of, or `synthetic`")
+    section = given.model_copy(update={"lock": None})
+    study = build(replace(project, content=project.content.model_copy(update={"records": section})), executor=executor)
+    spectrum, made = require_spectrum(study), study.artificial
+    motions, lock = motions_of(study, spectrum), given.lock or project.folder / NAME
+    text = suite_text(
+        motions,
+        spectrum,
+        study.fitting,
+        place=lock.parent,
+        folder=project.folder,
+        scale_to=study.scale_to,
+        further_factor=study.record_factor,
+        overrides=overrides_of(section),
+        recipe=None if made is None else (made, made_band(study, spectrum, duration=made.duration)),
+    )
+    write_lock(lock, text)
+    return _suite_of(study, motions), lock
+
+
+def lock_target(target: Path, found: Selected) -> Path:
+    """Write the lock of a suite that was selected for a target, beside the target.
+
+    Parameters
+    ----------
+    target : a project, or a table of period and acceleration
+    found : the suite
+
+    Returns
+    -------
+    The lock
+
+    Raises
+    ------
+    AssessError : a file is there that is no lock, or was changed by hand
+    """
+    folder = (target if target.is_dir() else target.parent).absolute()
+    text = suite_text(
+        found.motions, found.spectrum, found.fitting, place=folder, folder=Path.cwd(), scale_to=found.scale_to
+    )
+    write_lock(folder / NAME, text)
+    return folder / NAME
+
+
+@dataclass(frozen=True)
+class Selected:
+    """A suite selected for a target: as results show it, and as it was scaled."""
+
+    suite: Suite
+    motions: tuple[ScaledRecord, ...]
+    spectrum: Spectrum
+    fitting: Fitting
+    scale_to: ScaleTo
 
 
 def of_target(
@@ -94,7 +176,7 @@ def of_target(
     flatfile: Path | None,
     kept: Path | None,
     executor: Executor | None = None,
-) -> Suite:
+) -> Selected:
     """Select the suite that fits the spectrum of a target, out of files and the catalogues of folders.
 
     Parameters
@@ -119,11 +201,9 @@ def of_target(
     chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
     motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
-    return Suite(
-        results_of(motions, spectrum, chosen.fitting),
-        motion,
-        (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records)),
-    )
+    messages = (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records))
+    suite = Suite(results_of(motions, spectrum, chosen.fitting), motion, messages)
+    return Selected(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
 def criteria_of(wanted: Wanted) -> Criteria:

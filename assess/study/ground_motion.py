@@ -87,6 +87,7 @@ def ground_motion_result(
     GroundMotionResult
         With the requirements of every code.
     """
+    given = fitting.given
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
     shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = display_periods(spectrum)
@@ -103,11 +104,15 @@ def ground_motion_result(
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
         selection=None if fitting.selection is None else selection_result(fitting.selection),
         requirements=requirements_of(motions, spectrum, shortest, longest, own),
+        lock="" if given is None else given.lock,
+        made_for="" if given is None else given.code,
     )
 
 
 def source_of(study: Study) -> str:
     """Return the source of the range of periods, in words."""
+    if study.fitting.given is not None and study.fitting.given.lock:
+        return "as the suite was locked"
     if study.fitting.selection is None:
         return "default of the scaling by least squares"
     given = study.resolved.get("records.select.periods")

@@ -17,6 +17,7 @@ from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
+from records.fingerprints import TargetMark
 from records.pulses import Shape
 from records.record import Record
 from records.selection import Selection
@@ -37,18 +38,35 @@ class Artificial:
 
 
 @dataclass(frozen=True)
+class GivenFactors:
+    """Scale factors that are given, not found: those of a locked suite, or of one made to meet the rules of a code.
+
+    factors : (id, scale factor [-]) of each record; target : that they refer to
+    lock : the file that they are from, as the project names it; empty if they are of no lock
+    code : whose rules the suite was made to meet, as `select.for` names it; empty if of none
+    """
+
+    factors: tuple[tuple[str, float], ...]
+    target: TargetMark
+    lock: str = ""
+    code: str = ""
+
+
+@dataclass(frozen=True)
 class Fitting:
     """How records are scaled to the target, and how they were chosen.
 
     band : periods over which they are scaled; together : ids of records that share one factor
     selection : how they were chosen, with its criteria; None if all records of the project are used
     nga : (id, number in the NGA database) of records that have one
+    given : factors that are given; None if they follow from the target
     """
 
     band: Band
     together: tuple[tuple[str, ...], ...] = ()
     selection: Selection | None = None
     nga: tuple[tuple[str, int], ...] = ()
+    given: GivenFactors | None = None
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from assess.cli.records.options import TARGET, Catalogue, Flatfile, Response, St
 if TYPE_CHECKING:
     from assess.project.suites import Suite
 
-OWN = ("places", "jobs", "as_json", "as_csv", "output", "target")
+OWN = ("places", "jobs", "as_json", "as_csv", "output", "target", "lock")
 Span = tuple[float, float] | None
 
 
@@ -62,6 +62,12 @@ def select(
     unit: Unit = None,
     step: Step = None,
     response: Response = None,
+    lock: Annotated[
+        bool,
+        typer.Option(
+            "--lock", help="Also write records.lock.toml beside the project (or target): files, factors, hashes."
+        ),
+    ] = False,
     jobs: Jobs = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
@@ -71,28 +77,36 @@ def select(
 ) -> None:
     """Select the records that best fit a target spectrum, scale them, and check the suite against code rules.
 
-    A project uses its own [records] select. Folders are indexed first; only new and changed files are read.
+    A project uses its own [records] select. Folders are indexed first; only new and changed files are read. A lock,
+    used by [records] lock = "records.lock.toml", keeps the suite as it is whatever becomes of the mechanisms.
     """
     refuse_both(as_json=as_json, as_csv=as_csv)
     refuse_figure(output)
     _refuse_without_target(context, target, places)
-    from assess.project.suites import Wanted, of_project, of_target
+    from assess.project.suites import Wanted, lock_project, lock_target, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
+    written = None
     if target is None:
         with process_pool(jobs) as executor:
-            found = of_project(places[0], executor=executor)
+            if lock:
+                found, written = lock_project(places[0], executor=executor)
+            else:
+                found = of_project(places[0], executor=executor)
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
         wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
         overrides = HeaderOverrides(unit, step, response)
         with process_pool(jobs) as executor:
-            found = of_target(
+            selected = of_target(
                 target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
+        found, written = selected.suite, lock_target(target, selected) if lock else None
     _print_suite(found, output, as_json=as_json, as_csv=as_csv)
+    if written is not None:
+        print(f'{written} written; [records] lock = "{written.name}" uses it', file=sys.stderr)
 
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:

@@ -10,6 +10,7 @@ from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
+    FilePlace,
     InputFile,
     InputFiles,
     PositiveAcceleration,
@@ -63,6 +64,24 @@ class Records(Section):
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
     factor: PositiveRatio = 1.0
     """further factor on every record, like 1.05, where the mean of the suite falls short of what its code asks"""
+    lock: FilePlace | None = None
+    """file like "records.lock.toml", written by `assess records select PROJECT --lock`: its records and factors are
+    used, and the other keys here say how it is made"""
+
+    @property
+    def selection(self) -> Select | None:
+        """What the suite is selected by; nothing is selected for a locked one."""
+        return self.select if self.lock is None else None
+
+    @property
+    def made(self) -> Synthetic | None:
+        """The artificial records that are made; those of a lock are its own."""
+        return self.synthetic if self.lock is None else None
+
+    @property
+    def further_factor(self) -> float:
+        """The factor on every record; those of a lock include it."""
+        return self.factor if self.lock is None else 1.0
 
     @model_validator(mode="after")
     def _select_has_files(self) -> Records:

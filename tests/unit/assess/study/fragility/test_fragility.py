@@ -102,7 +102,9 @@ def test_an_oracle_in_closed_form(pulses: FragilityResults) -> None:
 
 def test_the_impulse_explains_short_pulses(pulses: FragilityResults) -> None:
     """Short pulses overturn by their impulse alone, at p PGV = g tan alpha but for p D (Housner 1963)."""
-    by_impulse = {each.measure.key: each for each in pulses.mechanisms[0].comparison if each.state.name == "overturning"}
+    by_impulse = {
+        each.measure.key: each for each in pulses.mechanisms[0].comparison if each.state.name == "overturning"
+    }
     assert by_impulse["pgv"].dispersion < 0.3 * by_impulse["pga"].dispersion
     assert curve(pulses, "p pgv/(g tan alpha)").first.median == pytest.approx(1.0, abs=0.12)
 

@@ -59,9 +59,7 @@ def test_other_measures_take_the_nearest_run() -> None:
 
 
 def test_first_exceedance_lies_between_two_runs() -> None:
-    runs = runs_of(
-        ([1.0, 2.0, 4.0], [0.1, INF, 0.3]), ([1.0, 2.0], [INF, INF]), ([1.0, 2.0, 4.0], [0.1, 0.2, 0.3])
-    )
+    runs = runs_of(([1.0, 2.0, 4.0], [0.1, INF, 0.3]), ([1.0, 2.0], [INF, INF]), ([1.0, 2.0, 4.0], [0.1, 0.2, 0.3]))
     lower, upper = first_bounds(runs, np.array([0.1, 1.0, 10.0]), reaches(runs, OVERTURNING))
     np.testing.assert_allclose(lower, [0.1, 0.0, 40.0])
     np.testing.assert_allclose(upper, [0.2, 1.0, INF])

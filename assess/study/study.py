@@ -16,6 +16,7 @@ from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.study.grounding import Grounded
 from records.band import Band
+from records.compliance.making import CodeName
 from records.fingerprints import TargetMark
 from records.pulses import Shape
 from records.record import Record
@@ -48,7 +49,7 @@ class GivenFactors:
     factors: tuple[tuple[str, float], ...]
     target: TargetMark
     lock: str = ""
-    code: str = ""
+    code: CodeName | Literal[""] = ""
 
 
 @dataclass(frozen=True)

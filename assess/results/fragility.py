@@ -184,6 +184,8 @@ class RiskResult(ShortRepr):
     contribution [n-1] : shares of the rate between neighbouring intensities of the hazard [-]
     beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
     target_rate : that the project sets [1/year]; None where it sets none
+    with_epistemic : the rate with the epistemic dispersion added to that of the records, by the root of squares
+        [1/year]; of lognormal curves where one is given
     """
 
     measure: MeasureResult
@@ -196,6 +198,7 @@ class RiskResult(ShortRepr):
     beyond: float
     target_rate: float | None = None
     notes: tuple[Message, ...] = ()
+    with_epistemic: float | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -204,6 +207,8 @@ class MechanismFragility(ShortRepr):
 
     epistemic : dispersion of what is not known of the mechanism, apart from that of records; None where none is given
     epistemic_sources : key of the project and its share, by name
+    measures : in the order of the intensities of `runs`, the primary one first
+    notes : what the engineer should know of its curves
     """
 
     name: str
@@ -217,6 +222,8 @@ class MechanismFragility(ShortRepr):
     risks: tuple[RiskResult, ...]
     epistemic: float | None = None
     epistemic_sources: dict[str, float] | None = None
+    measures: tuple[MeasureResult, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

@@ -28,6 +28,7 @@ from assess.project.sections.spectra import (
     Spectrum,
     TableSpectrum,
 )
+from assess.project.sections.uncertainty import Uncertainty
 from assess.project.sections.verdict import VerdictSection
 
 __all__ = [
@@ -73,5 +74,6 @@ __all__ = [
     "TableSpectrum",
     "TieLoad",
     "TwoBlock",
+    "Uncertainty",
     "VerdictSection",
 ]

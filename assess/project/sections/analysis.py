@@ -28,6 +28,7 @@ from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import Asked
 from assess.project.sections.sweeps import Sweep, Sweeps
+from assess.project.sections.uncertainty import Uncertainty
 
 
 class Synthetic(Section):
@@ -111,6 +112,8 @@ class Analysis(Section):
     """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
     sensitivity: Asked = None
     """true, or { vary, thickness, density, … }: how the verdicts move with numbers that are not well known"""
+    uncertainty: Uncertainty | None = None
+    """{ samples, seed, thickness }: how the answers spread when the numbers given as { mean, cov } vary together"""
 
     @property
     def sweeps(self) -> tuple[Sweep, ...]:

@@ -96,8 +96,8 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         named, messages = record_set.select_records(
             content.records,
             wanted,
+            study=study,
             spectrum=spectrum,
-            mechanisms=study.mechanisms,
             folder=project.folder,
             executor=executor,
         )

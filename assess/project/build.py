@@ -25,6 +25,7 @@ from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
+from assess.project.fragility import fragility_question
 from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
 from assess.project.horizontal_records import horizontal_records, vertical_record_messages
 from assess.project.inputs import inputs_of
@@ -99,6 +100,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     return replace(
         study,
         inputs=tuple(inputs_of(project, files.named.records)),
+        fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
@@ -132,8 +134,8 @@ def deciding_part_of(project: Project, *, executor: Executor | None = None) -> t
         named, messages = record_set.select_records(
             content.records,
             wanted,
+            study=study,
             spectrum=spectrum,
-            mechanisms=study.mechanisms,
             folder=project.folder,
             executor=executor,
         )

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from assess.project import sections
 from assess.project.file_digests import file_sha256
+from assess.project.fragility import hazard_files
 from assess.project.locked_records import files_of_lock
 from assess.project.report_matter import picture_files
 from assess.project.schema import Project
@@ -23,7 +24,7 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
     used = record_files(content.records, [project.folder / record.path for record in records])
-    for path in dict.fromkeys([*bodies, *tables, *used, *picture_files(content)]):
+    for path in dict.fromkeys([*bodies, *tables, *used, *hazard_files(content), *picture_files(content)]):
         yield Input(relative_path(path, project.folder), file_sha256(path))
 
 

@@ -27,6 +27,7 @@ check: .venv/installed     ## style, types, direction of imports
 
 bench: .venv/installed     ## speed, as ratios measured in one run; then studies, and properties over many more cases
 	$(BIN)/python tests/benchmarks/bench_dynamics.py
+	$(BIN)/python -m tests.benchmarks.bench_fragility
 	$(BIN)/python -m tests.benchmarks.bench_growth
 	$(BIN)/python tests/benchmarks/bench_interfaces.py
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py

@@ -3,8 +3,8 @@
 Intervals are basic ones of the logarithms, 2 ln e - q, with e the estimate, q the quantiles of the draws (Davison and
 Hinkley 1997, "Bootstrap Methods and their Application", eq. 5.6; clusters drawn whole as in section 3.8). The quantiles
 are those that make a mean's interval as wide as Student's with events less one degrees of freedom (Hesterberg 2015, The
-American Statistician 69(4), 371-386, section 3.2). Percentile and BCa intervals of dispersion cover the truth in 70 to
-88 % of trials with 10 to 40 events, as maximum likelihood finds it too small; these do in 92 to 95 %.
+American Statistician 69(4), 371-386, section 3.2). Percentile and BCa intervals of dispersion cover the truth in 69 to
+91 % of trials with 10 to 40 events, as maximum likelihood finds it too small; these do in 94 to 97 %.
 """
 
 from __future__ import annotations
@@ -171,6 +171,19 @@ def event_counts(event: Sequence[str], *, seed: int, draws: int = DRAWS) -> Floa
     generator = np.random.Generator(np.random.PCG64(seed))
     times = generator.multinomial(events, np.full(events, 1.0 / events), size=draws)
     return times[:, index].astype(np.float64)
+
+
+def basic_interval(draws: FloatArray, estimate: float, *, events: int, confidence: float = 0.95) -> tuple[float, float]:
+    """Return the interval of a positive number, of at least three events.
+
+    Parameters
+    ----------
+    draws : of the number [draws]
+    estimate : of all records
+    events : how many earthquakes are drawn
+    confidence : of the interval [-]
+    """
+    return _basic(draws, estimate, _tail(events, confidence))
 
 
 def _tail(events: int, confidence: float) -> float:

@@ -101,10 +101,10 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
     low, high = say("from"), say("to")
     columns = (
         STATE,
-        *(Column(label, dimension, FIGURES) for label in (FIVE.label, low, high, HALF.label, low, high)),
+        *(Column(label, dimension, FIGURES) for label in (say("5 %"), low, high, say("50 %"), low, high)),
         *(Column(label, "ratio", 2) for label in (DISPERSION.label, low, high)),
         Column(say("Bound, median"), dimension, FIGURES),
-        Column(say("Records")),
+        Column(Verbatim("n")),
         Column(say("Not reached")),
     )
     found = curves_by(mechanism, measure)
@@ -119,8 +119,9 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
         for curve in found
     )
     caption = say(
-        "Lognormal curves by {measure}, with 95 % intervals (from, to) by bootstrap of the earthquakes. Bound: of the "
-        "first intensity that reaches the state. Not reached: records that do not reach it at their largest scale.",
+        "Lognormal curves by {measure}: where 5 % and 50 % of n records reach the state, with 95 % intervals "
+        "(from, to) by bootstrap of the earthquakes. Bound: of the first intensity that reaches it. Not reached: records that do "
+        "not reach it at their largest scale.",
         measure=say("no measure") if measure is None else measure_text(measure),
     )
     return Table(name, caption, columns, rows, small=True)

@@ -120,8 +120,8 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
     )
     caption = say(
         "Lognormal curves by {measure}: where 5 % and 50 % of n records reach the state, with 95 % intervals "
-        "(from, to) by bootstrap of the earthquakes. Bound: of the first intensity that reaches it. Not reached: records that do "
-        "not reach it at their largest scale.",
+        "(from, to) by bootstrap of the earthquakes. Bound: of the first intensity that reaches it. Not reached: "
+        "records that do not reach it at their largest scale.",
         measure=say("no measure") if measure is None else measure_text(measure),
     )
     return Table(name, caption, columns, rows, small=True)

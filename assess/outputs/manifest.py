@@ -15,7 +15,7 @@ from typing import Any
 from assess.outputs.digest import digest
 
 MANIFEST = ".assess-manifest.json"
-RESULTS, ENVELOPES, RECORDS = "results.json", "envelopes.json", "records"
+RESULTS, ENVELOPES, FRAGILITY, RECORDS = "results.json", "envelopes.json", "fragility.json", "records"
 """The sets of files, named after their results: each command replaces and removes files of its own set only."""
 _EARLIER = {".assess-outputs": RESULTS, ".assess-envelopes": ENVELOPES}  # lists of names alone
 _SLACK = 60.0  # s by which an output may be younger than such a list

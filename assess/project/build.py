@@ -22,6 +22,7 @@ from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
 from assess.project.file_digests import file_sha256
+from assess.project.fragility import fragility_question, hazard_files
 from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
 from assess.project.horizontal_records import horizontal_records, vertical_record_messages
 from assess.project.key_text import value_text
@@ -100,6 +101,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
+        fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
@@ -276,7 +278,7 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
     used = record_files(content.records, [project.folder / record.path for record in records])
-    for path in dict.fromkeys([*bodies, *tables, *used, *picture_files(content)]):
+    for path in dict.fromkeys([*bodies, *tables, *used, *hazard_files(content), *picture_files(content)]):
         yield Input(relative_path(path, project.folder), file_sha256(path))
 
 

@@ -14,6 +14,7 @@ from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
+from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
 from records.fingerprints import TargetMark
@@ -119,6 +120,7 @@ class Study:
     survey : returns the surveyed numbers of a mechanism by its name
     variables : numbers that the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None if none are requested
+    fragility : what `assess fragility` asks
     report : what the report states besides the analysis
     """
 
@@ -153,6 +155,7 @@ class Study:
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
+    fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
     report: ReportMatter = NO_MATTER
 
 

@@ -45,7 +45,8 @@ def report(
     from assess.outputs.manifest import FRAGILITY
 
     if results.name == FRAGILITY:
-        return rewrite_fragility(results, output or results.parent, png=png, language=language)
+        rewrite_fragility(results, output or results.parent, png=png, language=language)
+        return
     from assess.outputs.found_results import open_results
 
     read = open_results(results, tell=print_message)
@@ -84,7 +85,6 @@ def report(
         for copy in copied:
             (stage / copy).write_bytes(read.path.read_bytes())
     print(folder / pdf.relative_to(stage))
-    return None
 
 
 def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:

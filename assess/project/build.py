@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -12,10 +12,14 @@ import numpy as np
 
 from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError, locate_errors
+from assess.geometry.affine import scale_density
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, locate
-from assess.model.weakest import mechanism_in_direction
+from assess.model.assembly import Built
+from assess.model.body import Bodies
+from assess.model.definitions import Definition
+from assess.model.weakest import mechanism_as_given, mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
@@ -34,6 +38,7 @@ from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.study_messages import project_messages
 from assess.project.survey import survey_of
+from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
@@ -46,6 +51,7 @@ from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
 
+Builder = Callable[[str, Definition, Bodies], Built]
 CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 
@@ -106,6 +112,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
             *project.messages,
+            *uncertainty_messages(project),
             *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
             *project_messages(content, solids, study),
             *messages,
@@ -116,16 +123,22 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         ),
         survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
+        sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
     )
 
 
-def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
-    """Build the study of some mechanisms of a project, without messages about its file."""
+def part_of(
+    content: sections.Content, files: Files, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
+) -> Study:
+    """Build the study of some mechanisms of a project, without messages about its file.
+
+    built_by : builds a mechanism; `mechanism_as_given` where direction and sides are settled
+    """
     site, building, synthetic = site_in(content), content.building, content.records.made
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
-    built = {name: mechanism_in_direction(name, definitions[name], bodies) for name in chosen}
+    built = {name: built_by(name, definitions[name], bodies) for name in chosen}
     in_place = {
         name: MechanismInPlace(
             name=name,
@@ -193,9 +206,22 @@ def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[st
 def alone(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
 ) -> Study:
-    """Build the study of one mechanism from other content of the project, with some of its bodies replaced."""
+    """Build the study of one mechanism from other content of the project, with some of its bodies replaced.
+
+    Its direction and sides stand in the content.
+    """
+    return cases_of(content, project=project, files=files).build(name, replaced)
+
+
+def cases_of(content: sections.Content, *, project: Project, files: Files) -> Cases:
+    """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
     known = reread(content, project, files)
-    return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
+
+    def case(name: str, replaced: Mapping[str, Solid]) -> Study:
+        solids = {**known.solids, **replaced}
+        return part_of(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
+
+    return Cases(known.solids, case)
 
 
 def reread(content: sections.Content, project: Project, files: Files) -> Files:
@@ -204,8 +230,8 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
     models = models_of(changed, known=files.models)
     solids = {
-        name: solid_of(name, body, content.materials, models) if name in changed else files.solids[name]
-        for name, body in content.bodies.items()
+        name: solid_in_case(name, content, whole, models, files.solids) if name in changed else files.solids[name]
+        for name in content.bodies
     }
     site = site_in(content)
     spectrum = files.spectrum if site is None or site == site_in(whole) else spectrum_of(site)
@@ -215,6 +241,17 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
         raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
     records = files.named if same else all_records(content.records, project.folder, spectrum)[0]
     return Files(models, solids, spectrum, records)
+
+
+def solid_in_case(
+    name: str, case: sections.Content, whole: sections.Content, models: Models, solids: Mapping[str, Solid | None]
+) -> Solid | None:
+    """Return the solid of a body that a case changes; a mesh of another density only is not put together again."""
+    body, known = case.bodies[name], solids[name]
+    if known is None or body != whole.bodies[name] or not isinstance(body, sections.MeshBody):
+        return solid_of(name, body, case.materials, models)
+    before, after = (content.materials[body.material].density for content in (whole, case))
+    return scale_density(known, after / before)
 
 
 def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:

@@ -101,7 +101,8 @@ SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 Count = Annotated[StrictInt, Field(ge=1)]
 
 
-def _a_point(value: Any) -> Any:
+def a_point(value: Any) -> Any:
+    """Return what has the form of a point; raise ValueError else."""
     if isinstance(value, list | tuple) and len(value) in (2, 3):
         return value
     raise ValueError("not a point; write [x, y, z], or [distance along the direction, elevation]")
@@ -117,7 +118,7 @@ def _a_direction(value: Any) -> Any:
 
 AnyDirection = Annotated[tuple[Ratio, ...], BeforeValidator(_a_direction), Field(min_length=2, max_length=3)]
 
-Point = Annotated[tuple[Coordinate, ...], BeforeValidator(_a_point), Field(min_length=2, max_length=3)]
+Point = Annotated[tuple[Coordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
 
 
 def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:

@@ -110,6 +110,9 @@ def _name_faults(results: r.Results) -> Iterator[str]:
         "sensitivity": [row.mechanism for row in results.sensitivity],
         "report.checklist": [name for item in results.report.checklist for name in item.mechanisms],
         "controls": [row.mechanism for row in results.controls],
+        "uncertainty.answers": []
+        if results.uncertainty is None
+        else [row.mechanism for row in results.uncertainty.answers],
     }
     for where, used in used_in.items():
         for place, name in enumerate(used):

@@ -59,7 +59,8 @@ def ends(x: FloatArray, there: BoolArray) -> tuple[FloatArray, FloatArray]:
     x : variable of each group [k]
     there : which groups count [draws, k]
     """
-    return np.where(there, x, np.inf).min(axis=1), np.where(there, x, -np.inf).max(axis=1)
+    least = np.where(there, x, np.inf).min(axis=1, initial=np.inf)
+    return least, np.where(there, x, -np.inf).max(axis=1, initial=-np.inf)
 
 
 class _Counts:

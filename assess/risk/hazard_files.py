@@ -34,7 +34,7 @@ YEARS = {"1/year", "1/yr", "1/y", "1/a", "year^-1"}
 PERIODS = {"year", "years", "yr", "a"}
 EARTH_RADIUS = 6371.0  # km
 EXAMPLE = "pga [g], annual_rate [1/year]"
-IMT = r"([A-Za-z][A-Za-z0-9_]*(?:\([^)]*\))?)"
+IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,9 +80,7 @@ def read_hazard(path: Path, *, longitude: float | None = None, latitude: float |
         return _plain(path)
     except OSError as error:
         raise HazardError(f"{path}: the file cannot be read: {error.strerror}") from None
-    except ColumnError as error:
-        raise HazardError(str(error)) from None
-    except HazardError as error:
+    except (ColumnError, HazardError) as error:
         raise HazardError(str(error) if str(error).startswith(str(path)) else f"{path}: {error}") from None
 
 

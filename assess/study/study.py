@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -14,6 +14,7 @@ from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
+from assess.results.uncertainty import UncertainInput
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
@@ -122,6 +123,7 @@ class Study:
     pulses : of the overturning envelopes; None if none are requested
     fragility : what `assess fragility` asks
     report : what the report states besides the analysis
+    sampling : how its uncertain numbers are sampled; None if that is not requested
     """
 
     spectrum: Spectrum | None
@@ -157,6 +159,7 @@ class Study:
     variables: tuple[Variable | Unvaried, ...] = ()
     fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
     report: ReportMatter = NO_MATTER
+    sampling: Sampling | None = None
 
 
 @dataclass(frozen=True)
@@ -199,6 +202,45 @@ class Variable:
     high: float
     study_at: Callable[[float], Study]
     remark: str = ""
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """An uncertain number of the project.
+
+    given : its mean, scatter and group; least, most : physical limits of its values over the mean [-]
+    mechanisms : those that it can change
+    """
+
+    given: UncertainInput
+    least: float
+    most: float
+    mechanisms: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """How often a study is repeated with other values of its uncertain numbers.
+
+    samples : a power of two; seed : of the Sobol sequence
+    study_at : returns, for a value of each number in their order, what builds the study of one mechanism by its name
+    notes : on what does not vary
+    """
+
+    samples: int
+    seed: int
+    numbers: tuple[Sampled, ...]
+    study_at: Callable[[Sequence[float]], Callable[[str], Study]]
+    notes: tuple[Message, ...] = ()
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """The names of what varies together, in the order of the numbers."""
+        return tuple(dict.fromkeys(number.given.group for number in self.numbers))
+
+    def groups_of(self, mechanism: str) -> tuple[str, ...]:
+        """Return the groups with a number that can change a mechanism."""
+        return tuple(dict.fromkeys(each.given.group for each in self.numbers if mechanism in each.mechanisms))
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,7 @@ HEADINGS: Mapping[Kind, str] = {
     "parameter": "rocking parameters (SI)",
     "sweep": "parametric studies",
     "sensitivity": "sensitivity",
+    "uncertainty": "uncertainty",
     "other": "other blocks of results.json that differ",
     "suite": "suite of records",
     "site": "site",

@@ -29,6 +29,7 @@ from assess.project.sections.spectra import (
     Spectrum,
     TableSpectrum,
 )
+from assess.project.sections.uncertainty import Uncertainty
 from assess.project.sections.verdict import VerdictSection
 
 __all__ = [
@@ -76,6 +77,7 @@ __all__ = [
     "TableSpectrum",
     "TieLoad",
     "TwoBlock",
+    "Uncertainty",
     "VerdictSection",
     "measure_of",
 ]

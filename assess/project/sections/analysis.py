@@ -29,6 +29,7 @@ from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import Asked
 from assess.project.sections.sweeps import Sweep, Sweeps
+from assess.project.sections.uncertainty import Uncertainty
 
 
 class Synthetic(Section):
@@ -114,6 +115,8 @@ class Analysis(Section):
     """a table [analysis.fragility] for `assess fragility`: { measures, states, method, samples, seed, … }"""
     risk: Risk | None = None
     """a table [analysis.risk] for `assess fragility`: the hazard of the site, { hazard | curve, site, target }"""
+    uncertainty: Uncertainty | None = None
+    """{ samples, seed, thickness }: how the answers spread when the numbers given as { mean, cov } vary together"""
 
     @property
     def sweeps(self) -> tuple[Sweep, ...]:

@@ -15,7 +15,7 @@ from assess.results.diff.inputs import inputs, program, project, site, warnings
 from assess.results.diff.mechanisms import envelopes, histories, mechanisms, parameters
 from assess.results.diff.others import others
 from assess.results.diff.suites import suites
-from assess.results.diff.variations import sensitivities, sweeps
+from assess.results.diff.variations import sensitivities, sweeps, uncertainties
 from assess.results.run import Results
 
 __all__ = ["COMPARED", "KINDS", "Change", "Kind", "changes", "is_number", "same"]
@@ -30,6 +30,7 @@ COMPARED: tuple[Callable[[Results, Results], Iterator[Change]], ...] = (
     parameters,
     sweeps,
     sensitivities,
+    uncertainties,
     suites,
     site,
     project,

@@ -2,7 +2,8 @@
 
 Source: pelicun 3, "Damage and loss model database files": columns ID, Incomplete, Demand-Type, Demand-Unit,
 Demand-Offset, Demand-Directional and, for each limit state, Family, Theta_0 (median), Theta_1 (dispersion) and
-DamageStateWeights.
+DamageStateWeights. Demand-Directional is 1: with 0 pelicun takes the larger of two directions times 1.2, as for demands
+of FEMA P-58 that have none.
 """
 
 from __future__ import annotations
@@ -64,7 +65,7 @@ def _header(states: int) -> list[str]:
 
 
 def _row(curve: ExportedCurve, demand: str, states: int, name: str) -> list[Cell]:
-    row: list[Cell] = [name, 0, demand, UNITS[curve.unit], 0, 0]
+    row: list[Cell] = [name, 0, demand, UNITS[curve.unit], 0, 1]
     for state in curve.states:
         if state.lognormal is not None:
             row += ["lognormal", float(state.lognormal.median), float(state.lognormal.dispersion), None]

@@ -18,6 +18,7 @@ from assess.results.uncertainty import UncertainInput
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
+from records.compliance.making import CodeName
 from records.fingerprints import TargetMark
 from records.pulses import Shape
 from records.record import Record
@@ -50,7 +51,7 @@ class GivenFactors:
     factors: tuple[tuple[str, float], ...]
     target: TargetMark
     lock: str = ""
-    code: str = ""
+    code: CodeName | Literal[""] = ""
 
 
 @dataclass(frozen=True)

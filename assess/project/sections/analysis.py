@@ -91,6 +91,8 @@ class Records(Section):
             raise wrong("files", f'{folders[0]} is a folder; add `select`, or write a pattern like "records/*.AT2"')
         if self.select is not None and not self.files:
             raise wrong("select", "there are no files to choose from; add files")
+        if self.select is not None and self.select.code is not None and self.synthetic is not None:
+            raise wrong("synthetic", "beside select.for, which makes a suite of recorded motions; remove one of them")
         return self
 
 

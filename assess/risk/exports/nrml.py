@@ -14,6 +14,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
+from assess.risk.empirical import Empirical
 from assess.risk.exports.curve import Export, ExportedCurve, ExportedState, LeftOut
 from spectra.arrays import FloatArray
 
@@ -21,6 +22,7 @@ Format = Literal["continuous", "discrete"]
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 WIDTH = 4.0  # standard deviations beyond the outermost medians to which a continuous function reaches
 SLIGHT = 1e-3  # of the first intensity: where discrete functions begin that are above zero there
+CROSSING = 1e-3  # of probability: curves that cross in their far tails do not count
 CM = 100.0  # in a metre: OpenQuake's PGV is in cm/s
 
 
@@ -91,7 +93,7 @@ def _crossing(curve: ExportedCurve, format: Format) -> ExportedState | None:
     before = np.ones_like(at)
     for state in curve.states:
         here = state.lognormal.probability(at) if format == "continuous" and state.lognormal else _shares(state, at)
-        if (here > before + 1e-9).any():
+        if (here > before + CROSSING).any():
             return state
         before = here
     return None
@@ -135,7 +137,7 @@ def _intensities(curve: ExportedCurve) -> FloatArray:
 
 
 def _shares(state: ExportedState, at: FloatArray) -> FloatArray:
-    return np.asarray(np.interp(at, state.intensity, state.share))
+    return Empirical(state.intensity, state.share).probability(at)
 
 
 def _factor(curve: ExportedCurve) -> float:

@@ -157,3 +157,7 @@ def test_plain_table_has_every_digit():
     assert float(rows[-1]["median"]) == 0.1 + 0.2
     assert float(rows[-1]["dispersion"]) == 1 / 3
     assert [int(row["reached"]) for row in rows[6:11]] == [0, 0, 1, 3, 2]
+
+
+def test_curves_that_cross_in_their_far_tails_are_not_told():
+    assert nrml_text([curve(severe=Lognormal(0.6, 0.5))], format="continuous").left_out == ()

@@ -21,6 +21,7 @@ from assess.errors import ProjectError
 from assess.project.file_digests import file_sha256
 from assess.project.key_text import error_line, escape_text
 from assess.project.section import Section
+from records.compliance.making import CodeName
 
 NAME = "records.lock.toml"
 AGAIN = "run `assess records select --lock` again"
@@ -61,7 +62,7 @@ class LockedChoice(Section):
     """range over which the records are compared with the target"""
     weights: tuple[tuple[Positive, NotNegative], ...] = ()
     """of periods, if they are not equal"""
-    code: StrictStr | None = Field(default=None, alias="for")
+    code: CodeName | None = Field(default=None, alias="for")
     """code whose rules the suite was made to meet"""
     fit: Literal["suite", "each"] | None = None
     """what fits best: the mean of the "suite", or "each" record"""

@@ -23,13 +23,17 @@ from assess.project.suite_lock import NAME
 from assess.results import GroundMotionResult, RecordResult
 from assess.study import record_set
 from assess.study.ground_motion import ground_motion, ground_motion_result
-from assess.study.motions import ScaledRecord, motions_of, scale_together
+from assess.study.motions import ScaledRecord, apply_given_factors, motions_of, scale_together
+from assess.study.periods import ABOVE, BELOW
 from assess.study.run import require_spectrum
 from assess.study.site_results import record_result
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import made_band
 from records.band import band, truncate_band
 from records.candidates import PERIODS
+from records.code_suites import Target, band_for, select_for
+from records.compliance.making import MAKING, CodeName
+from records.compliance.registry import REQUIREMENTS
 from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with
 from records.scaling import Scaling, misfit, scale_to_ordinate
@@ -53,7 +57,7 @@ class Suite:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What the command line asks of a suite, in its units; spans: of the filters by name."""
+    """What the command line asks of a suite, in its units; spans: of the filters by name; code: whose rules to meet."""
 
     count: int
     periods: Range
@@ -64,6 +68,7 @@ class Wanted:
     one_per_event: bool
     spans: Mapping[str, Range | None]
     events: tuple[str, ...]
+    code: str | None = None
 
 
 def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
@@ -197,10 +202,23 @@ def of_target(
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
     offer = record_set.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
-    found = select(offer.candidates, spectrum, criteria)
-    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
-    motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
-    motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
+    if wanted.code is None:
+        found, own = select(offer.candidates, spectrum, criteria), {}
+        chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
+        motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
+    else:
+        code: CodeName = _one_of("for", wanted.code, CodeName)
+        making = MAKING[code]
+        low, high = truncate_band(criteria.band, spectrum.longest_period).ends
+        goal = Target(spectrum, spectrum, low / BELOW, high / ABOVE)
+        criteria = replace(criteria, band=band_for(making, goal))
+        own = dict.fromkeys(REQUIREMENTS, (goal.shortest, goal.longest))
+        found = select_for(offer.candidates, making, goal, criteria, read=record_set.read_candidate)
+        chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
+        chosen = record_set.with_given_factors(chosen, found, spectrum, code=code)
+        assert chosen.fitting.given is not None
+        motions = apply_given_factors(chosen.records, spectrum, chosen.fitting.given, band=criteria.band)
+    motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={}, own=own)
     messages = (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records))
     suite = Suite(results_of(motions, spectrum, chosen.fitting), motion, messages)
     return Selected(suite, motions, spectrum, chosen.fitting, criteria.scale_to)

@@ -17,6 +17,7 @@ from assess.study.site_results import display_periods
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import RULES
 from records.band import Band, truncate_band
+from records.compliance.making import MAKING
 from records.compliance.registry import all_requirements
 from records.compliance.requirement import Requirement
 from records.compliance.suite import DAMPING, suite_of
@@ -105,7 +106,7 @@ def ground_motion_result(
         selection=None if fitting.selection is None else selection_result(fitting.selection),
         requirements=requirements_of(motions, spectrum, shortest, longest, own),
         lock="" if given is None else given.lock,
-        made_for="" if given is None else given.code,
+        made_for=MAKING[given.code].code if given is not None and given.code else "",
     )
 
 
@@ -118,6 +119,8 @@ def source_of(study: Study) -> str:
     given = study.resolved.get("records.select.periods")
     if given is not None and given.given:
         return "given"
+    if study.fitting.given is not None:
+        return "the range of the code whose rules the suite was made to meet"
     return FITTED_OVER
 
 

@@ -38,7 +38,8 @@ def sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
         source=Term(motion.source),
         misfit=quantity(motion.misfit),
     )
-    lock = (suite.lock_sentence(motion.lock),) if motion.lock else ()
+    made = (suite.made_for_sentence(motion.made_for),) if motion.made_for else ()
+    lock = (*made, *((suite.lock_sentence(motion.lock),) if motion.lock else ()))
     chosen = motion.selection
     if chosen is None:
         return (over, *lock)

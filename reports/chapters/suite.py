@@ -99,6 +99,15 @@ def sentences(results: Results) -> Iterator[Text]:
         yield from _compliance(rules)
 
 
+def made_for_sentence(code: str) -> Text:
+    """Say whose rules the suite was made to meet."""
+    return say(
+        "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records, "
+        "their factors, and records that break a rule by themselves were changed for it.",
+        code=Verbatim(code),
+    )
+
+
 def lock_sentence(file: str) -> Text:
     """Say that the suite is locked."""
     return say(

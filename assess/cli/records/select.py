@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from assess.project.suites import Suite
 
 OWN = ("places", "jobs", "as_json", "as_csv", "output", "target", "lock")
+OPTIONS = {"code": "for"}
+"""Options that are not named after their argument."""
 Span = tuple[float, float] | None
 
 
@@ -45,6 +47,14 @@ def select(
     components: Annotated[
         str, typer.Option(help='Use components separately ("single"), or those of a recording "together".')
     ] = "single",
+    code: Annotated[
+        str | None,
+        typer.Option(
+            "--for",
+            metavar="CODE",
+            help="Meet the rules of asce7-16, asce43-05, ec8, ntc2018 or nzs1170.5; --periods are 0.2 to 1.2 T.",
+        ),
+    ] = None,
     scale_to: Annotated[str, typer.Option(help='Scale each record to "spectrum", "pga" or "none".')] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
@@ -97,7 +107,7 @@ def select(
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
-        wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
+        wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events, code)
         overrides = HeaderOverrides(unit, step, response)
         with process_pool(jobs) as executor:
             selected = of_target(
@@ -111,7 +121,7 @@ def select(
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:
     """Raise BadParameter for options or several places without a target; a project has its own criteria."""
-    given = [name for name in context.params if name not in OWN and _is_given(context, name)]
+    given = [OPTIONS.get(name, name) for name in context.params if name not in OWN and _is_given(context, name)]
     if target is None and (given or len(places) != 1):
         what = f"--{given[0].replace('_', '-')}" if given else "several places"
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")

@@ -1,6 +1,7 @@
 """`assess records select --lock` and [records] lock: the same suite whatever becomes of the mechanisms, or an error."""
 
 import hashlib
+import json
 import re
 from pathlib import Path
 
@@ -13,14 +14,18 @@ from assess.project.suite_lock import NAME, is_sealed
 from assess.results import Results
 from assess.results.diff import changes
 from assess.results.json import dumps, loads
+from assess.study.motions import motions_of
 from assess.study.run import run
+from assess.study.suite_faults import suite_faults
 from records.record import make_record
 from records.writing import at2_text
+from reports.chapters import annex_suite
 from reports.chapters.suite import sentences
 from tests.support.command import ended
 from tests.support.letters import letters
 from tests.support.projects import ASCE7, Table, published, study_of, tables_toml
 
+PEER = Path(__file__).resolve().parents[5] / "shared" / "records" / "peer_at2"
 SELECT = 'files = ["motions/*.AT2"]\nselect = { count = 3, scale_limits = [0.001, 1000.0] }\nfactor = 1.1'
 LOCKED = f'lock = "{NAME}"\n{SELECT}'
 SLOW, QUICK, SLUGGISH = published(), published(3.36, 0.34, 0.62), published(0.9, 0.14, 9.0)
@@ -212,3 +217,68 @@ def test_the_command_writes_beside_the_target_and_the_report_tells(
     assert "The suite is locked" in capsys.readouterr().out
     (folder / NAME).write_text("mine")
     assert ended("records", "select", "--target", folder, folder / "motions", *limits, "--lock") == 2
+
+
+FOR = 'files = ["motions/*.AT2"]\nselect = { for = "%s", count = 5, scale_limits = [0.001, 1000.0] }'
+
+
+@pytest.mark.parametrize("code", ["asce43-05", "ec8"])
+def test_a_suite_made_for_a_code_meets_it_and_keeps_its_factors_in_a_lock(folder: Path, code: str) -> None:
+    found = results_of(folder, FOR % code)
+    motion = found.ground_motion
+    assert motion is not None
+    rules = [one for one in motion.requirements if one.code == motion.made_for]
+    assert rules
+    assert {one.verdict for one in rules} == {"met"}
+    assert motion.selection is not None
+    assert motion.selection.misfit == pytest.approx(motion.misfit, rel=1e-9)
+    assert "The suite was made to meet the rules of" in letters(annex_suite.sentences(motion)[-1])
+    lock(folder, FOR % code)
+    after = results_of(folder, f'lock = "{NAME}"\n{FOR % code}', slow=SLOW, quick=SLUGGISH)
+    assert [one.scale_factor for one in after.records] == [one.scale_factor for one in found.records]
+    assert after.ground_motion is not None
+    assert after.ground_motion.made_for == motion.made_for
+
+
+def test_a_suite_that_no_code_accepts_and_artificial_records_beside_it_are_errors(folder: Path) -> None:
+    with pytest.raises(
+        ProjectError, match=r"records\.select: no suite meets ASCE 7-16: 11 records wanted; there are 8"
+    ):
+        study_of(folder, project(FOR % "asce7-16"))
+    with pytest.raises(ProjectError, match=r"records\.synthetic: .*recorded motions; remove one"):
+        study_of(folder, project(FOR % "ec8" + "\nsynthetic = { count = 2 }"))
+    with pytest.raises(ProjectError, match=r"records\.select\.for: "):
+        study_of(folder, project(FOR % "ec9"))
+
+
+def test_the_command_makes_a_suite_for_a_code(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "project.toml").write_text(project(SELECT))
+    asked = ("records", "select", "--target", folder, folder / "motions", "--scale-limits", 0.001, 1000)
+    assert ended(*asked, "--for", "ec8", "--count", 3, "--json", "--lock") == 0
+    found = json.loads(capsys.readouterr().out)["ground_motion"]
+    rules = [one["verdict"] for one in found["requirements"] if one["code"] == found["made_for"] == "EN 1998-1:2004"]
+    assert rules == ["met"] * 3
+    assert 'for = "ec8"' in (folder / NAME).read_text()
+    assert results_of(folder, LOCKED).records
+    assert ended(*asked, "--for", "ec9") == 2
+    assert ended("records", "select", folder, "--for", "ec8") == 2
+    assert "--for needs --target" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there")
+def test_a_suite_made_for_ntc_2018_has_no_fault_at_the_limit_state_that_decides(tmp_path: Path) -> None:
+    """SLC decides, whose PGA and periods are not those of the site's own SLV."""
+    hazard = [
+        {"return_period": years, "a_g": f"{a} g", "f_0": 2.45, "t_c_star": "0.3 s"}
+        for years, a in ((30, 0.05), (475, 0.15), (975, 0.2), (2475, 0.28))
+    ]
+    spectrum = {"code": "ntc2018", "soil": "A", "nominal_life": 50, "use_class": "II", "hazard": hazard}
+    text = tables_toml(
+        site={"limit_state": "SLV", "spectrum": spectrum},
+        mechanisms={"slow": SLOW, "quick": QUICK},
+        records=f'files = ["{PEER}/*.AT2"]\nselect = {{ for = "ntc2018", count = 7 }}',
+        verdict={"basis": "ntc2018", "limit_state": "SLC", "procedures": ["ntc2018-history"]},
+    )
+    study = study_of(tmp_path, text)
+    assert study.spectrum is not None
+    assert suite_faults(study, study.spectrum, motions_of(study, study.spectrum))["ntc2018"] == ()

@@ -1,8 +1,8 @@
 """Kill `assess batch` many times at random moments, resume it each time, and compare the table with one never killed.
 
 python tests/kill/portfolio.py [KILLS] [SECONDS] [COPIES]: 20 kills if absent, each within SECONDS of the start, 30 if
-absent, of COPIES of the street that is shipped, 15 if absent. Between the first start and the last nothing of the portfolio is removed, so that every kill meets
-what the one before it left. Ends with 1 where a byte differs.
+absent, of COPIES of the example `street`, 15 if absent. Between the first start and the last nothing of the portfolio
+is removed, so that every kill meets what the one before it left. Ends with 1 where a byte differs.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ from assess.portfolio.projects import Task, project_tree
 from assess.portfolio.row import Row
 from assess.portfolio.tasks import Job
 from assess.portfolio.verdict_row import row_of_verdict
-from assess.project.build import build
+from assess.project.build import build, build_to_decide
 from assess.project.schema import Project, load, load_tree
 from assess.results import Results
 from assess.study.decision import find_verdict
@@ -21,10 +21,10 @@ def assess_project(job: Job) -> Row:
     ------
     AssessError, RecordError or SpectrumError : something the user can mend
     """
-    study = build(load_task(job.task))
+    project = load_task(job.task)
     if job.keep == "rows":
-        return row_of_verdict(job, find_verdict(study))
-    results = run(study, jobs=1)
+        return row_of_verdict(job, find_verdict(build_to_decide(project)))
+    results = run(build(project), jobs=1)
     report = _write(job, results)
     return row_of_verdict(job, results.verdict, report=report, results=f"{job.folder.name}/{RESULTS}")
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from assess.portfolio.tasks import Keep
     from assess.project.schema import Project
     from assess.results import Results
+    from assess.results.fragility import FragilityResults
     from assess.study.block import Block
     from assess.study.response import Motion
     from records.pulses import Shape
@@ -272,6 +273,28 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
     loaded = project if isinstance(project, Project) else load(project)
     _check_jobs(jobs, progress)
     return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or silent))
+
+
+def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progress | None = None) -> FragilityResults:
+    """Find how likely each mechanism of a project is to rock and to overturn, and how often where the hazard is known.
+
+    Parameters
+    ----------
+    project : as `load` reads it, or the path of its file
+    jobs : threads, 0 for all cores; the results do not depend on it
+    progress : is called with (stage, done, total)
+
+    Raises
+    ------
+    AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
+    """
+    from assess.project.build import build
+    from assess.project.schema import Project
+    from assess.study.fragility.fragility import run_fragility
+
+    loaded = project if isinstance(project, Project) else load(project)
+    _check_jobs(jobs, progress)
+    return run_fragility(build(loaded), jobs=jobs, progress=progress or silent)
 
 
 def write_report(

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from assess.messages.fragility_texts import FRAGILITY_TEXTS
 from assess.messages.geometry_texts import GEOMETRY_TEXTS
 from assess.messages.record_texts import RECORD_TEXTS
 
 TEXTS: Mapping[str, str] = {
+    **FRAGILITY_TEXTS,
     **GEOMETRY_TEXTS,
     **RECORD_TEXTS,
     # remarks on checks

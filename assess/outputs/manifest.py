@@ -15,7 +15,8 @@ from typing import Any
 from assess.outputs.digest import digest
 
 MANIFEST = ".assess-manifest.json"
-RESULTS, ENVELOPES, RECORDS, PORTFOLIO = "results.json", "envelopes.json", "records", "portfolio"
+RESULTS, ENVELOPES, FRAGILITY = "results.json", "envelopes.json", "fragility.json"
+RECORDS, PORTFOLIO = "records", "portfolio"
 """The sets of files, named after their results: each command replaces and removes files of its own set only."""
 REPORT = ("report.pdf", "report.html", "tables.xlsx")
 """Files of a report besides its tables and figures."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -25,14 +25,15 @@ from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
-from assess.project.file_digests import file_sha256
+from assess.project.fragility import fragility_question
 from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
 from assess.project.horizontal_records import horizontal_records, vertical_record_messages
+from assess.project.inputs import inputs_of
 from assess.project.key_text import value_text
-from assess.project.locked_records import files_of_lock, lock_messages, locked_records
+from assess.project.locked_records import lock_messages, locked_records
 from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.question import facts_of, question_of
-from assess.project.report_matter import picture_files, report_matter_of
+from assess.project.report_matter import report_matter_of
 from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.study_messages import project_messages
@@ -40,14 +41,11 @@ from assess.project.survey import survey_of
 from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
-from assess.results import Input
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.study.verdict import levels_with_site
-from records.paths import relative_path
 from records.pulses import shape as pulse_shape
-from records.record import Record
 from spectra.spectrum import Spectrum
 
 Builder = Callable[[str, Definition, Bodies], Built]
@@ -80,32 +78,29 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
         return study_of(project, executor=executor)
 
 
+def build_to_decide(project: Project) -> Study:
+    """Build the study of a project as far as its verdict depends on it: without messages, sensitivity and report.
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : as `build`
+    """
+    with locate_errors(str(project.path)):
+        if project.variations:
+            return study_of(project)
+        return deciding_part_of(project)[0]
+
+
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     report = report_matter_of(content, project.folder)
-    site = site_in(content)
-    spectrum = None if site is None else spectrum_of(site)
-    models = models_of(content.bodies, known={})
-    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, messages = all_records(content.records, project.folder, spectrum)
-    study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
-    wanted = content.records.selection
-    if wanted is not None and spectrum is not None:
-        named, messages = record_set.select_records(
-            content.records,
-            wanted,
-            study=study,
-            spectrum=spectrum,
-            folder=project.folder,
-            executor=executor,
-        )
-    files = Files(models, solids, spectrum, named)
+    study, files, messages = deciding_part_of(project, executor=executor)
+    spectrum, solids = files.spectrum, files.solids
     return replace(
         study,
-        records=named.records,
-        fitting=named.fitting,
-        inputs=tuple(inputs_of(project, named.records)),
+        inputs=tuple(inputs_of(project, files.named.records)),
+        fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
@@ -123,6 +118,29 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
         sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
     )
+
+
+def deciding_part_of(project: Project, *, executor: Executor | None = None) -> tuple[Study, Files, tuple[Message, ...]]:
+    """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
+    content = project.content
+    site = site_in(content)
+    spectrum = None if site is None else spectrum_of(site)
+    models = models_of(content.bodies, known={})
+    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
+    named, messages = all_records(content.records, project.folder, spectrum)
+    study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
+    wanted = content.records.selection
+    if wanted is not None and spectrum is not None:
+        named, messages = record_set.select_records(
+            content.records,
+            wanted,
+            study=study,
+            spectrum=spectrum,
+            folder=project.folder,
+            executor=executor,
+        )
+    study = replace(study, records=named.records, fitting=named.fitting)
+    return study, Files(models, solids, spectrum, named), messages
 
 
 def part_of(
@@ -303,23 +321,3 @@ def all_records(
         *vertical_record_messages(found.records),
         *record_messages(found.records),
     )
-
-
-def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
-    """Hash the project file and every file it names; if records are selected or locked, only those used."""
-    yield Input(project.path.name, project.sha256)
-    content = project.content
-    bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
-    table = content.site.spectrum if content.site is not None else None
-    tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
-    used = record_files(content.records, [project.folder / record.path for record in records])
-    for path in dict.fromkeys([*bodies, *tables, *used, *picture_files(content)]):
-        yield Input(relative_path(path, project.folder), file_sha256(path))
-
-
-def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path, ...]:
-    """Return the files that the records come from; paths: those of the records in use."""
-    if section.lock is not None:
-        return files_of_lock(section.lock)
-    beside = [path for path in (section.flatfile, section.response) if path is not None]
-    return (*(section.files if section.selection is None else paths), *beside)

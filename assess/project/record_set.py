@@ -32,14 +32,14 @@ from records.compliance.making import MAKING
 from records.errors import RecordError
 from records.formats.header_overrides import HeaderOverrides
 from records.paths import relative_path
-from records.reading import read_with
+from records.reading import recall_records
 from records.selection import Criteria, Filters, select
 from spectra.spectrum import Spectrum
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
     """Read every record that [records] names; `folder` is that of the project file."""
-    found = [record for path in section.files for record in read_with(path, overrides_of(section))]
+    found = [record for path in section.files for record in recall_records(path, overrides_of(section))]
     records = with_unique_names([replace(one, path=relative_path(Path(one.path), folder)) for one in found])
     return RecordSet(records, Fitting(EVERYWHERE))
 

@@ -118,7 +118,8 @@ def _check_sources(project: Project) -> None:
     """Check that every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
         return
-    keys = [key for key in resolve(project) if not key.startswith("report.sources.")]
+    every = _resolved("", project.content, True, project.folder)
+    keys = [key for key, _ in every if not key.startswith("report.sources.")]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in project.content.report.sources:
         if key not in starts:

@@ -173,6 +173,19 @@ def event_counts(event: Sequence[str], *, seed: int, draws: int = DRAWS) -> Floa
     return times[:, index].astype(np.float64)
 
 
+def basic_interval(draws: FloatArray, estimate: float, *, events: int, confidence: float = 0.95) -> tuple[float, float]:
+    """Return the interval of a positive number, of at least three events.
+
+    Parameters
+    ----------
+    draws : of the number [draws]
+    estimate : of all records
+    events : how many earthquakes are drawn
+    confidence : of the interval [-]
+    """
+    return _basic(draws, estimate, _tail(events, confidence))
+
+
 def _tail(events: int, confidence: float) -> float:
     """Return the probability below the lower quantile of the draws, widened for few events (Hesterberg 2015, 3.2)."""
     t = float(stdtrit(events - 1, 0.5 - 0.5 * confidence))

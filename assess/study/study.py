@@ -15,6 +15,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.results.uncertainty import UncertainInput
+from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
 from records.compliance.making import CodeName
@@ -121,6 +122,7 @@ class Study:
     survey : returns the surveyed numbers of a mechanism by its name
     variables : numbers that the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None if none are requested
+    fragility : what `assess fragility` asks
     report : what the report states besides the analysis
     sampling : how its uncertain numbers are sampled; None if that is not requested
     """
@@ -156,6 +158,7 @@ class Study:
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
+    fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
     report: ReportMatter = NO_MATTER
     sampling: Sampling | None = None
 

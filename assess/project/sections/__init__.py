@@ -8,6 +8,7 @@ from assess.project.sections.analysis import Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody
 from assess.project.sections.content import Content
 from assess.project.sections.cuts import CutAngle, CutPlane
+from assess.project.sections.fragility import Fragility, Risk, measure_of
 from assess.project.sections.hinges import Hinges, RadialJoints
 from assess.project.sections.interfaces import Interface
 from assess.project.sections.italian import FreeElement, Italian
@@ -49,6 +50,7 @@ __all__ = [
     "EquivalentBlock",
     "ForceLoad",
     "FourHinge",
+    "Fragility",
     "FreeElement",
     "Hinges",
     "Interface",
@@ -66,6 +68,7 @@ __all__ = [
     "RadialJoints",
     "Records",
     "Report",
+    "Risk",
     "Select",
     "Sensitivity",
     "SingleBlock",
@@ -76,4 +79,5 @@ __all__ = [
     "TwoBlock",
     "Uncertainty",
     "VerdictSection",
+    "measure_of",
 ]

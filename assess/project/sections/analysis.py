@@ -22,6 +22,7 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section, wrong
+from assess.project.sections.fragility import Fragility, Risk
 from assess.project.sections.italian import Dmi2008, Ntc2018
 from assess.project.sections.procedure_names import Procedure
 from assess.project.sections.pulses import Pulses
@@ -112,6 +113,10 @@ class Analysis(Section):
     """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
     sensitivity: Asked = None
     """true, or { vary, thickness, density, … }: how the verdicts move with numbers that are not well known"""
+    fragility: Fragility | None = None
+    """a table [analysis.fragility] for `assess fragility`: { measures, states, method, samples, seed, … }"""
+    risk: Risk | None = None
+    """a table [analysis.risk] for `assess fragility`: the hazard of the site, { hazard | curve, site, target }"""
     uncertainty: Uncertainty | None = None
     """{ samples, seed, thickness }: how the answers spread when the numbers given as { mean, cov } vary together"""
 

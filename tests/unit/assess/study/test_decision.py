@@ -9,7 +9,7 @@ import pytest
 
 from assess.codes.verdict import Verdict
 from assess.examples import EXAMPLES, copy_example
-from assess.project.build import build
+from assess.project.build import build, build_to_decide
 from assess.project.schema import load
 from assess.study import decision
 from assess.study.decision import find_verdict
@@ -31,8 +31,9 @@ def without_limit(found: Verdict | None) -> Verdict:
 @pytest.mark.study
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_verdict_alone_is_that_of_the_run(name: str, tmp_path: Path) -> None:
-    study = replace(build(load(copy_example(name, tmp_path / name))), sweeps=(), pulses=None, variables=())
-    assert without_limit(find_verdict(study)) == without_limit(run(study).verdict)
+    project = replace(load(copy_example(name, tmp_path / name)), variations=())
+    study = replace(build(project), pulses=None, variables=())
+    assert without_limit(find_verdict(build_to_decide(project))) == without_limit(run(study).verdict)
 
 
 @pytest.mark.parametrize(
@@ -56,8 +57,8 @@ def test_motions_are_made_where_they_decide_alone(
             report={"sources": {"materials.brick.disintegration": "measured: one opening"}},
         )
     )
-    study = build(load(tmp_path))
-    whole, made = run(study).verdict, []
+    project = load(tmp_path)
+    whole, made = run(build(project)).verdict, []
     monkeypatch.setattr(decision, "motions_of", lambda *given, **more: made.append(1) or motions_of(*given, **more))
-    assert find_verdict(study) == whole
+    assert find_verdict(build_to_decide(project)) == whole
     assert bool(made) is asked

@@ -92,6 +92,7 @@ def _compute_together(line: _Line, runner: Runner, opened: Opened, keep: Keeper)
                 given[opened.executor.submit(compute_rows, runner, chunk)] = chunk
             except opened.losses:
                 suspects.extend(chunk)
+        rows: list[tuple[Job, Row]] = []
         for future in _done(given, opened) if given else ():
             chunk = given.pop(future)
             computed = _result(future, opened)
@@ -99,7 +100,9 @@ def _compute_together(line: _Line, runner: Runner, opened: Opened, keep: Keeper)
                 suspects.extend(chunk)
             else:
                 line.learn(computed)
-                keep(tuple(zip(chunk, computed.rows, strict=True)))
+                rows.extend(zip(chunk, computed.rows, strict=True))
+        if rows:
+            keep(rows)  # all at once: each time waits for the disk
     return suspects
 
 

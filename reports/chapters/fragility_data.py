@@ -8,6 +8,7 @@ from assess.results.fragility import (
     FragilityCurve,
     FragilityResults,
     MechanismFragility,
+    RiskResult,
 )
 from reports.chapters import fragility_tables as printed
 from reports.chapters.fragility_words import RATES
@@ -31,6 +32,7 @@ def tables(results: FragilityResults) -> Iterator[Table]:
         _trends(results),
         _islands(results),
         _risks(results),
+        _notes(results),
     )
     yield from (table for table in made if table.rows)
 
@@ -183,6 +185,19 @@ def _islands(results: FragilityResults) -> Table:
         for ends in run.islands
     )
     return Table("fragility-islands", say("Islands of every record."), columns, rows)
+
+
+def _notes(results: FragilityResults) -> Table:
+    columns = (printed.MECHANISM, printed.STATE, printed.MEASURE, Column(say("Remark")))
+    rows: Rows = [
+        (printed.numbered_name(results, each), None, None, note) for each in results.mechanisms for note in each.notes
+    ]
+    for each in results.mechanisms:
+        found: tuple[FragilityCurve | RiskResult, ...] = (*each.curves, *each.risks)
+        for one in found:
+            lead = printed.numbered_name(results, each), state_text(one.state), measure_text(one.measure)
+            rows += [(*lead, note) for note in one.notes]
+    return Table("fragility-remarks", say("Remarks on curves and rates."), columns, tuple(dict.fromkeys(rows)))
 
 
 def _risks(results: FragilityResults) -> Table:

@@ -56,7 +56,7 @@ def _curve(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
     if curve is not None:
         caption = say(
             "Share of the records that bring it to {state}, over {measure}. Points: counted, each with its Wilson "
-            "interval, hollow where records are scaled by more than 4; line: lognormal with its bootstrap band; "
+            "interval, hollow where most records are scaled by more than 4; line: lognormal with its bootstrap band; "
             "dashed, if any: a bound, from the first intensity that reaches the state.",
             state=state_text(curve.state),
             measure=measure_text(curve.measure),
@@ -71,12 +71,13 @@ def _runs(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
     curves = curves_by(mechanism, measure)
     pairs = _with_units(mechanism, measure)
     found = []
-    if pairs and measure is not None:
+    if pairs and curves and measure is not None:
         draw = partial(
             fragility_runs.draw,
             tuple(run for run, _ in pairs),
             tuple(unit for _, unit in pairs),
             measure,
+            reach=max(map(figure.reach, curves)),
             width=HALF if len(curves) > 1 else WIDTH,
         )
         caption = say(
@@ -99,7 +100,7 @@ def _with_units(mechanism: MechanismFragility, measure: MeasureResult | None) ->
 
 def _states(curves: tuple[FragilityCurve, ...], stem: str) -> Figure:
     caption = say(
-        "Share of the records that reach each state: counted (hollow: some scaled by more than 4), lognormal."
+        "Share of the records that reach each state: counted (hollow: most scaled by more than 4), lognormal."
     )
     return Figure(f"{stem}-states", caption, partial(figure.draw_states, curves))
 
@@ -119,23 +120,11 @@ def _risk(results: FragilityResults, mechanism: MechanismFragility, stem: str) -
 
 
 def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
-    """Yield notes on curves and rates, each once; those on curves of other measures say so."""
+    """Yield notes on the mechanism, and on curves and rates by its first measure; the tables have those on others."""
     first = first_measure(mechanism)
-    said: list[Text] = list(distinct(note for curve in curves_by(mechanism, first) for note in curve.notes))
-    for curve in mechanism.curves:
-        if curve.measure != first:
-            said += [
-                say(
-                    "{measure}, {state}: {note}",
-                    measure=measure_text(curve.measure),
-                    state=state_text(curve.state),
-                    note=note,
-                )
-                for note in curve.notes
-                if note not in said
-            ]
-    others = (*mechanism.notes, *(note for risk in mechanism.risks for note in risk.notes))
-    said += [note for note in distinct(others) if note not in said]
-    if said:
+    of_states = [(curve.state, note) for curve in curves_by(mechanism, first) for note in curve.notes]
+    of_states += [(risk.state, note) for risk in mechanism.risks if risk.measure == first for note in risk.notes]
+    said = [say("{state}: {note}", state=state_text(state), note=note) for state, note in dict.fromkeys(of_states)]
+    if mechanism.notes or said:
         yield Prose((say("Remarks on this mechanism:"),))
-        yield Items(tuple(said))
+        yield Items((*distinct(mechanism.notes), *said))

@@ -28,7 +28,6 @@ from reports.measures import (
     main_risk,
     measure_text,
     state_text,
-    states_of,
     unit_intensity,
 )
 
@@ -42,7 +41,7 @@ BEYOND = Column(say("Beyond the hazard"), "annual rate", FIGURES)
 WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", FIGURES)
 RISK = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND)
 SIGNIFICANT = 0.05
-MOST = 10
+MOST = 6
 """Islands on a page; the tables of the spreadsheet have all."""
 
 
@@ -69,6 +68,13 @@ def overview(results: FragilityResults) -> Table:
     return Table("fragility", caption, tuple(columns), rows, small=True)
 
 
+OUTCOMES = {
+    "pass": Graded("pass", say("within the target")),
+    "fail": Graded("fail", say("more than the target")),
+    "incomplete": Graded("incomplete", say("not known: the hazard ends too soon")),
+}
+
+
 def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
     measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
     yield numbered_name(results, mechanism)
@@ -77,11 +83,7 @@ def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Itera
     yield None if risk is None else risk.annual_rate
     yield None if risk is None else PERCENT * risk.probability_50_years
     yield None if risk is None else risk.target_rate
-    yield None if risk is None or risk.target_rate is None else _outcome(within=words.is_within_target(risk))
-
-
-def _outcome(*, within: bool) -> Graded:
-    return Graded("pass", say("within the target")) if within else Graded("fail", say("more than the target"))
+    yield None if risk is None or risk.outcome is None else OUTCOMES[risk.outcome]
 
 
 def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
@@ -101,10 +103,10 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
     low, high = say("from"), say("to")
     columns = (
         STATE,
-        *(Column(label, dimension, FIGURES) for label in (FIVE.label, low, high, HALF.label, low, high)),
+        *(Column(label, dimension, FIGURES) for label in (say("5 %"), low, high, say("50 %"), low, high)),
         *(Column(label, "ratio", 2) for label in (DISPERSION.label, low, high)),
         Column(say("Bound, median"), dimension, FIGURES),
-        Column(say("Records")),
+        Column(Verbatim("n")),
         Column(say("Not reached")),
     )
     found = curves_by(mechanism, measure)
@@ -119,8 +121,9 @@ def curves(mechanism: MechanismFragility, name: str) -> Table:
         for curve in found
     )
     caption = say(
-        "Lognormal curves by {measure}, with 95 % intervals (from, to) by bootstrap of the earthquakes. Bound: of the "
-        "first intensity that reaches the state. Not reached: records that do not reach it at their largest scale.",
+        "Lognormal curves by {measure}: where 5 % and 50 % of n records reach the state, with 95 % intervals "
+        "(from, to) by bootstrap of the earthquakes. Bound: of the first intensity that reaches it. Not reached: "
+        "records that do not reach it at their largest scale.",
         measure=say("no measure") if measure is None else measure_text(measure),
     )
     return Table(name, caption, columns, rows, small=True)
@@ -138,26 +141,26 @@ def lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
 
 
 def comparison(mechanism: MechanismFragility, name: str) -> Table:
-    """Compare the measures by dispersion, and by the trends of what is left."""
-    several = len(states_of(mechanism)) > 1
+    """Compare the measures in the last state by dispersion, and by the trends of what is left."""
+    state = last_state(mechanism)
     columns = (
-        *([STATE] if several else []),
         MEASURE,
         Column(say("Dispersion β"), "ratio", 2),
         *(Column(label) for label in (say("Trend on magnitude"), say("on ln distance"), say("on ln scale factor"))),
     )
-    rows = tuple(_compared(each, several) for each in mechanism.comparison)
+    rows = tuple(_compared(each) for each in mechanism.comparison if each.state == state)
     caption = say(
-        "How well each measure explains the state: the less the dispersion, the better. Trends: slope of what is left, "
-        "with its p-value; significant below 0.05, where the measure misses what the records differ in."
+        "How well each measure explains {state}: the less the dispersion, the better. Trends: slope of what is left, "
+        "with its p-value; significant below 0.05, where the measure misses what the records differ in.",
+        state=say("no state") if state is None else state_text(state),
     )
     return Table(name, caption, columns, rows, small=True)
 
 
-def _compared(each: MeasureComparison, several: bool) -> tuple[Cell, ...]:
+def _compared(each: MeasureComparison) -> tuple[Cell, ...]:
     found = {trend.on: trend for trend in each.trends}
     trends = (trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
-    return (*([state_text(each.state)] if several else []), measure_text(each.measure), each.dispersion, *trends)
+    return measure_text(each.measure), each.dispersion, *trends
 
 
 def trend_text(trend: Trend | None) -> Text | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +18,8 @@ from reports.measures import PERCENT, measure_text, state_text
 from spectra.arrays import FloatArray
 
 CURVE, POINT = "#0072b2", 3.5
-BEYOND = 1.1  # of the highest intensity shown
+BEYOND = 1.1  # of the highest intensity needed
+NEARLY_ALL = 0.97
 SHARE: dict[str, Phrase] = {
     "rocking": say("records that rock"),
     "rotation": say("records that reach the rotation"),
@@ -31,7 +33,7 @@ def draw(curve: FragilityCurve, locale: Locale) -> Figure:
     with report_style():
         figure = sheet(2.7, locale)
         axes = figure.subplots()
-        names = say("counted, with 95 % interval"), say("the same, with records scaled by more than 4")
+        names = say("counted, with 95 % interval"), say("the same, most records scaled by more than 4")
         _points(axes, curve.empirical, INK, "o", (locale.text(names[0]), locale.text(names[1])))
         if curve.lognormal is not None:
             _lognormal(axes, curve, curve.lognormal, locale)
@@ -66,14 +68,14 @@ def draw_states(curves: Sequence[FragilityCurve], locale: Locale) -> Figure:
 def _points(
     axes: Axes, points: Sequence[EmpiricalPoint], colour: str, marker: str, names: tuple[str, str] = ("_", "_")
 ) -> None:
-    """Draw the shares that were counted; hollow where records are scaled by more than 4. names: with intervals."""
+    """Draw the shares that were counted; hollow where most records are scaled by more than 4. names: with intervals."""
     name, hollow_name = names
     if name != "_":
         ends = [[point.intensity] * 2 for point in points], [[PERCENT * p.low, PERCENT * p.high] for p in points]
         for x, y in zip(*ends, strict=True):
             axes.plot(x, y, color=MUTED, linewidth=0.7)
     for hollow in (False, True):
-        some = [point for point in points if bool(point.hollow) == hollow]
+        some = [point for point in points if is_hollow(point) == hollow]
         axes.plot(
             [point.intensity for point in some],
             [PERCENT * point.share for point in some],
@@ -97,18 +99,30 @@ def _lognormal(axes: Axes, curve: FragilityCurve, fitted: LognormalResult, local
             axes.plot([0.0, at, at], [share, share, 0.0], ":", color=CURVE, linewidth=0.8)
 
 
+def is_hollow(point: EmpiricalPoint) -> bool:
+    """Return whether most records of a point are scaled by more than 4."""
+    return 2 * point.hollow > point.records
+
+
 def _frame(axes: Axes, curves: Sequence[FragilityCurve], locale: Locale) -> None:
-    axes.set_xlim(0.0, max(float(_intensities(curve)[-1]) for curve in curves))
+    axes.set_xlim(0.0, max(map(reach, curves)))
     axes.set_ylim(0.0, 103.0)
     measure = curves[0].measure
     axes.set_xlabel(locale.heading(measure_text(measure), measure.dimension))
 
 
+def reach(curve: FragilityCurve) -> float:
+    """Return the intensity up to which a curve is shown: where nearly all records reach the state, or the last run."""
+    points = [point.intensity for point in curve.empirical]
+    needed = [point.intensity for point in curve.empirical if point.share < NEARLY_ALL]
+    if curve.lognormal is not None:
+        needed.append(curve.lognormal.median * float(np.exp(norm.ppf(NEARLY_ALL) * curve.lognormal.dispersion)))
+    return BEYOND * min(max(needed, default=inf), max(points, default=inf)) if needed or points else 1.0
+
+
 def _intensities(curve: FragilityCurve) -> FloatArray:
-    """Return intensities up to a little beyond the last point."""
-    found = [point.intensity for point in curve.empirical]
-    found += [] if curve.lognormal is None or found else [3.0 * curve.lognormal.median]
-    return np.linspace(0.0, BEYOND * max(found, default=1.0), 200)
+    """Return intensities up to the end of the axis."""
+    return np.linspace(0.0, reach(curve), 200)
 
 
 def _shares(fitted: LognormalResult, x: FloatArray) -> FloatArray:

@@ -14,6 +14,7 @@ from reports.language.texts import say
 from reports.measures import PERCENT, measure_text
 
 BARS = "#56b4e9"
+WIDE = 10.0  # last intensity over the first, from which on the axis is logarithmic
 DECADES = 9  # of the axis of rates, at most
 
 
@@ -43,7 +44,7 @@ def draw(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> Figur
         )  # fmt: skip
         below.set_ylabel(locale.heading(say("share of the rate"), "percent"))
         below.set_ylim(bottom=0.0)
-        if edges[0] > 0.0 and edges[-1] / edges[0] > 5.0:
+        if edges[0] > 0.0 and edges[-1] / edges[0] > WIDE:
             below.set_xscale("log")
             number_by_decades(below.xaxis, locale)
         below.set_xlim(edges[0], edges[-1])

@@ -17,11 +17,17 @@ from spectra.arrays import FloatArray
 
 TOP = 1.12  # of the largest rotation that did not overturn, where overturned runs are drawn
 ISLAND = "#e69f00"
-BEYOND = 1.05
+MANY = 30  # records, whose lines are fainter and whose islands are smaller
 
 
 def draw(
-    runs: Sequence[RecordRuns], units: Sequence[float], measure: MeasureResult, locale: Locale, *, width: float = WIDTH
+    runs: Sequence[RecordRuns],
+    units: Sequence[float],
+    measure: MeasureResult,
+    locale: Locale,
+    *,
+    reach: float,
+    width: float = WIDTH,
 ) -> Figure:
     """Draw rotation over that which overturns, over the intensity; overturned runs on a line at the top.
 
@@ -30,6 +36,7 @@ def draw(
     runs : of the records
     units : intensity of each record at scale 1 [unit of the measure]
     measure : of the intensity
+    reach : end of the axis [unit of the measure]
     locale : of the labels
     width : of the figure [in]
     """
@@ -37,18 +44,19 @@ def draw(
         figure = sheet(2.6, locale, width=width)
         axes = figure.subplots()
         top = TOP * max([1.0, *(ratio for run in runs for ratio in run.ratio if ratio is not None)])
+        faint = 0.8 if len(runs) <= MANY else 0.45
         pairs = list(zip(runs, units, strict=True))
         for place, (run, unit) in enumerate(pairs):
             name = locale.text(say("a record")) if place == 0 else "_"
             if len(run.scale) > 1:
-                axes.plot(*_line(run, unit, top), color=MUTED, linewidth=0.5, alpha=0.8, label=name)
+                axes.plot(*_line(run, unit, top), color=MUTED, linewidth=0.4, alpha=faint, label=name)
             else:
                 axes.plot(*_line(run, unit, top), "o", color=MUTED, markersize=2.5, label=name)
         _falls(axes, pairs, top, locale)
         _islands(axes, pairs, locale)
         axes.axhline(1.0, color=FAIL, linewidth=0.7)
         axes.set_ylim(0.0, 1.04 * top)
-        axes.set_xlim(0.0, _reach(pairs))
+        axes.set_xlim(0.0, reach)
         axes.set_yticks([0.0, 0.25, 0.5, 0.75, 1.0, top])
         axes.set_yticklabels([*(locale.number(y) for y in (0.0, 0.25, 0.5, 0.75, 1.0)), locale.text(say("overturned"))])
         axes.set_xlabel(locale.heading(measure_text(measure), measure.dimension))
@@ -61,13 +69,6 @@ def _line(run: RecordRuns, unit: float, top: float) -> tuple[FloatArray, FloatAr
     """Return intensities and rotations of a record, `top` where it overturned."""
     ratio = np.array([top if each is None else each for each in run.ratio])
     return unit * np.array(run.scale), ratio
-
-
-def _reach(pairs: Sequence[tuple[RecordRuns, float]]) -> float:
-    """Return the end of the axis: a little beyond the last run that stands, and the last first overturning."""
-    standing = [s * u for run, u in pairs for s, r in zip(run.scale, run.ratio, strict=True) if r is not None]
-    first = [u * s for run, u in pairs if (s := _first_fall(run)) is not None]
-    return BEYOND * max([*standing, *first], default=1.0)
 
 
 def _first_fall(run: RecordRuns) -> float | None:
@@ -98,7 +99,8 @@ def _islands(axes: Axes, pairs: Sequence[tuple[RecordRuns, float]], locale: Loca
     ]
     if found:
         x, y = zip(*found, strict=True)
+        size = 4 if len(pairs) <= MANY else 2
         axes.plot(
-            x, y, "D", color=INK, markerfacecolor=ISLAND, markersize=4, markeredgewidth=0.6, zorder=4,
+            x, y, "D", color=INK, markerfacecolor=ISLAND, markersize=size, markeredgewidth=0.4, zorder=4,
             label=locale.text(say("island: stands again")),
         )  # fmt: skip

@@ -43,10 +43,8 @@ def nrml_text(curves: Sequence[ExportedCurve], *, format: Format, description: s
     model = ET.SubElement(root, "fragilityModel", id="rocking", assetCategory="buildings", lossCategory="structural")
     ET.SubElement(model, "description").text = printable(description) or "Rocking of masonry mechanisms"
     ET.SubElement(model, "limitStates").text = " ".join(states)
-    names = [each.name for each in inside]
-    for each in inside:
-        taxonomy = each.name if names.count(each.name) == 1 else f"{each.name} {imt_of(each)}"
-        function = ET.SubElement(model, "fragilityFunction", id=printable(taxonomy), format=format)
+    for taxonomy, each in zip(_taxonomies(inside), inside, strict=True):
+        function = ET.SubElement(model, "fragilityFunction", id=taxonomy, format=format)
         (_continuous if format == "continuous" else _discrete)(function, each)
     ET.indent(root)
     return Export(f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n', left_out)
@@ -68,6 +66,17 @@ def word_of(name: str) -> str:
 def printable(text: str) -> str:
     """Return a text without the characters that XML 1.0 has no place for."""
     return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "", text)
+
+
+def _taxonomies(curves: Sequence[ExportedCurve]) -> list[str]:
+    """Return names that differ, without the characters that OpenQuake refuses in them."""
+    names, found = [each.name for each in curves], list[str]()
+    for each in curves:
+        text = each.name if names.count(each.name) == 1 else f"{each.name} {imt_of(each)}"
+        word = re.sub("[#'\"]", "_", printable(text))
+        alike = sum(other == word or other.startswith(f"{word} ..") for other in found)
+        found.append(f"{word} ..{alike + 1}" if alike else word)
+    return found
 
 
 def _choose(curves: Sequence[ExportedCurve], format: Format) -> tuple[list[ExportedCurve], tuple[LeftOut, ...]]:

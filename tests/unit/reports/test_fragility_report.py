@@ -17,7 +17,7 @@ from reports.chapters import fragility_tables, fragility_words
 from reports.document import Document, Figure, Table
 from reports.language.locale import Locale
 from reports.measures import main_curve, main_risk, measure_text
-from reports.render.csv import write_csv
+from reports.writing import write_document
 from tests.languages.test_reports import Listener, texts_in
 from tests.support.document_numbers import is_known, misread, numbers_of, shown_numbers
 from tests.support.fragility_results import (
@@ -30,7 +30,6 @@ from tests.support.fragility_results import (
     without_risk,
 )
 from tests.support.sample_document import HOSTILE
-from tests.support.sample_page import write_page
 
 LOCALES = [Locale("en", "SI"), Locale("en", "US"), Locale("it", "SI"), Locale("it", "US")]
 
@@ -173,10 +172,10 @@ def test_hostile_names_are_inert(results: FragilityResults, tmp_path: Path) -> N
     made = fragility_report(replace(results, title=HOSTILE, mechanisms=(mechanism,), hazard=hazard))
     drawn = {figure.name: figure for figure in made.figures}
     assert all(set(name) <= set("abcdefghijklmnopqrstuvwxyz0123456789-") for name in drawn)
-    page = write_page(made, tmp_path / "page.html").read_text(encoding="utf-8")
-    assert "<script>alert(1)" not in page
-    (tmp_path / "tables").mkdir()
-    for path in write_csv(made, tmp_path / "tables"):
+    assert write_document(made, tmp_path, name="fragility.pdf", jobs=1).read_bytes().startswith(b"%PDF")
+    assert "<script>alert(1)" not in (tmp_path / "fragility.html").read_text(encoding="utf-8")
+    assert {path.name for path in (tmp_path / "figures").iterdir()} == {f"{name}.svg" for name in drawn}
+    for path in (tmp_path / "tables").glob("*.csv"):
         with path.open(encoding="utf-8", newline="") as stream:
             cells = [cell for row in csv.reader(stream) for cell in row]
         assert not [cell for cell in cells if cell.startswith("=")]

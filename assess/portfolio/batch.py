@@ -147,7 +147,7 @@ def _rows_to_keep(
     found = sum(1 for _ in ledger.rows())
     if not order.resume:
         if found:
-            tell(f"{ledger.path}: {found} projects were computed before, and are computed again; --resume keeps them")
+            tell(f"{ledger.path}: has {found} of an earlier run, which are computed again; --resume keeps what is done")
         ledger.clear()
         return {}
     known = _known_rows(jobs, order)

@@ -14,10 +14,11 @@ import pytest
 
 from assess.errors import AssessError, HeldError, OutputError
 from assess.outputs.lock import LOCK, hold_lock
-from assess.portfolio.batch import Order, no_progress
+from assess.portfolio.batch import Order
 from assess.portfolio.executors import processes
 from assess.portfolio.ledger import open_ledger
 from assess.portfolio.shard import Shard
+from assess.results.program import describe_program
 from tests.support.portfolios import assess, table, task
 
 ROOT = Path(__file__).parents[4]
@@ -72,7 +73,7 @@ def test_without_resume_all_is_computed_again_and_that_is_said(tmp_path: Path) -
         assess([task("a", f"count {log}")], Order(tmp_path / "out"), said=said)
     assert log.read_text() == "a\na\n"
     assert len(said) == 1
-    assert "1 projects were computed before" in said[0]
+    assert "has 1 of an earlier run, which are computed again" in said[0]
 
 
 def test_another_version_or_other_outputs_make_rows_old(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -81,11 +82,18 @@ def test_another_version_or_other_outputs_make_rows_old(tmp_path: Path, monkeypa
     tasks = [task("a", f"count {log}")]
     assess(tasks, order)
     assess(tasks, replace(order, keep="report"))
+    program = replace(describe_program(), sha256="another")
     for module in ("batch", "tasks"):
-        program = replace(__import__("assess.results.program", fromlist=["x"]).describe_program(), sha256="another")
-        monkeypatch.setattr(f"assess.portfolio.{module}.describe_program", lambda program=program: program)
+        monkeypatch.setattr(f"assess.portfolio.{module}.describe_program", lambda: program)
     assess(tasks, order)
     assert log.read_text() == "a\n" * 3
+
+
+def test_a_worker_of_another_version_stops_the_batch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = replace(describe_program(), sha256="another")
+    monkeypatch.setattr("assess.portfolio.batch.describe_program", lambda: program)
+    with pytest.raises(AssessError, match="a worker runs another version"):
+        assess([task("a")], Order(tmp_path / "out"))
 
 
 def test_any_text_is_a_key(tmp_path: Path) -> None:
@@ -199,7 +207,3 @@ def _count(place: Path) -> int:
         return len(rows_of(place))
     except OutputError:  # its table is about to be made
         return 0
-
-
-def test_progress_may_be_left_out() -> None:
-    no_progress(1, 2)

@@ -30,7 +30,7 @@ _HEADS = (Column(say("Sheet")), Column(say("In the report")), Column(say("What i
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
-_LONG = 500  # rows; numbers of longer tables have no format of their own
+_LONG = 500  # rows; numbers of longer tables have no format, but where people look for a row
 _MOST_LINKS, _LONGEST_LINK = 60_000, 2_000  # of a sheet, of which Excel opens no more; characters
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
@@ -175,7 +175,7 @@ def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
                 continue
             plain = plain_cell(cell, column, book.locale)
             colours = _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
-            shape = _shape(plain, column) if len(table.rows) <= _LONG else {}
+            shape = _shape(plain, column) if table.sifted or len(table.rows) <= _LONG else {}
             book.write(sheet, start + 2 + place, at, plain, {**colours, **_quoted(plain), **shape})
 
 

@@ -35,6 +35,7 @@ DATA = {
     "assess.portfolio.row",
     "assess.results.program",
     "assess.results.fragility",
+    "assess.results.inputs",
     "assess.codes.bases",
     "assess.codes.basis",
     "assess.codes.check",

@@ -102,6 +102,7 @@ class Study:
     variables : numbers that the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None if none are requested
     report : what the report states besides the analysis
+    scan : whether histories are run at rising PGA for the capacity
     """
 
     spectrum: Spectrum | None
@@ -136,6 +137,7 @@ class Study:
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
     report: ReportMatter = NO_MATTER
+    scan: bool = True
 
 
 @dataclass(frozen=True)

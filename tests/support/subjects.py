@@ -13,9 +13,10 @@ from scipy.constants import g
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
-from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit, Suite
+from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit
 from assess.codes.ntc2018.clauses import free_period
 from assess.codes.registry import CodeOptions, procedure
+from assess.codes.suite import Suite
 from assess.codes.worst_branch import branch_of
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box

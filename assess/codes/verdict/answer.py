@@ -8,11 +8,12 @@ from math import inf, isclose
 
 from assess.codes.basis import Basis, IndexKind, LimitState
 from assess.codes.check import Check, Outcome
+from assess.codes.numerical_spread import is_between
 from assess.codes.verdict.methods import Rank, missing_action, requested_ranks
 from assess.codes.verdict.missing_keys import missing_keys
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question
-from assess.codes.verdict.target import whole
+from assess.codes.verdict.target import FULL, whole
 from assess.messages.message import Message, Term, message
 from assess.short_repr import ShortRepr
 
@@ -194,11 +195,21 @@ def _answered(
 
 
 def is_near(check: Check, index: Index | None, target: float | None, tolerance: float) -> bool:
-    """Return whether an answer is at the limit, within 5 % or within what the survey's tolerance changes."""
+    """Return whether an answer is at the limit: within 5 %, or what the survey or the numerical spread changes."""
     width = max(LEAST_WIDTH, tolerance)
     if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
-        return abs(index.value / target - 1.0) <= width
-    return check.ratio is not None and abs(check.ratio - 1.0) <= width
+        return abs(index.value / target - 1.0) <= width or _within_spread(check, index, target)
+    return is_between(check) or (check.ratio is not None and abs(check.ratio - 1.0) <= width)
+
+
+def _within_spread(check: Check, index: Index, target: float) -> bool:
+    """Return whether an index misses its target where 16 % of the draws do not: an index is the PGA at capacity."""
+    if target == FULL and is_between(check):
+        return True
+    if check.numerical is None or not check.capacity_pga_g or index.value >= target:
+        return False
+    low = check.numerical.capacity_low_pga_g
+    return low is None or index.value * low / check.capacity_pga_g >= target
 
 
 def _declared(found: Found, lacking: Missing | None) -> Found:

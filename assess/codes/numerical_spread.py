@@ -163,6 +163,32 @@ def spread_steps(spread: NumericalSpread | None, capacity_pga_g: float | None) -
     )  # fmt: skip
 
 
+def ratio_figures(check: Check, *, most: int = FIGURES) -> int:
+    """Return to how many figures, one at least, demand over capacity stands between 16 and 84 % of the draws.
+
+    Parameters
+    ----------
+    check : of any procedure; all figures stand where it has no numerical spread
+    most : figures to be shown at most
+    """
+    if check.numerical is None or check.ratio is None:
+        return most
+    return max(1, standing_figures(check.ratio, (check.numerical.ratio_low, check.numerical.ratio_high), most=most))
+
+
+def interval_figures(low: float, high: float, *, most: int = 3) -> int:
+    """Return to how many figures the two ends of an interval are written, so that they differ.
+
+    Parameters
+    ----------
+    low, high : its ends, positive
+    most : figures where they hardly differ
+    """
+    if high <= low:
+        return most
+    return max(1, min(most, floor(log10(high)) - floor(log10(high - low)) + 1))
+
+
 def standing_figures(value: float, others: Iterable[float | None], *, most: int = FIGURES) -> int:
     """Return to how many significant figures a number stands: all its runs are within half a unit of the last one.
 

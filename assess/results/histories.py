@@ -59,7 +59,8 @@ class SuiteResult(ShortRepr):
 
     mean_ratio: None where a record overturned; max_ratio: of the records that did not overturn. median_ratio,
     p84_ratio: not exceeded by 50 % and 84 % of the records, an overturned one counting as the largest; None where that
-    record overturned.
+    record overturned. figures: to how many significant figures, one at least, these stand in the nine runs of the
+    records.
     """
 
     level_pga_g: float
@@ -69,3 +70,4 @@ class SuiteResult(ShortRepr):
     max_ratio: float | None
     median_ratio: float | None = None
     p84_ratio: float | None = None
+    figures: int = 4

@@ -95,7 +95,7 @@ def level_solver(
 def _calm(ratio: FloatArray) -> BoolArray:
     """Return which histories have outer twins that follow them [n], of the ratios of all three [n, 3]."""
     own = np.where(np.isinf(ratio[:, :1]), np.nan, ratio[:, :1])  # one that overturns is never calm
-    calm: BoolArray = (np.abs(ratio[:, 1:] - own) <= CALM * own).all(axis=1)
+    calm: BoolArray = np.all(np.abs(ratio[:, 1:] - own) <= CALM * own, axis=1)
     return calm
 
 

@@ -41,10 +41,11 @@ def _numerical_spread(results: Results) -> list[Text]:
     return [
         say(
             "So each record is run nine times, as it is and with its PGA times 1 ± 10⁻ᵘ, u = 3, 4, 5, 6: less than "
-            "any instrument resolves. How far the nine runs differ is the numerical spread. Maxima are printed to the digits "
-            "that stand in all nine, at least one; the number of impacts only where all nine agree. An answer passes "
-            "only if the rule holds in 84 % of random draws of one run for each record. The scatter from record to "
-            "record is something else: it belongs to the suite, and the median and the 84 % column show it."
+            "any instrument resolves. How far the nine runs differ is the numerical spread. Maxima are printed to the "
+            "digits that stand in all nine, at least one; the number of impacts only where all nine agree. An "
+            "answer passes only if the rule holds in 84 % of random draws of one run for each record. The scatter "
+            "from record to record is something else: it belongs to the suite, and the median and the 84 % column "
+            "show it."
         )
     ]
 

@@ -41,6 +41,7 @@ fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if gi
 
 kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tests/kill/study.py $(KILLS)
+	$(BIN)/python tests/kill/portfolio.py
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py

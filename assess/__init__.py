@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from assess.model.make_body import box, mesh, profile
     from assess.study.block import Block
     from assess.study.block_kinds import equivalent_block, four_hinge, single_block, two_block
-    from assess.verbs import Run, answers, envelope, load, respond, run, write_report
+    from assess.verbs import Run, answers, envelope, fragility, load, respond, run, write_report
     from records.reading import read_record
     from records.record import Record
     from spectra.registry import spectrum
@@ -48,6 +48,7 @@ __all__ = [
     "envelope",
     "equivalent_block",
     "four_hinge",
+    "fragility",
     "g",
     "load",
     "mesh",
@@ -70,7 +71,7 @@ _HOMES = {
     "assess.model.make_body": ("box", "mesh", "profile"),
     "assess.study.block": ("Block",),
     "assess.study.block_kinds": ("equivalent_block", "four_hinge", "single_block", "two_block"),
-    "assess.verbs": ("Run", "answers", "envelope", "load", "respond", "run", "write_report"),
+    "assess.verbs": ("Run", "answers", "envelope", "fragility", "load", "respond", "run", "write_report"),
     "records.reading": ("read_record",),
     "records.record": ("Record",),
     "scipy.constants": ("g",),

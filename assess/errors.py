@@ -8,6 +8,7 @@ AssessError                what a user can mend; the command line prints its one
 │   └── FallingError       one that already falls by itself
 ├── InterfaceError         a contact that cannot carry its load: pulled, crushed at rest, without stiffness
 ├── ProcedureError         a code procedure asked outside its range
+├── HazardError            a hazard curve that cannot be read, or whose rows do not fall as intensity rises
 ├── ResultsError           a results file that cannot be read
 └── OutputError            a folder that cannot be written: files of others, or changed since they were written
     └── HeldError          another command is writing there
@@ -54,6 +55,10 @@ class InterfaceError(AssessError):
 
 class ProcedureError(AssessError):
     """A code procedure was asked something outside its range, or with an option it does not know."""
+
+
+class HazardError(AssessError):
+    """A hazard curve cannot be read, or its rows are not those of rates of exceedance."""
 
 
 class ResultsError(AssessError):

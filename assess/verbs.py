@@ -1,4 +1,4 @@
-"""What one can do: ask one mechanism for its motions and checks, and run a project and write its report.
+"""What one can do: ask one mechanism for its motions and checks, run a project and write its report, or run many.
 
 `assess run` does what `load`, `run` and `write_report` do, with its own progress and exit code. What is heavy is
 imported when a verb is called.
@@ -20,8 +20,11 @@ if TYPE_CHECKING:
     from assess.codes.verdict import Verdict
     from assess.dynamics.envelope import Envelope
     from assess.dynamics.packing import Equation
+    from assess.portfolio.batch import Portfolio
+    from assess.portfolio.tasks import Keep
     from assess.project.schema import Project
     from assess.results import Results
+    from assess.results.fragility import FragilityResults
     from assess.study.block import Block
     from assess.study.response import Motion
     from records.pulses import Shape
@@ -31,12 +34,16 @@ if TYPE_CHECKING:
 
 Progress = Callable[[str, int, int], None]
 """Hears of long work: the stage, how many of its parts are done, and how many there are."""
-REPORT = ("report.pdf", "report.html", "tables.xlsx")
-"""Files of the report besides its tables and figures."""
+Tell = Callable[[str], None]
+"""Hears a line about what was found."""
 
 
 def silent(stage: str, done: int, total: int) -> None:
     """Say nothing of long work."""
+
+
+def unheard(line: str) -> None:
+    """Drop a line."""
 
 
 def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> Motion:
@@ -268,6 +275,28 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
     return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or silent))
 
 
+def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progress | None = None) -> FragilityResults:
+    """Find how likely each mechanism of a project is to rock and to overturn, and how often where the hazard is known.
+
+    Parameters
+    ----------
+    project : as `load` reads it, or the path of its file
+    jobs : threads, 0 for all cores; the results do not depend on it
+    progress : is called with (stage, done, total)
+
+    Raises
+    ------
+    AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
+    """
+    from assess.project.build import build
+    from assess.project.schema import Project
+    from assess.study.fragility.fragility import run_fragility
+
+    loaded = project if isinstance(project, Project) else load(project)
+    _check_jobs(jobs, progress)
+    return run_fragility(build(loaded), jobs=jobs, progress=progress or silent)
+
+
 def write_report(
     run: Run, folder: str | Path, *, language: str | None = None, jobs: int = 0, progress: Progress | None = None
 ) -> Path:
@@ -293,7 +322,7 @@ def write_report(
     """
     from assess.errors import OutputError
     from assess.outputs.folder import output_folder
-    from assess.outputs.manifest import RESULTS
+    from assess.outputs.manifest import REPORT, RESULTS
     from assess.results.json import dumps
     from reports.language.catalogue import languages
     from reports.writing import write_all
@@ -310,3 +339,61 @@ def write_report(
         (stage / RESULTS).write_bytes(dumps(run.results).encode())
         pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: said(step, 0, 1))
         return place / pdf.relative_to(stage)
+
+
+def batch(
+    source: str | Path,
+    folder: str | Path,
+    *,
+    template: str | Path | None = None,
+    jobs: int = 0,
+    resume: bool = False,
+    scheduler: str | None = None,
+    shard: str = "1/1",
+    keep: Keep = "report",
+    tell: Tell = unheard,
+    progress: Progress | None = None,
+) -> Portfolio:
+    """Assess every project below a folder, or one for each row of a table, and rank them.
+
+    A project that cannot be assessed is a row with its reason, and stops no other. Call it under
+    `if __name__ == "__main__":`, as all that starts processes.
+
+    Parameters
+    ----------
+    source : a folder, or a table as CSV
+    folder : where the ranked table, the ledger and a folder for each project are written
+    template : the project file whose values the rows of a table change
+    jobs : processes, 0 for as many as there are cores; the rows do not depend on it
+    resume : keep the projects that are done, and compute the others
+    scheduler : address of a Dask scheduler, whose workers compute in place of processes here
+    shard : "i/n" for the i-th of n shares of the projects
+    keep : what is written of each project: "report", "results", or "rows" for nothing but its row
+    tell : is called with a line about what is found in the folder
+    progress : is called with (stage, done, total)
+
+    Raises
+    ------
+    AssessError : the table or the template cannot be used, the folder cannot be written, or no scheduler answers
+    """
+    from assess.one_project import assess_project
+    from assess.portfolio.batch import Order, run_batch
+    from assess.portfolio.executors import dask, processes
+    from assess.portfolio.projects import find_tasks
+    from assess.portfolio.shard import shard_of
+    from reports.portfolio import write_ranking
+
+    _check_jobs(jobs, progress)
+    said = progress or silent
+    order = Order(Path(folder), keep, shard_of(shard), resume)
+    engine = processes(jobs or None) if scheduler is None else dask(scheduler)
+    said("reading", 0, 1)
+    return run_batch(
+        find_tasks(Path(source), None if template is None else Path(template)),
+        order,
+        runner=assess_project,
+        engine=engine,
+        write=write_ranking,
+        tell=tell,
+        progress=lambda done, total: said("projects", done, total),
+    )

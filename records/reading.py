@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +15,7 @@ from records.record import Record
 
 FINEST, COARSEST = 1e-5, 1.0  # s, of the steps of instruments and shaking tables
 HEAD = 8192  # bytes that show a format
+MOST_KEPT = 32  # files whose records are kept in memory
 
 
 def read_record(
@@ -94,6 +97,28 @@ def read_with(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     for record in records:
         _check_motion(record, path=path)
     return records
+
+
+def recall_records(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
+    """Return what `read_with` does, from memory if this process has lately read a file of the same content.
+
+    The instrument's response is a file of its own: records that need one are always read.
+    """
+    check_overrides(overrides)
+    if overrides.response is not None or not path.is_file():
+        return read_with(path, overrides)
+    try:
+        with path.open("rb") as file:
+            content = hashlib.file_digest(file, "sha256").digest()
+    except OSError:
+        return read_with(path, overrides)
+    return _recall(path, overrides, content)
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _recall(path: Path, overrides: HeaderOverrides, content: bytes) -> tuple[Record, ...]:
+    """Read the file of that content."""
+    return read_with(path, overrides)
 
 
 def _check_motion(record: Record, *, path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -11,6 +13,7 @@ from records.record import Record
 from spectra.arrays import FloatArray
 
 COARSEST = 1000.0  # longest step, in periods, that is worth dividing
+MOST_KEPT = 64  # spectra that are kept, of records last asked for
 
 
 def response_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.05) -> FloatArray:
@@ -66,5 +69,11 @@ def displacement_spectrum(record: Record, period: ArrayLike, *, damping: float =
             f"{np.min(T[moving]):.3g} s"
         )
     S_d = np.zeros(T.shape)
-    S_d[moving] = peak_displacements(record.acceleration, record.dt, np.ascontiguousarray(T[moving]), damping)
+    S_d[moving] = _peaks(record.acceleration.tobytes(), record.dt, T[moving].tobytes(), damping)
     return S_d
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _peaks(acceleration: bytes, dt: float, period: bytes, damping: float) -> FloatArray:
+    """Return the largest displacements of oscillators [m]; the same suite is asked of for each of many walls."""
+    return peak_displacements(np.frombuffer(acceleration), dt, np.frombuffer(period), damping)

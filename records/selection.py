@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
+from math import inf, log, sqrt
 from typing import Literal
 
 import numpy as np
@@ -42,6 +42,7 @@ STEPS: Mapping[str, str] = {
     "vs30": "of known vs30",
     "passed": "that pass the filters",
     "scaled": "within the limits of the scale factor",
+    "near": "that fit the target one by one",
     "apart": "of different earthquakes",
     "free": "to choose from",
 }
@@ -75,6 +76,7 @@ class Criteria:
     fit : the mean of the "suite", or "each" record
     components : each a "single" record, or those of a recording kept "together" with one factor
     scale_to : how each is scaled before it is compared
+    largest_misfit : of one record to the target, mean squared difference of logarithms [-]
     """
 
     count: int
@@ -85,6 +87,7 @@ class Criteria:
     fit: Fit = "suite"
     components: Components = "single"
     scale_to: ScaleTo = "spectrum"
+    largest_misfit: float = inf
 
 
 @dataclass(frozen=True)
@@ -132,27 +135,55 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     passed = [one for one in known[-1][1] if passes(one, criteria.filters)]
     choices, log_ratio = _scaled(_joined(passed, criteria.components), spectrum, band, criteria.scale_to)
     low, high = criteria.scale_limits
-    kept = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
-    choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
+    within = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
+    choices, log_ratio = [choice for choice, keep in zip(choices, within, strict=True) if keep], log_ratio[within]
+    misfits = [choice.mse for choice in choices]
+    near = np.array([choice.mse <= criteria.largest_misfit for choice in choices], dtype=np.bool_)
+    near_ones = ((STEPS["near"], int(near.sum())),) if criteria.largest_misfit < inf else ()
+    choices, log_ratio = [choice for choice, keep in zip(choices, near, strict=True) if keep], log_ratio[near]
     groups = event_groups([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
         (STEPS["all"], len(candidates)),
         *((step, len(left)) for step, left in known),
         (STEPS["passed"], len(passed)),
-        (STEPS["scaled"], len(choices)),
+        (STEPS["scaled"], int(within.sum())),
+        *near_ones,
         (STEPS["apart" if criteria.one_per_event else "free"], len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
         steps = ", ".join(f"{number} {step}" for step, number in counted)
         remedy = "widen the limits, or add records"
         remedy += ", or a flatfile that knows more of them" if len(known[-1][1]) < len(horizontal) else ""
-        raise RecordError(f"{criteria.count} records wanted; there are {steps}: {remedy}")
+        nearest = _nearest_miss(misfits, criteria.largest_misfit)
+        raise RecordError(f"{criteria.count} records wanted; there are {steps}{nearest}: {remedy}")
     chosen, greedy = FITS[criteria.fit](_pool(choices, log_ratio, band, groups), criteria.count)
     ratio = _ratios([choices[i] for i in chosen], log_ratio[chosen])
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
     return Selection(
         criteria, tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse)), misfit, greedy, counted
     )
+
+
+def _nearest_miss(misfits: Sequence[float], largest: float) -> str:
+    """Return how far the next record is from the limit of its misfit, in words; empty where none is beyond."""
+    beyond = [sqrt(each) / log(10.0) for each in misfits if each > largest]
+    if not beyond:
+        return ""
+    return f" (the next one is {min(beyond):.3f} off in log10, {sqrt(largest) / log(10.0):.3f} is the limit)"
+
+
+def misfit_of_mean(choices: Sequence[Choice], spectrum: Spectrum, band: Band) -> float:
+    """Return the mean squared difference of logarithms between the mean spectrum of choices and the target [-].
+
+    Parameters
+    ----------
+    choices : with their factors, each with motion at every period
+    spectrum : target
+    band : periods at which they are compared, with weights
+    """
+    over = truncate_band(band, spectrum.longest_period)
+    _, log_ratio = _scaled([choice.components for choice in choices], spectrum, over, "none")
+    return float(mean_square(np.log(_ratios(choices, log_ratio).mean(axis=0)), weight=over.weight))
 
 
 def passes(candidate: Candidate, filters: Filters) -> bool:

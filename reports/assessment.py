@@ -7,7 +7,9 @@ from dataclasses import replace
 from itertools import count
 from typing import Literal
 
-from assess.results import Results
+from assess.results import SCHEMA_VERSION, Results
+from assess.results.fragility import FragilityResults
+from assess.results.inputs import Resolved
 from reports.chapters import (
     annex_envelopes,
     annex_histories,
@@ -18,6 +20,8 @@ from reports.chapters import (
     comparison,
     data_tables,
     declaration,
+    fragility,
+    fragility_data,
     front_matter,
     key_plan,
     mechanism_page,
@@ -26,6 +30,7 @@ from reports.chapters import (
     sensitivity,
     signatures,
     site,
+    uncertainty,
     verdict,
 )
 from reports.document import Document, Section
@@ -75,6 +80,7 @@ def _main(results: Results) -> Iterator[Section]:
         yield from mechanism_page.sections(results, each, file_stem(each.name, place), building)
     yield from comparison.sections(results)
     yield from sensitivity.sections(results)
+    yield from uncertainty.sections(results)
     yield from recommendations.sections(results)
     yield from declaration.sections(results)
     yield from signatures.sections(results)
@@ -84,6 +90,7 @@ def _annexes(results: Results) -> Iterator[Section]:
     """Yield what a reviewer needs to redo the calculation."""
     yield from annex_sheets.sections(results)
     yield from sensitivity.others(results)
+    yield from uncertainty.others(results)
     yield from annex_histories.sections(results)
     yield from annex_envelopes.sections(results)
     yield from annex_suite.sections(results)
@@ -105,6 +112,32 @@ def envelope_report(results: Results) -> Document:
         sections=_numbered([*annex_envelopes.report(results), *annex_inputs.sections(results)]),
         data=tuple(annex_envelopes.data(results)),
     )
+
+
+def fragility_report(results: FragilityResults) -> Document:
+    """Return the report of `assess fragility`: all mechanisms, the pages of each, method, records and inputs.
+
+    Parameters
+    ----------
+    results : of `assess fragility`
+    """
+    run = without_answers(results)
+    inputs = (replace(each, mark="", starts_page=False) for each in annex_inputs.sections(run))
+    return replace(
+        assessment(run),
+        subject=say("Fragility of masonry by rocking dynamics"),
+        sections=_numbered([*fragility.sections(results), *inputs]),
+        data=tuple(fragility_data.tables(results)),
+    )
+
+
+def without_answers(results: FragilityResults) -> Results:
+    """Return the results of a run with the project and the front matter of `results`, and no mechanism."""
+    project = {"title": Resolved(results.title or None, bool(results.title)), **results.project}
+    return Results(
+        SCHEMA_VERSION, results.program, results.inputs, results.warnings, project, None, (), (), None, (), (),
+        stamp=results.stamp, report=results.report,
+    )  # fmt: skip
 
 
 def locale_of(results: Results, language: str | None = None) -> Locale:

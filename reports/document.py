@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
+from urllib.parse import quote
 
 from assess.codes.calculation_step import Step
 from reports.language.locale import Locale
@@ -29,7 +30,20 @@ class Graded:
     text: Text
 
 
-Cell = Text | Graded | float | int | bool | None
+@dataclass(frozen=True)
+class Link:
+    """A cell that leads to a file. path: of the file, relative to the document, with slashes."""
+
+    text: Text
+    path: str
+
+    @property
+    def address(self) -> str:
+        """The path as an address within this folder: no scheme, no markup, no break."""
+        return f"./{quote(self.path.lstrip('/'), errors='replace')}"
+
+
+Cell = Text | Graded | Link | float | int | bool | None
 """A number is in SI, of the dimension of its column; a `Quantity` shows its own unit; None is a dash."""
 
 
@@ -71,7 +85,12 @@ class Code:
 
 @dataclass(frozen=True)
 class Table:
-    """A table. name: unique, safe as a file name; muted: rows for information only; small: set in smaller letters."""
+    """A table.
+
+    name : unique, safe as a file name
+    muted : rows for information only; small : set in smaller letters
+    sifted : whether a page offers to show the rows of one outcome only, or those with some words
+    """
 
     name: str
     caption: Text
@@ -79,6 +98,7 @@ class Table:
     rows: tuple[tuple[Cell, ...], ...]
     muted: frozenset[int] = frozenset()
     small: bool = False
+    sifted: bool = False
 
 
 Place = tuple[float, float, float]

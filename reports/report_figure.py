@@ -20,9 +20,9 @@ def report_figure(name: str, results: Results, *, mechanism: str | None = None) 
     Parameters
     ----------
     name : of a mechanism "sketch", "place", "view", "capacity", "pga-rotation", "history", "envelope", "moment",
-        "contact", "directions", "amplification", "sensitivity", "sweep-01"; of the whole run "key-plan", "spectrum",
-        "suite", "capacities", "curves", "comparison", "critical". Results without histories have no figure of one, and
-        so on.
+        "contact", "directions", "amplification", "sensitivity", "sweep-01", "uncertainty-01-distribution",
+        "uncertainty-01-influences"; of the whole run "key-plan", "spectrum", "suite", "capacities", "curves",
+        "comparison", "critical". Results without histories have no figure of one, and so on.
     results : of a run
     mechanism : name of the mechanism; it may be left out for figures of the whole run, and where there is only one
 

@@ -6,9 +6,11 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.batch import batch
 from assess.cli.check import check
 from assess.cli.diff import diff
 from assess.cli.envelope import envelope
+from assess.cli.fragility import fragility
 from assess.cli.geometry import geometry
 from assess.cli.new import new
 from assess.cli.parameters import parameters
@@ -30,7 +32,7 @@ app = typer.Typer(
         "default_map": {"help": False, "records": {"help": False}},
     },
 )
-for command in (new, check, run, parameters, spectrum, envelope, geometry, report, diff, schema):
+for command in (new, check, run, batch, parameters, spectrum, envelope, fragility, geometry, report, diff, schema):
     app.command()(command)
 app.add_typer(records, name="records")
 

@@ -26,4 +26,7 @@ def new(
         return
     if folder is None:
         raise typer.BadParameter("give the folder to create, or --list")
-    print(copy_example(example, folder))
+    file = copy_example(example, folder)
+    print(file)
+    for table in EXAMPLES[example].tables():
+        print(f"assess batch {file.parent / table} --template {file}")

@@ -1,4 +1,4 @@
-"""`assess report`: the report rewritten from results.json."""
+"""`assess report`: the report rewritten from results.json, envelopes.json or fragility.json."""
 
 from __future__ import annotations
 
@@ -40,8 +40,13 @@ def report(
         typer.Option("--detail", help="The main part, or the full report with its annexes (default: as the project)."),
     ] = None,
 ) -> None:
-    """Rewrite the report from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
+    """Rewrite the report from results.json, envelopes.json of `assess envelope` or fragility.json, without analysis."""
     from assess.cli.stderr import print_message
+    from assess.outputs.manifest import FRAGILITY
+
+    if results.name == FRAGILITY:
+        rewrite_fragility(results, output or results.parent, png=png, language=language)
+        return
     from assess.outputs.found_results import open_results
 
     read = open_results(results, tell=print_message)
@@ -79,6 +84,34 @@ def report(
             )
         for copy in copied:
             (stage / copy).write_bytes(read.path.read_bytes())
+    print(folder / pdf.relative_to(stage))
+
+
+def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
+    """Rewrite the report of `assess fragility` from its results at `path`."""
+    from assess.cli.progress import progress
+    from assess.cli.stderr import print_message
+    from assess.outputs.folder import output_folder
+    from assess.outputs.found_results import open_fragility
+    from assess.outputs.manifest import FRAGILITY
+    from reports.assessment import fragility_report, locale_of, without_answers
+    from reports.project_text import project_text
+    from reports.writing import Form, write_document
+
+    found = open_fragility(path, tell=print_message)
+    plain = without_answers(found)
+    chosen = language or _language_of(project_text(plain, "report.language"), source=path)
+    copied = (FRAGILITY,) if folder.resolve() != path.parent.resolve() else ()
+    wanted = ("fragility.pdf", "fragility.html", "tables.xlsx", *copied)
+    figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
+    with (
+        output_folder(folder, command="assess report", owner=FRAGILITY, wanted=wanted, tell=print_message) as stage,
+        progress() as shown,
+    ):
+        document = replace(fragility_report(found), locale=locale_of(plain, chosen))
+        pdf = write_document(document, stage, name="fragility.pdf", figures=figures, progress=shown.step)
+        for copy in copied:
+            (stage / copy).write_bytes(path.read_bytes())
     print(folder / pdf.relative_to(stage))
 
 

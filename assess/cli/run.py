@@ -49,11 +49,10 @@ def _assess(project: Path, output: Path | None, jobs: int | None, *, report: boo
     from assess.cli.progress import progress
     from assess.cli.stderr import print_message
     from assess.outputs.folder import output_folder
-    from assess.outputs.manifest import RESULTS
+    from assess.outputs.manifest import REPORT, RESULTS
     from assess.project.build import build
     from assess.results.json import dumps
     from assess.study.run import run as run_study
-    from assess.verbs import REPORT
     from assess.workers import available_cores, process_pool
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"

@@ -1,4 +1,4 @@
-"""Runnable projects shipped with the program: a folder each in projects/, and a module for those with meshes."""
+"""Runnable projects shipped with the program: a folder each in projects/, and a module for what is made by code."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from assess.errors import ProjectError
-from assess.examples import casa_grande, chiesa, nepal_monuments, san_leonardo_spire
+from assess.examples import casa_grande, chiesa, nepal_monuments, san_leonardo_spire, street
 from assess.examples.surface import Surface, ply
 from assess.outputs.stage import MADE, clear, stage
 
@@ -18,10 +18,18 @@ Meshes = Callable[[], Mapping[str, Surface]]
 
 @dataclass(frozen=True)
 class Example:
-    """What it shows, in one line; and the meshes to make for it, each by its path in the folder."""
+    """A project, or a table of projects, that the program ships.
+
+    about : what it shows, in one line
+    meshes : makes its meshes, each by its path in the folder
+    tables : makes its tables, each by its path in the folder
+    file : the project file, or the template of the table
+    """
 
     about: str
     meshes: Meshes = dict
+    tables: Callable[[], Mapping[str, str]] = dict
+    file: str = "project.toml"
 
 
 EXAMPLES: dict[str, Example] = {
@@ -51,6 +59,11 @@ EXAMPLES: dict[str, Example] = {
         "its bell tower: spire, corners and belfry, eleven mechanisms by tables and a frame of blocks"
     ),
     "single_wall": Example("one free-standing wall, as small as a project can be"),
+    "street": Example(
+        "forty façades of a street: a table with a row for each, and its template, for `assess batch`",
+        tables=lambda: {"street.csv": street.table()},
+        file="template.toml",
+    ),
 }
 
 
@@ -64,7 +77,7 @@ def copy_example(name: str, folder: Path) -> Path:
 
     Returns
     -------
-    path of its project file
+    path of its project file, or of its template
     """
     if name not in EXAMPLES:
         near = get_close_matches(name, EXAMPLES, n=1)
@@ -75,7 +88,7 @@ def copy_example(name: str, folder: Path) -> Path:
     if folder.is_dir() and any(folder.iterdir()):
         raise ProjectError(f"{folder}: is not empty; give the name of a new folder")
     _write(name, folder)
-    return folder / "project.toml"
+    return folder / EXAMPLES[name].file
 
 
 def source(name: str) -> Path:
@@ -93,6 +106,8 @@ def _write(name: str, folder: Path) -> None:
         for path, surface in EXAMPLES[name].meshes().items():
             (made / path).parent.mkdir(exist_ok=True)
             (made / path).write_bytes(ply(surface))
+        for path, text in EXAMPLES[name].tables().items():
+            (made / path).write_text(text, encoding="utf-8", newline="")
         if folder.exists():
             folder.rmdir()  # it is empty
         made.rename(folder)

@@ -1,4 +1,4 @@
-"""Scaling of a body along one direction, at constant density."""
+"""Scaling of a body along one direction at constant density, and of its density."""
 
 from __future__ import annotations
 
@@ -33,3 +33,17 @@ def scale_along(solid: Solid, *, direction: Sequence[float], middle: float, fact
     for array in (centroid, vertices, inertia):
         array.setflags(write=False)
     return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices)
+
+
+def scale_density(solid: Solid, factor: float) -> Solid:
+    """Return a solid of another density.
+
+    Parameters
+    ----------
+    factor : ratio of new to old density, positive [-]
+    """
+    if factor == 1.0:
+        return solid
+    inertia = factor * solid.inertia
+    inertia.setflags(write=False)
+    return replace(solid, mass=factor * solid.mass, inertia=inertia)

@@ -40,6 +40,7 @@ UNITS: Mapping[str, str] = {
     "volume": "m3",
     "percent": "%",
     "return period": "years",
+    "annual rate": "1/year",
 }
 """The unit in which values of each dimension are given: SI, but for peak ground accelerations, in g, and years."""
 DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in reversed(tuple(UNITS.items()))}

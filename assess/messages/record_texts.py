@@ -71,6 +71,10 @@ RECORD_TEXTS: Mapping[str, str] = {
     "artificial-fit": "5 % spectrum fitted to {code} over {first} to {last}: {low} to {high}, rms {rms}; peak "
     "acceleration that of the target",
     "artificial-baseline": "baseline corrected: velocity and displacement end at zero, mean displacement zero",
+    # a locked suite
+    "suite-locked": "records and scale factors are those of {file}; {keys} of [records] say how it is made, and count "
+    "when `assess records select PROJECT --lock` is run again",
+    "lock-edited": "{file} was changed by hand since it was written; its records and factors are used as they are",
     # steps that are too coarse
     "coarse-record": "the time step of {records} is too coarse for {motion}: motion between two samples is lost; "
     "use records with a step of {longest} or less",

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from assess.messages.fragility_texts import FRAGILITY_TEXTS
 from assess.messages.geometry_texts import GEOMETRY_TEXTS
 from assess.messages.record_texts import RECORD_TEXTS
 
 TEXTS: Mapping[str, str] = {
+    **FRAGILITY_TEXTS,
     **GEOMETRY_TEXTS,
     **RECORD_TEXTS,
     # remarks on checks
@@ -107,6 +109,20 @@ TEXTS: Mapping[str, str] = {
     "not-varied": "not varied: {why}",
     "not-assessed-low": "not assessed at the low value, {value}: {why}",
     "not-assessed-high": "not assessed at the high value, {value}: {why}",
+    # uncertain numbers
+    "uncertainty-means": "numbers with a scatter are used at their means ({keys}); a table [analysis.uncertainty] "
+    "shows how the answers spread",
+    "uncertainty-hinges-stay": "these hinges are given as points and do not move with the faces when {key} varies; "
+    "give their coordinates a scatter of the same group, or leave them out",
+    "uncertainty-left-out": "not sampled: {why}",
+    "uncertainty-thickness-left-out": "thickness not sampled: {why}",
+    "uncertainty-not-built": "{number} of {samples} samples could not be built and have no answer; the first: {why}",
+    "uncertainty-open": "{number} of {samples} samples not answered: {why}",
+    "uncertainty-no-influence": "{group} changes nothing: varied alone from its 5 % to its 95 % quantile, the answer "
+    "is the same",
+    "uncertainty-idle": "{keys}: no influence on any answer",
+    "uncertainty-cut-off": "a share of {share} of its distribution lies beyond what is possible; values are "
+    "drawn from the rest",
     # folders of results
     "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "
     "place",

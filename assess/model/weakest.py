@@ -67,7 +67,14 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """Build the mechanism without comparing candidates; a body without geometry has one plane only, taken as +x."""
+    """Build the mechanism without comparing candidates; a body without geometry has one plane only, taken as +x.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated, with its direction and sides
+    bodies : of the building, by name
+    """
     if not isinstance(definition, EquivalentBlock) and definition.direction == "sweep":
         return sweep_directions(name, definition, bodies)
     return mechanism_of(name, definition, bodies)

@@ -26,7 +26,13 @@ def _silent(_: Message) -> None:
 
 @contextmanager
 def output_folder(
-    folder: Path, *, command: str, owner: str = RESULTS, wanted: Sequence[str] = (), tell: Tell = _silent
+    folder: Path,
+    *,
+    command: str,
+    owner: str = RESULTS,
+    wanted: Sequence[str] = (),
+    tell: Tell = _silent,
+    patient: bool = False,
 ) -> Iterator[Path]:
     """Give a temporary folder; after the block, its files are moved into `folder`, unless the block raised.
 
@@ -43,6 +49,8 @@ def output_folder(
         Names of files that are certain to come.
     tell : callable
         Called with a message on what was recovered in the folder.
+    patient : bool
+        Whether to wait a while for another command that is writing there.
 
     Yields
     ------
@@ -54,20 +62,37 @@ def output_folder(
     OutputError
         At once, if the folder cannot be written or holds files that may not be replaced.
     """
-    if folder.exists() and not folder.is_dir():
-        raise OutputError(f"{folder}: is a file; give a folder for the output")
-    with _make_folder(folder), hold_lock(folder, command=command):
+    with make_folder(folder), hold_lock(folder, command=command, patient=patient):
         recover(folder, tell=tell)
         manifest = read(folder)
-        _refuse(folder, _obstacles(folder, manifest, owner, wanted))
+        refuse_obstacles(folder, manifest, owner, wanted)
         with stage(folder, command=command) as place:
             yield place / MADE
             _commit(place, folder, manifest, owner)
 
 
+def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> None:
+    """Raise OutputError if a folder holds files that may not be replaced or removed.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    manifest : Manifest
+        Of the folder.
+    owner : str
+        The set of files to be written.
+    wanted : sequence of str
+        Names of files that are certain to come.
+    """
+    _refuse(folder, _obstacles(folder, manifest, owner, wanted))
+
+
 @contextmanager
-def _make_folder(folder: Path) -> Iterator[None]:
+def make_folder(folder: Path) -> Iterator[None]:
     """Make the folder and its parents if absent; remove again those that stay empty."""
+    if folder.exists() and not folder.is_dir():
+        raise OutputError(f"{folder}: is a file; give a folder for the output")
     absent = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)

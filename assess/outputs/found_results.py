@@ -12,7 +12,8 @@ from assess.messages.message import Message, warning
 from assess.outputs.manifest import is_changed
 from assess.outputs.recovery import recover_for_reading
 from assess.results import Results
-from assess.results.files import find_results, read
+from assess.results.files import find_results, read, read_fragility
+from assess.results.fragility import FragilityResults
 
 
 @dataclass(frozen=True)
@@ -63,3 +64,20 @@ def open_results(path: Path, *, tell: Callable[[Message], None]) -> FoundResults
         tell(found)
         results = replace(results, warnings=(replace(found, where=file.name), *results.warnings))
     return FoundResults(results, file, as_written=differs is False)
+
+
+def open_fragility(path: Path, *, tell: Callable[[Message], None]) -> FragilityResults:
+    """Read the results of `assess fragility`, as `open_results` does those of `assess run`.
+
+    Parameters
+    ----------
+    path : fragility.json
+    tell : called with each message on interrupted or changed files
+    """
+    recover_for_reading(path.parent, tell=tell)
+    results = read_fragility(path)
+    if not is_changed(path):
+        return results
+    found = warning("results-changed", str(path))
+    tell(found)
+    return replace(results, warnings=(replace(found, where=path.name), *results.warnings))

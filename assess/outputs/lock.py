@@ -55,13 +55,26 @@ class Holder:
 
 
 @contextmanager
-def hold_lock(folder: Path, *, command: str, patient: bool = False) -> Iterator[None]:
+def hold_lock(folder: Path, *, command: str, patient: bool = False, name: str = LOCK) -> Iterator[None]:
     """Hold the lock of `folder` while the block runs.
 
-    command : what holds it, named to other commands; patient : whether to wait a while for a living holder
-    Raises HeldError, which names the holder.
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    command : str
+        What holds it, named to other commands.
+    patient : bool
+        Whether to wait a while for a living holder.
+    name : str
+        Of the lock file: another one than the folder's for a part of it.
+
+    Raises
+    ------
+    HeldError
+        Another command holds it; the text names that.
     """
-    file = folder / LOCK
+    file = folder / name
     handle = _acquire(file, patient=patient)
     try:
         _sign(handle, command)

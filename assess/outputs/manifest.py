@@ -15,8 +15,11 @@ from typing import Any
 from assess.outputs.digest import digest
 
 MANIFEST = ".assess-manifest.json"
-RESULTS, ENVELOPES, RECORDS = "results.json", "envelopes.json", "records"
+RESULTS, ENVELOPES, FRAGILITY = "results.json", "envelopes.json", "fragility.json"
+RECORDS, PORTFOLIO = "records", "portfolio"
 """The sets of files, named after their results: each command replaces and removes files of its own set only."""
+REPORT = ("report.pdf", "report.html", "tables.xlsx")
+"""Files of a report besides its tables and figures."""
 _EARLIER = {".assess-outputs": RESULTS, ".assess-envelopes": ENVELOPES}  # lists of names alone
 _SLACK = 60.0  # s by which an output may be younger than such a list
 

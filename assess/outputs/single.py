@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -35,16 +35,55 @@ def write_file(path: Path, *, command: str) -> Iterator[Path]:
     OutputError
         If the folder is absent, or `path` exists with another content.
     """
+    with _made(path, command=command) as made:
+        yield made
+        flush(made)
+        _put(made, path)
+
+
+@contextmanager
+def replace_file(path: Path, *, command: str, is_replaceable: Callable[[Path], bool]) -> Iterator[Path]:
+    """Give a path to write to; after the block the file takes the place of the one at `path`, unless the block raised.
+
+    Parameters
+    ----------
+    path : Path
+        The file to be written.
+    command : str
+        The command that writes it, named to other commands meanwhile.
+    is_replaceable : callable
+        Returns whether the file that exists at `path` is one that this command wrote.
+
+    Yields
+    ------
+    Path
+        Where to write the file.
+
+    Raises
+    ------
+    OutputError
+        If the folder is absent, or `path` exists and may not be replaced.
+    """
+    with _made(path, command=command) as made:
+        yield made
+        flush(made)
+        if path.is_file() and is_replaceable(path):
+            os.replace(made, path)
+            flush(path.parent)
+        else:
+            _put(made, path)
+
+
+@contextmanager
+def _made(path: Path, *, command: str) -> Iterator[Path]:
+    """Give a path in a stage beside `path`; raise OutputError where no file can come to be there."""
     if not path.parent.is_dir():
         raise OutputError(f"{path}: there is no folder {path.parent}; make it first")
     if path.is_dir():
         raise OutputError(f"{path}: is a folder; give the name of a file")
     clear(path.parent)
     with stage(path.parent, command=command) as place:
-        made = place / MADE / path.name
-        yield made
-        flush(made)
-        _put(made, path)
+        yield place / MADE / path.name
 
 
 def _put(made: Path, path: Path) -> None:

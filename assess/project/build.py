@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -13,37 +12,43 @@ import numpy as np
 
 from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError, locate_errors
+from assess.geometry.affine import scale_density
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, locate
-from assess.model.weakest import mechanism_in_direction
+from assess.model.assembly import Built
+from assess.model.body import Bodies
+from assess.model.definitions import Definition
+from assess.model.weakest import mechanism_as_given, mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
+from assess.project.fragility import fragility_question
 from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
 from assess.project.horizontal_records import horizontal_records, vertical_record_messages
+from assess.project.inputs import inputs_of
 from assess.project.key_text import value_text
+from assess.project.locked_records import lock_messages, locked_records
 from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.question import facts_of, question_of
-from assess.project.report_matter import picture_files, report_matter_of
+from assess.project.report_matter import report_matter_of
 from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.study_messages import project_messages
 from assess.project.survey import survey_of
+from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
-from assess.results import Input
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.study.verdict import levels_with_site
-from records.paths import relative_path
 from records.pulses import shape as pulse_shape
-from records.record import Record
 from spectra.spectrum import Spectrum
 
+Builder = Callable[[str, Definition, Bodies], Built]
 CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 
@@ -73,35 +78,34 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
         return study_of(project, executor=executor)
 
 
+def build_to_decide(project: Project) -> Study:
+    """Build the study of a project as far as its verdict depends on it: without messages, sensitivity and report.
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : as `build`
+    """
+    with locate_errors(str(project.path)):
+        if project.variations:
+            return study_of(project)
+        return deciding_part_of(project)[0]
+
+
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     report = report_matter_of(content, project.folder)
-    site = site_in(content)
-    spectrum = None if site is None else spectrum_of(site)
-    models = models_of(content.bodies, known={})
-    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, messages = all_records(content.records, project.folder)
-    study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
-    if content.records.select is not None and spectrum is not None:
-        named, messages = record_set.select_records(
-            content.records,
-            content.records.select,
-            spectrum=spectrum,
-            mechanisms=study.mechanisms,
-            folder=project.folder,
-            executor=executor,
-        )
-    files = Files(models, solids, spectrum, named)
+    study, files, messages = deciding_part_of(project, executor=executor)
+    spectrum, solids = files.spectrum, files.solids
     return replace(
         study,
-        records=named.records,
-        fitting=named.fitting,
-        inputs=tuple(inputs_of(project, named.records)),
+        inputs=tuple(inputs_of(project, files.named.records)),
+        fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
         messages=(
             *project.messages,
+            *uncertainty_messages(project),
             *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
             *project_messages(content, solids, study),
             *messages,
@@ -112,16 +116,45 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         ),
         survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
+        sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
     )
 
 
-def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
-    """Build the study of some mechanisms of a project, without messages about its file."""
-    site, building, synthetic = site_in(content), content.building, content.records.synthetic
+def deciding_part_of(project: Project, *, executor: Executor | None = None) -> tuple[Study, Files, tuple[Message, ...]]:
+    """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
+    content = project.content
+    site = site_in(content)
+    spectrum = None if site is None else spectrum_of(site)
+    models = models_of(content.bodies, known={})
+    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
+    named, messages = all_records(content.records, project.folder, spectrum)
+    study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
+    wanted = content.records.selection
+    if wanted is not None and spectrum is not None:
+        named, messages = record_set.select_records(
+            content.records,
+            wanted,
+            study=study,
+            spectrum=spectrum,
+            folder=project.folder,
+            executor=executor,
+        )
+    study = replace(study, records=named.records, fitting=named.fitting)
+    return study, Files(models, solids, spectrum, named), messages
+
+
+def part_of(
+    content: sections.Content, files: Files, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
+) -> Study:
+    """Build the study of some mechanisms of a project, without messages about its file.
+
+    built_by : builds a mechanism; `mechanism_as_given` where direction and sides are settled
+    """
+    site, building, synthetic = site_in(content), content.building, content.records.made
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
-    built = {name: mechanism_in_direction(name, definitions[name], bodies) for name in chosen}
+    built = {name: built_by(name, definitions[name], bodies) for name in chosen}
     in_place = {
         name: MechanismInPlace(
             name=name,
@@ -144,7 +177,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         fitting=files.named.fitting,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
-        record_factor=content.records.factor,
+        record_factor=content.records.further_factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
         scan=content.analysis.scan,
         question=question,
@@ -190,9 +223,22 @@ def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[st
 def alone(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
 ) -> Study:
-    """Build the study of one mechanism from other content of the project, with some of its bodies replaced."""
+    """Build the study of one mechanism from other content of the project, with some of its bodies replaced.
+
+    Its direction and sides stand in the content.
+    """
+    return cases_of(content, project=project, files=files).build(name, replaced)
+
+
+def cases_of(content: sections.Content, *, project: Project, files: Files) -> Cases:
+    """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
     known = reread(content, project, files)
-    return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
+
+    def case(name: str, replaced: Mapping[str, Solid]) -> Study:
+        solids = {**known.solids, **replaced}
+        return part_of(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
+
+    return Cases(known.solids, case)
 
 
 def reread(content: sections.Content, project: Project, files: Files) -> Files:
@@ -201,16 +247,28 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
     models = models_of(changed, known=files.models)
     solids = {
-        name: solid_of(name, body, content.materials, models) if name in changed else files.solids[name]
-        for name, body in content.bodies.items()
+        name: solid_in_case(name, content, whole, models, files.solids) if name in changed else files.solids[name]
+        for name in content.bodies
     }
     site = site_in(content)
     spectrum = files.spectrum if site is None or site == site_in(whole) else spectrum_of(site)
     same = content.records == whole.records
-    if not same and content.records.select is not None:
-        raise ProjectError("records: a sweep cannot vary what records are selected by; sweep another key")
-    records = files.named if same else all_records(content.records, project.folder)[0]
+    if not same and (content.records.select is not None or content.records.lock is not None):
+        how = "selected by" if content.records.lock is None else "locked by"
+        raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
+    records = files.named if same else all_records(content.records, project.folder, spectrum)[0]
     return Files(models, solids, spectrum, records)
+
+
+def solid_in_case(
+    name: str, case: sections.Content, whole: sections.Content, models: Models, solids: Mapping[str, Solid | None]
+) -> Solid | None:
+    """Return the solid of a body that a case changes; a mesh of another density only is not put together again."""
+    body, known = case.bodies[name], solids[name]
+    if known is None or body != whole.bodies[name] or not isinstance(body, sections.MeshBody):
+        return solid_of(name, body, case.materials, models)
+    before, after = (content.materials[body.material].density for content in (whole, case))
+    return scale_density(known, after / before)
 
 
 def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:
@@ -250,26 +308,17 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
     return PulseGrid(pulse_shape(section.shape, gamma=section.gamma, nu=section.nu), frequency, amplitude)
 
 
-def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
-    """Read every horizontal record named, with messages; none are read here if a suite is to be selected."""
-    if section.select is not None:
+def all_records(
+    section: sections.Records, folder: Path, spectrum: Spectrum | None
+) -> tuple[RecordSet, tuple[Message, ...]]:
+    """Read every horizontal record named or locked, with messages; none are read here if a suite is to be selected."""
+    if section.selection is not None or (section.lock is not None and spectrum is None):
         return RecordSet((), Fitting(EVERYWHERE)), ()
+    if section.lock is not None and spectrum is not None:
+        locked = locked_records(section.lock, folder=folder, spectrum=spectrum)
+        return locked, (*lock_messages(section.lock, section), *record_messages(locked.records))
     found = record_set.all_of(section, folder)
     return replace(found, records=horizontal_records(found.records)), (
         *vertical_record_messages(found.records),
         *record_messages(found.records),
     )
-
-
-def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
-    """Hash the project file and every file it names; if records are selected, only those chosen."""
-    yield Input(project.path.name, project.sha256)
-    content = project.content
-    bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
-    table = content.site.spectrum if content.site is not None else None
-    tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
-    chosen = content.records.select is not None
-    used = [project.folder / record.path for record in records] if chosen else content.records.files
-    beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
-    for path in dict.fromkeys([*bodies, *tables, *used, *beside, *picture_files(content)]):
-        yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

@@ -16,20 +16,24 @@ from assess.project.bare_numbers import is_number
 from assess.project.key_text import escape_text, value_text
 from assess.project.section import Section
 from assess.project.sections.content import Content
+from assess.project.sections.uncertain_number import Uncertain
 from assess.project.units import Kind
 
-_NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("format",), ("report",))
+_NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 Key = tuple[str | int, ...]
 Given = int | float | str
+Marks = tuple[Kind | None, Uncertain | None]
+UNMARKED: Marks = (None, None)
 
 
 @dataclass(frozen=True)
 class Place:
-    """What stands at a key: the value as it was read, and what it measures where that is known."""
+    """What stands at a key: the value as it was read, what it measures where that is known, whether it may scatter."""
 
     path: Key
     value: Any
     kind: Kind | None
+    uncertain: Uncertain | None = None
 
     @property
     def is_number(self) -> bool:
@@ -39,37 +43,39 @@ class Place:
 
 def places_of(content: Content) -> dict[str, Place]:
     """Return every key of the project, with dots and items of lists counted from 0, defaults included."""
-    return {".".join(map(str, place.path)): place for place in _places((), content, None)}
+    return {".".join(map(str, place.path)): place for place in _places((), content, UNMARKED)}
 
 
-def _places(path: Key, value: Any, kind: Kind | None) -> Iterator[Place]:
+def _places(path: Key, value: Any, marks: Marks) -> Iterator[Place]:
     """Yield every key below `path` that may be swept."""
     if path in _NOT_SWEPT:
         return
     if path:
-        yield Place(path, value, kind)
+        yield Place(path, value, *marks)
     if isinstance(value, Section):
-        kinds = {name: _kind(field) for name, field in type(value).table_keys().items()}
+        below = {name: _marks(field) for name, field in type(value).table_keys().items()}
         for name, item in value.entries().items():
-            yield from _places((*path, name), item, kinds[name])
+            yield from _places((*path, name), item, below[name])
     elif isinstance(value, Mapping):
         for name, item in value.items():
-            yield from _places((*path, name), item, None)
+            yield from _places((*path, name), item, UNMARKED)
     elif isinstance(value, tuple):
         for index, item in enumerate(value):
-            yield from _places((*path, index), item, kind)
+            yield from _places((*path, index), item, marks)
 
 
-def _kind(field: FieldInfo) -> Kind | None:
-    """Return the quantity that a key holds, from the metadata of its type; None if it is not unique."""
-    found = {each for each in field.metadata if isinstance(each, Kind)} | set(_kinds(field.annotation))
-    return found.pop() if len(found) == 1 else None
+def _marks(field: FieldInfo) -> Marks:
+    """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
+    found = (*field.metadata, *_metadata(field.annotation))
+    kinds = {each for each in found if isinstance(each, Kind)}
+    uncertain = next((each for each in found if isinstance(each, Uncertain)), None)
+    return (kinds.pop() if len(kinds) == 1 else None), uncertain
 
 
-def _kinds(annotation: Any) -> Iterator[Kind]:
-    yield from (each for each in getattr(annotation, "__metadata__", ()) if isinstance(each, Kind))
+def _metadata(annotation: Any) -> Iterator[Any]:
+    yield from getattr(annotation, "__metadata__", ())
     for part in get_args(annotation):
-        yield from _kinds(part)
+        yield from _metadata(part)
 
 
 def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:

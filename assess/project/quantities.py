@@ -101,7 +101,8 @@ SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 Count = Annotated[StrictInt, Field(ge=1)]
 
 
-def _a_point(value: Any) -> Any:
+def a_point(value: Any) -> Any:
+    """Return what has the form of a point; raise ValueError else."""
     if isinstance(value, list | tuple) and len(value) in (2, 3):
         return value
     raise ValueError("not a point; write [x, y, z], or [distance along the direction, elevation]")
@@ -117,7 +118,7 @@ def _a_direction(value: Any) -> Any:
 
 AnyDirection = Annotated[tuple[Ratio, ...], BeforeValidator(_a_direction), Field(min_length=2, max_length=3)]
 
-Point = Annotated[tuple[Coordinate, ...], BeforeValidator(_a_point), Field(min_length=2, max_length=3)]
+Point = Annotated[tuple[Coordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
 
 
 def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:
@@ -226,6 +227,18 @@ InputFile = Annotated[
     BeforeValidator(_an_input_file),
     WithJsonSchema({"type": "string", "description": "path relative to the project file"}),
 ]
+
+
+def _a_path(value: Any, info: ValidationInfo) -> Path:
+    return _folder(info) / _path_text(value)
+
+
+FilePlace = Annotated[
+    Path,
+    BeforeValidator(_a_path),
+    WithJsonSchema({"type": "string", "description": "path relative to the project file"}),
+]
+"""A file that may not exist yet."""
 
 
 def _matching(pattern: Any, folder: Path) -> list[Path]:

@@ -17,24 +17,29 @@ from assess.study.record_set import (
     RecordSet,
     candidate_records,
     offer_messages,
+    read_candidate,
     record_messages,
     record_set,
+    with_given_factors,
     with_unique_names,
 )
-from assess.study.study import Fitting
+from assess.study.study import Fitting, Study
+from assess.study.suite_rules import RULES, spectrum_of_rules
 from records.band import Band, band
 from records.candidates import PERIODS
+from records.code_suites import Target, band_for, select_for
+from records.compliance.making import MAKING
 from records.errors import RecordError
 from records.formats.header_overrides import HeaderOverrides
 from records.paths import relative_path
-from records.reading import read_with
+from records.reading import recall_records
 from records.selection import Criteria, Filters, select
 from spectra.spectrum import Spectrum
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
     """Read every record that [records] names; `folder` is that of the project file."""
-    found = [record for path in section.files for record in read_with(path, overrides_of(section))]
+    found = [record for path in section.files for record in recall_records(path, overrides_of(section))]
     records = with_unique_names([replace(one, path=relative_path(Path(one.path), folder)) for one in found])
     return RecordSet(records, Fitting(EVERYWHERE))
 
@@ -48,24 +53,54 @@ def select_records(
     section: sections.Records,
     wanted: sections.Select,
     *,
+    study: Study,
     spectrum: Spectrum,
-    mechanisms: Iterable[Mechanism],
     folder: Path,
     executor: Executor | None = None,
 ) -> tuple[RecordSet, tuple[Message, ...]]:
-    """Select the suite that [records.select] describes, with messages about it; `folder` is that of the project file.
+    """Select the suite that [records.select] describes, with messages about it.
 
+    Parameters
+    ----------
+    section, wanted : [records] and its table of the selection
+    study : the mechanisms, and the limit state that decides
+    spectrum : the target
+    folder : of the project file
     executor : processes that share the reading of many files
+
+    Raises
+    ------
+    ProjectError : there is no such suite
     """
-    overrides = overrides_of(section)
-    offer = candidate_records(section.files, overrides=overrides, flatfile=section.flatfile, executor=executor)
+    offer = candidate_records(
+        section.files, overrides=overrides_of(section), flatfile=section.flatfile, executor=executor
+    )
     try:
-        over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
-        found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
+        if wanted.code is None:
+            over = band(*periods_of(wanted, spectrum, study.mechanisms), weights=wanted.weights)
+            found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
+        else:
+            making, target = MAKING[wanted.code], target_of(MAKING[wanted.code].code, study, spectrum)
+            over = band_for(making, target)
+            if wanted.periods is not None:
+                over = band(*wanted.periods, weights=wanted.weights)
+            criteria = criteria_of(section, wanted, over)
+            found = select_for(offer.candidates, making, target, criteria, read=read_candidate)
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
     suite = record_set(found, over, folder=folder)
+    if wanted.code is not None:
+        suite = with_given_factors(suite, found, spectrum, code=wanted.code)
     return suite, (*offer_messages(offer), *record_messages(suite.records))
+
+
+def target_of(code: str, study: Study, spectrum: Spectrum) -> Target:
+    """Return what the rules of a code are checked with: its own spectrum and periods where it has any."""
+    own = {rules.code: (name, rules) for name, rules in RULES.items()}
+    if code not in own:
+        return Target(spectrum, spectrum, *extreme_periods(equivalent_periods(study.mechanisms)))
+    name, rules = own[code]
+    return Target(spectrum, spectrum_of_rules(name, study, spectrum), *rules.periods(study))
 
 
 def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:

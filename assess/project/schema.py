@@ -1,6 +1,7 @@
 """The project file: read, checked against its schema, every quantity in SI.
 
     load(path) -> Project      raises ProjectError with one line: file: key: value: what is wrong; remedy
+    load_tree(tables, path)    the same of tables that no file holds, such as a template with the values of a row
     resolve(project)          every key with its value and whether it was given or is a default
     json_schema()              the schema itself, for editors
 
@@ -16,7 +17,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -27,11 +28,14 @@ from assess.project.key_text import error_line, escape_text, value_text
 from assess.project.keys import places_of
 from assess.project.section import Section
 from assess.project.sections.content import Content
+from assess.project.sections.uncertain_number import with_uncertain_numbers
+from assess.project.uncertain_values import UncertainValue, covs_of, take_means, uncertain_values
 from assess.project.variations import Variation, variations
 from assess.project.weight_densities import weight_density_messages
 from assess.results import Resolved
 from records.paths import relative_path
 
+T = TypeVar("T")
 FORMAT = 1
 FILE_NAME = "project.toml"
 _DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+,\d+)(?![.\d\]])")
@@ -46,7 +50,8 @@ class Project:
     path : the project file; sha256 : of its bytes
     variations : its sweeps, each with the content of every case
     messages : what looks like a slip in the file as it was written
-    raw : what the file says, in the newest format, as it was written
+    raw : what the file says, in the newest format, as it was written, with the means of uncertain numbers
+    uncertain : numbers given as { mean, cov }
     """
 
     content: Content
@@ -55,6 +60,7 @@ class Project:
     variations: tuple[Variation, ...]
     messages: tuple[Message, ...]
     raw: Mapping[str, Any]
+    uncertain: tuple[UncertainValue, ...] = ()
 
     def __repr__(self) -> str:
         return f"Project({str(self.path)!r}, mechanisms: {', '.join(self.content.mechanisms)})"[:200]
@@ -73,15 +79,37 @@ def load(path: Path | str) -> Project:
     file = _project_file(Path(path))
     data = _bytes(file)
     try:
-        raw = _upgraded(_toml(_text(data)))
+        tables = _toml(_text(data))
+    except ProjectError as error:
+        raise ProjectError(f"{file}: {error}") from None
+    return load_tree(tables, file, sha256=hashlib.sha256(data).hexdigest())
+
+
+def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
+    """Read the project that parsed TOML says.
+
+    Parameters
+    ----------
+    tables : the parsed TOML
+    file : the project file, or that of the template; messages name it, and paths are relative to its folder
+    sha256 : of what the project is made of
+
+    Raises
+    ------
+    ProjectError : it breaks the schema
+    """
+    raw = tables
+    try:
+        raw, stated = take_means(_upgraded(tables), file.parent)
         content = Content.model_validate(raw, context={"folder": file.parent})
+        uncertain = uncertain_values(content, stated)
         varied = variations(content, raw, file.parent)
     except ValidationError as error:
         raise ProjectError(f"{file}: {error_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
     messages = (*bare_number_messages(raw), *weight_density_messages(content, raw))
-    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, messages, raw)
+    project = Project(content, file, sha256, varied, messages, raw, uncertain)
     _check_sources(project)
     return project
 
@@ -90,7 +118,8 @@ def _check_sources(project: Project) -> None:
     """Check that every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
         return
-    keys = [key for key in resolve(project) if not key.startswith("report.sources.")]
+    every = _resolved("", project.content, True, project.folder)
+    keys = [key for key, _ in every if not key.startswith("report.sources.")]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in project.content.report.sources:
         if key not in starts:
@@ -184,14 +213,21 @@ def resolve(project: Project) -> dict[str, Resolved]:
     """
     found = dict(_resolved("", project.content, True, project.folder))
     kinds = {key: place.kind.name for key, place in places_of(project.content).items() if place.kind is not None}
-    return {key: replace(each, dimensions=_dimensions(key, kinds)) for key, each in found.items()}
+    covs = covs_of(project.uncertain)
+    return {key: replace(each, dimensions=_below(key, kinds), cov=_covs(key, covs)) for key, each in found.items()}
 
 
-def _dimensions(key: str, kinds: Mapping[str, str]) -> dict[str, str]:
-    """Return what the numbers at and below a key measure, by the way to them."""
-    if key in kinds:
-        return {"": kinds[key]}
-    return {way[len(key) + 1 :]: kind for way, kind in kinds.items() if way.startswith(f"{key}.")}
+def _covs(key: str, covs: Mapping[str, float]) -> dict[str, float]:
+    """Return the scatter of the numbers at and below a key; one number may stand for the keys of a table, above it."""
+    above = [cov for written, cov in covs.items() if key.startswith(f"{written}.")]
+    return {"": above[0]} if above else _below(key, covs)
+
+
+def _below(key: str, known: Mapping[str, T]) -> dict[str, T]:
+    """Return what is known of the numbers at and below a key, by the way to them."""
+    if key in known:
+        return {"": known[key]}
+    return {way[len(key) + 1 :]: each for way, each in known.items() if way.startswith(f"{key}.")}
 
 
 def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, Resolved]]:
@@ -218,4 +254,4 @@ def _plain(value: Any, folder: Path) -> Any:
 def json_schema() -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of the project file."""
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Project file of assess"}
-    return {**Content.model_json_schema(), **head}
+    return {**with_uncertain_numbers(Content.model_json_schema()), **head}

@@ -15,17 +15,25 @@ from assess.errors import AssessError
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.horizontal_records import horizontal_records
+from assess.project.lock_writing import suite_text, write_lock
+from assess.project.record_set import overrides_of
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
+from assess.project.suite_lock import NAME
 from assess.results import GroundMotionResult, RecordResult
 from assess.study import record_set
 from assess.study.ground_motion import ground_motion, ground_motion_result
-from assess.study.motions import ScaledRecord, motions_of, scale_together
+from assess.study.motions import ScaledRecord, apply_given_factors, motions_of, scale_together
+from assess.study.periods import ABOVE, BELOW
 from assess.study.run import require_spectrum
 from assess.study.site_results import record_result
-from assess.study.study import Fitting
+from assess.study.study import Fitting, Study
+from assess.study.suite_rules import made_band
 from records.band import band, truncate_band
 from records.candidates import PERIODS
+from records.code_suites import Target, band_for, select_for
+from records.compliance.making import MAKING, CodeName
+from records.compliance.registry import REQUIREMENTS
 from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with
 from records.scaling import Scaling, misfit, scale_to_ordinate
@@ -49,7 +57,7 @@ class Suite:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What the command line asks of a suite, in its units; spans: of the filters by name."""
+    """What the command line asks of a suite, in its units; spans: of the filters by name; code: whose rules to meet."""
 
     count: int
     periods: Range
@@ -60,6 +68,7 @@ class Wanted:
     one_per_event: bool
     spans: Mapping[str, Range | None]
     events: tuple[str, ...]
+    code: str | None = None
 
 
 def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
@@ -75,14 +84,92 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     AssessError : the project names no records
     """
     study = build(load(path), executor=executor)
-    spectrum = require_spectrum(study)
     if not study.records:
         raise AssessError(f"{path}: records.files: missing; add the files or the folder to select from")
-    motions = motions_of(replace(study, artificial=None), spectrum)
+    return _suite_of(study, motions_of(replace(study, artificial=None), require_spectrum(study)))
+
+
+def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> Suite:
+    """Return the suite of a study as scaled, with the messages on its records."""
+    spectrum = require_spectrum(study)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
     messages = tuple(each for each in study.messages if each.where.startswith("records"))
     return Suite(results_of(motions, spectrum, study.fitting), found, messages)
+
+
+def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Suite, Path]:
+    """Write the lock of a project: its records as [records] finds, makes and scales them, whatever its lock says.
+
+    Parameters
+    ----------
+    path : of the project
+    executor : processes that share the reading of many records
+
+    Returns
+    -------
+    The suite, and the lock: the file of [records] lock, or records.lock.toml beside the project file
+
+    Raises
+    ------
+    AssessError : [records] names only the lock; or a file is there that is no lock, or was changed by hand
+    """
+    project = load(path)
+    given = project.content.records
+    if given.lock is not None and not given.files and not given.has_key("synthetic"):
+        raise AssessError(f"{project.path}: records.files: missing; add what the lock is to be made of, or `synthetic`")
+    section = given.model_copy(update={"lock": None})
+    study = build(replace(project, content=project.content.model_copy(update={"records": section})), executor=executor)
+    spectrum, made = require_spectrum(study), study.artificial
+    motions, lock = motions_of(study, spectrum), given.lock or project.folder / NAME
+    text = suite_text(
+        motions,
+        spectrum,
+        study.fitting,
+        place=lock.parent,
+        folder=project.folder,
+        scale_to=study.scale_to,
+        further_factor=study.record_factor,
+        overrides=overrides_of(section),
+        recipe=None if made is None else (made, made_band(study, spectrum, duration=made.duration)),
+    )
+    write_lock(lock, text)
+    return _suite_of(study, motions), lock
+
+
+def lock_target(target: Path, found: Selected) -> Path:
+    """Write the lock of a suite that was selected for a target, beside the target.
+
+    Parameters
+    ----------
+    target : a project, or a table of period and acceleration
+    found : the suite
+
+    Returns
+    -------
+    The lock
+
+    Raises
+    ------
+    AssessError : a file is there that is no lock, or was changed by hand
+    """
+    folder = (target if target.is_dir() else target.parent).absolute()
+    text = suite_text(
+        found.motions, found.spectrum, found.fitting, place=folder, folder=Path.cwd(), scale_to=found.scale_to
+    )
+    write_lock(folder / NAME, text)
+    return folder / NAME
+
+
+@dataclass(frozen=True)
+class Selected:
+    """A suite selected for a target: as results show it, and as it was scaled."""
+
+    suite: Suite
+    motions: tuple[ScaledRecord, ...]
+    spectrum: Spectrum
+    fitting: Fitting
+    scale_to: ScaleTo
 
 
 def of_target(
@@ -94,7 +181,7 @@ def of_target(
     flatfile: Path | None,
     kept: Path | None,
     executor: Executor | None = None,
-) -> Suite:
+) -> Selected:
     """Select the suite that fits the spectrum of a target, out of files and the catalogues of folders.
 
     Parameters
@@ -115,15 +202,26 @@ def of_target(
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
     offer = record_set.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
-    found = select(offer.candidates, spectrum, criteria)
-    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
-    motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
-    motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
-    return Suite(
-        results_of(motions, spectrum, chosen.fitting),
-        motion,
-        (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records)),
-    )
+    if wanted.code is None:
+        found, own = select(offer.candidates, spectrum, criteria), {}
+        chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
+        motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
+    else:
+        code: CodeName = _one_of("for", wanted.code, CodeName)
+        making = MAKING[code]
+        low, high = truncate_band(criteria.band, spectrum.longest_period).ends
+        goal = Target(spectrum, spectrum, low / BELOW, high / ABOVE)
+        criteria = replace(criteria, band=band_for(making, goal))
+        own = dict.fromkeys(REQUIREMENTS, (goal.shortest, goal.longest))
+        found = select_for(offer.candidates, making, goal, criteria, read=record_set.read_candidate)
+        chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
+        chosen = record_set.with_given_factors(chosen, found, spectrum, code=code)
+        assert chosen.fitting.given is not None
+        motions = apply_given_factors(chosen.records, spectrum, chosen.fitting.given, band=criteria.band)
+    motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={}, own=own)
+    messages = (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records))
+    suite = Suite(results_of(motions, spectrum, chosen.fitting), motion, messages)
+    return Selected(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
 def criteria_of(wanted: Wanted) -> Criteria:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf
-from typing import Any
+from typing import Any, NamedTuple
 
 from assess.geometry.affine import scale_along
 from assess.geometry.solid import Solid, Solids
@@ -225,18 +225,37 @@ def restitution(subject: Subject, change: sections.Change) -> Variable | Unvarie
 
 def thickness(subject: Subject, section: sections.Chained, change: sections.Change) -> Variable | Unvaried:
     """Vary the size of the blocks along the direction about the middle of the base, whose thickness names it."""
+    foot = foot_of(subject, section)
+    if isinstance(foot, str):
+        return Unvaried(subject.name, "thickness", foot)
+    study_at = partial(thicken, subject, section, width=foot.width, middle=foot.middle)
+    return vary_between(
+        Variable(subject.name, "thickness", key_of_thickness(section), "m", *(foot.width,) * 3, study_at), change
+    )
+
+
+class Foot(NamedTuple):
+    """The base of the blocks along the direction of motion: its width and the place of its middle [m]."""
+
+    width: float
+    middle: float
+
+
+def foot_of(subject: Subject, section: sections.Chained) -> Foot | str:
+    """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
     why = stiff_geometry(subject, section)
     if why:
-        return Unvaried(subject.name, "thickness", why)
+        return why
     definition: Chained = definition_of(section)
     foot = pieces_of(subject.name, definition, bodies_of(subject.project.content, subject.solids))[0].body.base
     assert foot is not None  # every body has geometry
     (low, _), (high, _) = foot
-    if high <= low:
-        return Unvaried(subject.name, "thickness", "it stands on an edge")
-    study_at = partial(thicken, subject, section, width=high - low, middle=(low + high) / 2.0)
-    key = f"thickness of {', '.join(name for block in section.blocks for name in block)}"
-    return vary_between(Variable(subject.name, "thickness", key, "m", *(high - low,) * 3, study_at), change)
+    return Foot(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
+
+
+def key_of_thickness(section: sections.Chained) -> str:
+    """Name the thickness of all blocks of a mechanism, which is no single number of the file."""
+    return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
 
 
 def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
@@ -258,9 +277,12 @@ def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
 
 def thicken(subject: Subject, section: sections.Chained, value: float, *, width: float, middle: float) -> Study:
     """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
-    bodies = {name: solid for block in section.blocks for name in block if (solid := subject.solids[name]) is not None}
-    thick = {
-        name: scale_along(solid, direction=definition_of(section).towards, middle=middle, factor=value / width)
-        for name, solid in bodies.items()
-    }
+    thick = thick_blocks(section, subject.solids, factor=value / width, middle=middle)
     return subject.alone(subject.name, subject.project.content, thick)
+
+
+def thick_blocks(section: sections.Chained, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
+    """Return the blocks of a mechanism scaled along its direction about `middle` [m]."""
+    bodies = {name: solid for block in section.blocks for name in block if (solid := solids[name]) is not None}
+    towards = definition_of(section).towards
+    return {name: scale_along(each, direction=towards, middle=middle, factor=factor) for name, each in bodies.items()}

@@ -6,7 +6,8 @@ import stat
 from pathlib import Path
 
 from assess.errors import ResultsError
-from assess.results.json import REMEDY, loads
+from assess.results.fragility import FragilityResults
+from assess.results.json import REMEDY, loads, loads_fragility
 from assess.results.run import Results
 
 NAMES = ("results.json", "envelopes.json")
@@ -18,6 +19,15 @@ LARGEST = 500_000_000
 
 def read(path: Path) -> Results:
     """Read results from a file; raise ResultsError for a file that is missing, not regular, or too large."""
+    return loads(_text(path), source=str(path))
+
+
+def read_fragility(path: Path) -> FragilityResults:
+    """Read the results of `assess fragility`, as `read` does those of `assess run`."""
+    return loads_fragility(_text(path), source=str(path))
+
+
+def _text(path: Path) -> str:
     try:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):
@@ -25,12 +35,11 @@ def read(path: Path) -> Results:
         if status.st_size > LARGEST:
             size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
             raise ResultsError(f"{path}: {size} that results may have; {REMEDY}")
-        text = path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
         raise ResultsError(f"{path}: not a text file; {REMEDY}") from None
     except OSError as error:
         raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {REMEDY}") from None
-    return loads(text, source=str(path))
 
 
 def find_results(path: Path) -> Path:

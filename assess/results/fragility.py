@@ -5,11 +5,13 @@ Intensities stand in the unit of the measure's dimension: accelerations in g, ve
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import exp
+from statistics import NormalDist
 from typing import Literal
 
 from assess.messages.message import Message
-from assess.results.inputs import Input, Program
+from assess.results.inputs import Input, Program, Resolved
 from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.results.values import Floats
 from assess.short_repr import ShortRepr
@@ -18,6 +20,9 @@ FRAGILITY_VERSION = 1
 Method = Literal["ida", "stripes", "cloud"]
 StateName = Literal["rocking", "rotation", "overturning"]
 CurveName = Literal["empirical", "lognormal", "first"]
+LARGE_SCALE = 4.0
+"""Scale factor above which the runs are drawn hollow and counted."""
+FIVE_PERCENT = NormalDist().inv_cdf(0.05)
 
 
 @dataclass(frozen=True, repr=False)
@@ -46,7 +51,10 @@ class StateResult(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class EmpiricalPoint(ShortRepr):
-    """The share of records that reach a state at one intensity, with its Wilson interval at 95 %."""
+    """The share of records that reach a state at one intensity, with its Wilson interval at 95 %.
+
+    hollow : how many of the records are scaled by more than 4
+    """
 
     intensity: float
     records: int
@@ -54,6 +62,16 @@ class EmpiricalPoint(ShortRepr):
     share: float
     low: float
     high: float
+    hollow: int = 0
+
+
+@dataclass(frozen=True, repr=False)
+class CurveBand(ShortRepr):
+    """The bootstrap interval at 95 % of a curve at each intensity [n], rising: low and high [n] of the share [-]."""
+
+    intensity: Floats
+    low: Floats
+    high: Floats
 
 
 @dataclass(frozen=True, repr=False)
@@ -61,12 +79,21 @@ class LognormalResult(ShortRepr):
     """A lognormal curve and its bootstrap intervals at 95 %, by earthquake; an interval is None where draws fail.
 
     median [unit of the measure]; dispersion : standard deviation of its natural logarithm [-]
+    five_percent_interval : of the intensity at which 5 % reach the state, median exp(-1.645 dispersion)
+    band : of the curve itself, None where draws fail
     """
 
     median: float
     dispersion: float
     median_interval: tuple[float, float] | None = None
     dispersion_interval: tuple[float, float] | None = None
+    five_percent_interval: tuple[float, float] | None = None
+    band: CurveBand | None = None
+
+    @property
+    def five_percent(self) -> float:
+        """The intensity at which 5 % reach the state [unit of the measure]."""
+        return self.median * exp(FIVE_PERCENT * self.dispersion)
 
 
 @dataclass(frozen=True, repr=False)
@@ -157,6 +184,8 @@ class RiskResult(ShortRepr):
     contribution [n-1] : shares of the rate between neighbouring intensities of the hazard [-]
     beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
     target_rate : that the project sets [1/year]; None where it sets none
+    with_epistemic : the rate with the epistemic dispersion added to that of the records, by the root of squares
+        [1/year]; of lognormal curves where one is given
     """
 
     measure: MeasureResult
@@ -169,6 +198,7 @@ class RiskResult(ShortRepr):
     beyond: float
     target_rate: float | None = None
     notes: tuple[Message, ...] = ()
+    with_epistemic: float | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -177,6 +207,8 @@ class MechanismFragility(ShortRepr):
 
     epistemic : dispersion of what is not known of the mechanism, apart from that of records; None where none is given
     epistemic_sources : key of the project and its share, by name
+    measures : in the order of the intensities of `runs`, the primary one first
+    notes : what the engineer should know of its curves
     """
 
     name: str
@@ -190,11 +222,13 @@ class MechanismFragility(ShortRepr):
     risks: tuple[RiskResult, ...]
     epistemic: float | None = None
     epistemic_sources: dict[str, float] | None = None
+    measures: tuple[MeasureResult, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
 class FragilityResults(ShortRepr):
-    """The tree of fragility.json; seed and draws : of the bootstrap."""
+    """The tree of fragility.json; seed and draws : of the bootstrap; project : resolved values, as in results.json."""
 
     schema_version: int
     program: Program
@@ -208,3 +242,4 @@ class FragilityResults(ShortRepr):
     hazard: tuple[HazardResult, ...] = ()
     stamp: str = ""
     report: ReportMatter = NO_MATTER
+    project: dict[str, Resolved] = field(default_factory=dict)

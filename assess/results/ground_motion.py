@@ -70,7 +70,9 @@ class GroundMotionResult(ShortRepr):
 
     from_s, to_s: range of periods over which it was scaled and chosen; source: of that range, in words. mean_g,
     geometric_mean_g, target_g [k]: at period_s; misfit: of the mean to the target over the range, mean squared
-    difference of natural logarithms [-]. selection: None if all records of the project are used.
+    difference of natural logarithms [-]. selection: None if all records of the project are used. lock: file that the
+    records and factors are taken from, empty if the suite is not locked; made_for: the code whose
+    rules it was made to meet, empty if none.
     """
 
     from_s: float
@@ -84,3 +86,5 @@ class GroundMotionResult(ShortRepr):
     misfit: float
     selection: SelectionResult | None
     requirements: tuple[RequirementResult, ...]
+    lock: str = ""
+    made_for: str = ""

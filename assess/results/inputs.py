@@ -38,8 +38,10 @@ class Resolved(ShortRepr):
 
     dimensions : what its numbers measure, by the way to them from the key: "" for the value itself, "2.mass" for a key
     of the third of several tables; keys without a dimension are left out
+    cov : coefficient of variation of those of its numbers that are means, by the same way; empty where all are certain
     """
 
     value: Any
     given: bool
     dimensions: dict[str, str] = field(default_factory=dict)
+    cov: dict[str, float] = field(default_factory=dict)

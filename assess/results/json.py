@@ -1,4 +1,4 @@
-"""Results to and from the text of results.json: the fields of `assess.results` by name, in order, at full precision.
+"""Results to and from their text: the fields of `assess.results` by name, in order, at full precision.
 
 The same results give the same bytes. Results are validated by their types before they are written, so that a file that
 was written can be read.
@@ -9,9 +9,10 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
-from typing import Any, NoReturn
+from typing import Any, Generic, NoReturn, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -24,7 +25,10 @@ from assess.results import (
     Results,
     SpectrumResult,
 )
+from assess.results.fragility import FRAGILITY_VERSION, FragilityResults
 from assess.results.shape import faults
+
+T = TypeVar("T")
 
 _NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
 REMEDY = "give a results.json that `assess run` wrote"
@@ -35,7 +39,15 @@ def dumps(results: Results) -> str:
 
     Raises ValueError for a number that is not finite or a value that is not of the type of its field.
     """
-    plain = _normal(results, _results_type())
+    return _lines(_normal(results, _results_type()))
+
+
+def dumps_fragility(results: FragilityResults) -> str:
+    """Return the text of fragility.json, as `dumps` does that of results.json."""
+    return _lines(_normal(results, _fragility_type()))
+
+
+def _lines(plain: Mapping[str, Any]) -> str:
     return "{\n" + ",\n".join(_json({key: value})[1:-1] for key, value in plain.items()) + "\n}\n"
 
 
@@ -78,46 +90,79 @@ def dumps_envelopes(results: Results) -> str:
 
 def loads(text: str, *, source: str = "results") -> Results:
     """Return results from the text of results.json; raise ResultsError, which names `source` and the first fault."""
-    found = _validate_at_once(text) or _validate_step_by_step(text, source)
+    return _loads(text, source, RESULTS_TREE)
+
+
+def loads_fragility(text: str, *, source: str = "results") -> FragilityResults:
+    """Return results from the text of fragility.json, as `loads` does from that of results.json.
+
+    Parameters
+    ----------
+    text : of the file
+    source : its name, for errors
+    """
+    return _loads(text, source, FRAGILITY_TREE)
+
+
+def _loads(text: str, source: str, tree: Tree[T]) -> T:
+    found = _validate_at_once(text, tree) or _validate_step_by_step(text, source, tree)
     if wrong := next(faults(found), None):
-        raise ResultsError(f"{source}: {wrong}; {REMEDY}")
+        raise ResultsError(f"{source}: {wrong}; {tree.remedy}")
     return found
 
 
-def _validate_at_once(text: str) -> Results | None:
+def _validate_at_once(text: str, tree: Tree[T]) -> T | None:
     """Return the results in a third of the time; None if something may be wrong, which going step by step finds."""
     if _NOT_FINITE.search(text):  # in words, or as numbers, which are not JSON but would be read
         return None
     try:
-        found = _results_type().validate_json(text)
+        found = tree.kind().validate_json(text)
     except ValidationError:
         return None
-    return found if found.schema_version == SCHEMA_VERSION else None
+    return found if getattr(found, "schema_version", None) == tree.version else None
 
 
-def _validate_step_by_step(text: str, source: str) -> Results:
+def _validate_step_by_step(text: str, source: str, tree: Tree[T]) -> T:
     data = _parse(text, source)
     version = data.get("schema_version") if isinstance(data, dict) else None
     if version is None:
-        raise ResultsError(f"{source}: not a results file of assess (no schema_version); {REMEDY}")
-    if version != SCHEMA_VERSION:
+        raise ResultsError(f"{source}: not a results file of assess (no schema_version); {tree.remedy}")
+    if version != tree.version:
         found = json.dumps(version)[:40]
         raise ResultsError(
-            f"{source}: schema_version: {found}: this program reads {SCHEMA_VERSION}; run the project again"
+            f"{source}: schema_version: {found}: this program reads {tree.version}; run the project again"
         )
     try:
-        return _results_type().validate_python(data)
+        return tree.kind().validate_python(data)
     except RecursionError:
-        raise ResultsError(f"{source}: nested too deeply; {REMEDY}") from None
+        raise ResultsError(f"{source}: nested too deeply; {tree.remedy}") from None
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         where = ".".join(str(step) for step in first["loc"])
-        raise ResultsError(f"{source}: {where}: {first['msg'][:1].lower()}{first['msg'][1:]}; {REMEDY}") from None
+        raise ResultsError(f"{source}: {where}: {first['msg'][:1].lower()}{first['msg'][1:]}; {tree.remedy}") from None
 
 
 @cache
 def _results_type() -> TypeAdapter[Results]:
     return TypeAdapter(Results)
+
+
+@cache
+def _fragility_type() -> TypeAdapter[FragilityResults]:
+    return TypeAdapter(FragilityResults)
+
+
+@dataclass(frozen=True)
+class Tree(Generic[T]):
+    """A tree of results: its type, its version, and what to do about a file that holds none."""
+
+    kind: Callable[[], TypeAdapter[T]]
+    version: int
+    remedy: str
+
+
+RESULTS_TREE = Tree(_results_type, SCHEMA_VERSION, REMEDY)
+FRAGILITY_TREE = Tree(_fragility_type, FRAGILITY_VERSION, "give a fragility.json that `assess fragility` wrote")
 
 
 @cache

@@ -16,6 +16,7 @@ from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.results.sensitivity import SensitivityResult
 from assess.results.site import RecordResult, SpectrumResult
 from assess.results.sweeps import SweepResult
+from assess.results.uncertainty import UncertaintyResult
 from assess.short_repr import ShortRepr
 
 SCHEMA_VERSION = 2
@@ -27,6 +28,7 @@ class Results(ShortRepr):
 
     project : maps each key, written with dots, to its resolved value
     stamp : of the inputs and the program, the same in every output of these results; "" in results of older versions
+    uncertainty : None where the project gives no uncertain numbers, and in results of older versions
     """
 
     schema_version: int
@@ -46,3 +48,4 @@ class Results(ShortRepr):
     stamp: str = ""
     report: ReportMatter = NO_MATTER
     controls: tuple[Control, ...] = ()
+    uncertainty: UncertaintyResult | None = None

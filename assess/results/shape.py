@@ -13,6 +13,7 @@ from typing import Any
 
 from assess import results as r
 from assess.codes.check import PgaCurve
+from assess.results.fragility import CurveBand, HazardResult, RecordRuns
 
 _PLAIN = {float, int, bool, str, type(None)}
 
@@ -42,6 +43,9 @@ OF_ONE_LENGTH: Mapping[type, Groups] = {
         ("value", "p_eq_per_s", "uplift_multiplier", "overturning_rad", "overturning_flexible_rad",
          "elastic_frequency_hz", "restitution", "demand_capacity", "overturned", "capacity_pga_g", "outcome"),
     ),
+    RecordRuns: (("scale", "ratio"),),
+    CurveBand: (("intensity", "low", "high"),),
+    HazardResult: (("intensity", "annual_rate"),),
 }  # fmt: skip
 """Fields of each type that are columns of one table; a field that is None is ignored."""
 
@@ -106,6 +110,9 @@ def _name_faults(results: r.Results) -> Iterator[str]:
         "sensitivity": [row.mechanism for row in results.sensitivity],
         "report.checklist": [name for item in results.report.checklist for name in item.mechanisms],
         "controls": [row.mechanism for row in results.controls],
+        "uncertainty.answers": []
+        if results.uncertainty is None
+        else [row.mechanism for row in results.uncertainty.answers],
     }
     for where, used in used_in.items():
         for place, name in enumerate(used):

@@ -19,6 +19,7 @@ from assess.results.run import Results
 from assess.results.sensitivity import SensitivityResult
 from assess.results.site import RecordResult
 from assess.results.sweeps import SweepResult
+from assess.results.uncertainty import QUANTILES, UncertainAnswer
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -56,7 +57,7 @@ def table(results: Results, name: str) -> DataFrame:
     ----------
     results : of a run
     name : a key of `TABLES`: "parameters", "checks", "histories", "suites", "verdict", "envelopes", "records",
-        "comparison", "sweeps", "sensitivity"
+        "comparison", "sweeps", "sensitivity", "uncertainty"
 
     Returns
     -------
@@ -230,6 +231,29 @@ def _sensitivity(results: Results) -> Iterator[Row]:
     yield from (_cells(row, SENSITIVITY) for row in results.sensitivity)
 
 
+UNCERTAINTY = {
+    **_columns(UncertainAnswer, without=("interval", "quantiles", "ratios", "influences", "notes")),
+    "interval_low": "float | None",
+    "interval_high": "float | None",
+    **{f"quantile_{percent}": "float | None" for percent in QUANTILES},
+    "influences": "str",
+    "notes": "str",
+}
+
+
+def _uncertainty(results: Results) -> Iterator[Row]:
+    for answer in () if results.uncertainty is None else results.uncertainty.answers:
+        low, high = answer.interval or (None, None)
+        shares = [f"{each.group} {each.share:.3g}" for each in answer.influences if each.share is not None]
+        yield {
+            **_cells(answer, UNCERTAINTY),
+            "interval_low": low,
+            "interval_high": high,
+            **{f"quantile_{percent}": each for percent, each in zip(QUANTILES, answer.quantiles, strict=True)},
+            "influences": "; ".join(shares),
+        }
+
+
 TABLES: Mapping[str, tuple[Mapping[str, str], Callable[[Results], Iterator[Row]]]] = {
     "parameters": (PARAMETERS, _parameters),
     "checks": (CHECKS, _checks),
@@ -241,5 +265,6 @@ TABLES: Mapping[str, tuple[Mapping[str, str], Callable[[Results], Iterator[Row]]
     "comparison": (COMPARISON, _comparison),
     "sweeps": (SWEEPS, _sweeps),
     "sensitivity": (SENSITIVITY, _sensitivity),
+    "uncertainty": (UNCERTAINTY, _uncertainty),
 }
 """What tables there are: their columns with the types of these, and their rows."""

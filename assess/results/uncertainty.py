@@ -10,6 +10,8 @@ from assess.messages.message import Message
 from assess.short_repr import ShortRepr
 
 Distribution = Literal["normal", "lognormal", "uniform"]
+QUANTILES = (5, 16, 50, 84, 95)
+"""Percent of the samples below each quantile."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -31,8 +33,8 @@ class UncertainInput(ShortRepr):
 class Influence(ShortRepr):
     """What one group of inputs does to one answer.
 
-    rank_correlation : Spearman's, of the demand over capacity; None where one of the two does not change
-    share : of the variance of its ranks that the group alone explains [-]
+    rank_correlation : Spearman's, of the demand over capacity; None where the group does not change the answer
+    share : of the variance of its ranks that a line over those of the group explains, the square of it [-]
     """
 
     group: str
@@ -46,7 +48,9 @@ class UncertainAnswer(ShortRepr):
     """One answer over all samples.
 
     answered : samples with an answer; failed : of these; probability : failed / answered, with its Wilson interval at
-    95 %; quantiles : of demand over capacity at 5, 16, 50, 84, 95 %, None where that sample has no finite one
+    95 %, that of as many independent samples; at_mean : demand over capacity with every number at its mean
+    quantiles : of demand over capacity at `QUANTILES`, None where that sample has no finite one
+    influences : of the groups that can change the mechanism; notes : samples without an answer, groups without effect
     ratios [samples] : of each sample in their order, None without a finite one
     """
 
@@ -64,6 +68,11 @@ class UncertainAnswer(ShortRepr):
     ratios: tuple[float | None, ...]
     influences: tuple[Influence, ...]
     notes: tuple[Message, ...] = ()
+
+    @property
+    def unanswered(self) -> int:
+        """How many samples have no answer."""
+        return len(self.ratios) - self.answered
 
 
 @dataclass(frozen=True, repr=False)

@@ -44,7 +44,9 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Res
     grid = study.pulses or DEFAULT_GRID
     envelopes = map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
     progress("primary pulses", 0, 1)
-    motions = () if study.spectrum is None else motions_of(replace(study, artificial=None), study.spectrum)
+    recorded = tuple(record for record in study.records if not record.artificial)
+    given = replace(study, artificial=None, records=recorded)
+    motions = () if study.spectrum is None else motions_of(given, study.spectrum)
     records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
     program = describe_program()
     return Results(

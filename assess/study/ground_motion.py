@@ -17,6 +17,7 @@ from assess.study.site_results import display_periods
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import RULES
 from records.band import Band, truncate_band
+from records.compliance.making import MAKING
 from records.compliance.registry import all_requirements
 from records.compliance.requirement import Requirement
 from records.compliance.suite import DAMPING, suite_of
@@ -87,6 +88,7 @@ def ground_motion_result(
     GroundMotionResult
         With the requirements of every code.
     """
+    given = fitting.given
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
     shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = display_periods(spectrum)
@@ -103,16 +105,22 @@ def ground_motion_result(
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
         selection=None if fitting.selection is None else selection_result(fitting.selection),
         requirements=requirements_of(motions, spectrum, shortest, longest, own),
+        lock="" if given is None else given.lock,
+        made_for=MAKING[given.code].code if given is not None and given.code else "",
     )
 
 
 def source_of(study: Study) -> str:
     """Return the source of the range of periods, in words."""
+    if study.fitting.given is not None and study.fitting.given.lock:
+        return "as the suite was locked"
     if study.fitting.selection is None:
         return "default of the scaling by least squares"
     given = study.resolved.get("records.select.periods")
     if given is not None and given.given:
         return "given"
+    if study.fitting.given is not None:
+        return "the range of the code whose rules the suite was made to meet"
     return FITTED_OVER
 
 

@@ -7,13 +7,15 @@ from dataclasses import dataclass, replace
 from math import exp, log
 from statistics import mean
 
+from assess.errors import ProjectError
 from assess.messages.message import Quantity, note
-from assess.study.study import Fitting, ScaleTo, Study
+from assess.study.study import Fitting, GivenFactors, ScaleTo, Study
 from assess.study.suite_rules import made_band
 from records.band import Band, truncate_band
 from records.compliance.asce43_05 import fit_of_mean
 from records.compliance.requirement import factor_that_does
 from records.compliance.suite import suite_of
+from records.fingerprints import target_mark
 from records.record import Record, with_step
 from records.scaling import Scaling, misfit, scale_to_pga, scale_to_spectrum
 from records.synthetic import artificial
@@ -61,7 +63,28 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
 
 def scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
     """Return the records as the study scales them."""
+    given = study.fitting.given
+    if given is not None:
+        return apply_given_factors(records, spectrum, given, band=study.fitting.band)
     return scale_together(records, spectrum, study.fitting, scale_to=study.scale_to)
+
+
+def apply_given_factors(
+    records: Sequence[Record], spectrum: Spectrum, given: GivenFactors, *, band: Band
+) -> tuple[ScaledRecord, ...]:
+    """Scale each record by its given factor, times the PGA of the target over the PGA that the factors refer to.
+
+    Raises
+    ------
+    ProjectError
+        If the target has another shape than the one that the factors refer to.
+    """
+    if target_mark(spectrum).sha256 != given.target.sha256:
+        what = "records.lock: the suite is locked" if given.lock else "records.select: the suite is made for a code"
+        raise ProjectError(f"{what}, for a spectrum of another shape; sweep the PGA or another key")
+    share = 1.0 if given.target.is_of(spectrum) else spectrum.pga / given.target.pga
+    factors, over = dict(given.factors), truncate_band(band, spectrum.longest_period)
+    return tuple(ScaledRecord(one, _scaling(one, spectrum, over, factors.get(one.id, 1.0) * share)) for one in records)
 
 
 def raise_artificial(

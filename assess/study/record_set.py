@@ -11,11 +11,13 @@ from pathlib import Path
 import numpy as np
 
 from assess.messages.message import Message, locate, warning, whole_number
-from assess.study.study import Fitting
+from assess.study.study import Fitting, GivenFactors
 from records import catalogue
 from records.band import Band
 from records.candidates import Candidate
+from records.compliance.making import CodeName
 from records.description import read_candidates
+from records.fingerprints import target_mark
 from records.flatfile import BadCell, read_flatfile
 from records.flatfile_match import FlatfileMatch, describe_candidates, match_flatfile
 from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
@@ -26,6 +28,7 @@ from records.reading import read_with
 from records.record import Record
 from records.scaling import SCALING_PERIODS
 from records.selection import Selection
+from spectra.spectrum import Spectrum
 
 EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
 MOST_NAMED = 3  # files, cells or records that a warning names
@@ -121,9 +124,30 @@ def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
     return RecordSet(records, fitting)
 
 
+def with_given_factors(suite: RecordSet, found: Selection, spectrum: Spectrum, *, code: CodeName) -> RecordSet:
+    """Give the records of a selection the factors of its choices, which do not follow from the target alone.
+
+    Parameters
+    ----------
+    suite : the records of the selection
+    found : the selection
+    spectrum : the target that the factors refer to
+    code : whose rules the suite was made to meet, as `select.for` names it
+    """
+    factors = [choice.factor for choice in found.choices for _ in choice.components]
+    ids = [record.id for record in suite.records]
+    given = GivenFactors(tuple(zip(ids, factors, strict=True)), target_mark(spectrum), code=code)
+    return replace(suite, fitting=replace(suite.fitting, given=given))
+
+
+def read_candidate(one: Candidate) -> Record:
+    """Read the record of a candidate from its file."""
+    return read_with(Path(one.path), one.overrides)[one.position]
+
+
 def _record(one: Candidate, *, folder: Path) -> Record:
     """Read the record of a candidate, with the data of a flatfile, and its path as the project file writes it."""
-    record = read_with(Path(one.path), one.overrides)[one.position]
+    record = read_candidate(one)
     return replace(
         record,
         path=relative_path(Path(one.path), folder),

@@ -31,6 +31,7 @@ from assess.study.survey import tolerances
 from assess.study.sweep_cases import MechanismSweep
 from assess.study.sweep_results import sweep_results
 from assess.study.sweeps import run_sweeps
+from assess.study.uncertainty import uncertainty
 from assess.study.verdict import decide, mark_result
 from spectra.spectrum import Spectrum
 
@@ -102,6 +103,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
         stamp=stamp("run", program, study.inputs),
         controls=controls,
         report=study.report,
+        uncertainty=uncertainty(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
     )
 
 

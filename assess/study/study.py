@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -14,8 +14,12 @@ from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
+from assess.results.uncertainty import UncertainInput
+from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
+from records.compliance.making import CodeName
+from records.fingerprints import TargetMark
 from records.pulses import Shape
 from records.record import Record
 from records.selection import Selection
@@ -36,18 +40,35 @@ class Artificial:
 
 
 @dataclass(frozen=True)
+class GivenFactors:
+    """Scale factors that are given, not found: those of a locked suite, or of one made to meet the rules of a code.
+
+    factors : (id, scale factor [-]) of each record; target : that they refer to
+    lock : the file that they are from, as the project names it; empty if they are of no lock
+    code : whose rules the suite was made to meet, as `select.for` names it; empty if of none
+    """
+
+    factors: tuple[tuple[str, float], ...]
+    target: TargetMark
+    lock: str = ""
+    code: CodeName | Literal[""] = ""
+
+
+@dataclass(frozen=True)
 class Fitting:
     """How records are scaled to the target, and how they were chosen.
 
     band : periods over which they are scaled; together : ids of records that share one factor
     selection : how they were chosen, with its criteria; None if all records of the project are used
     nga : (id, number in the NGA database) of records that have one
+    given : factors that are given; None if they follow from the target
     """
 
     band: Band
     together: tuple[tuple[str, ...], ...] = ()
     selection: Selection | None = None
     nga: tuple[tuple[str, int], ...] = ()
+    given: GivenFactors | None = None
 
 
 @dataclass(frozen=True)
@@ -101,8 +122,10 @@ class Study:
     survey : returns the surveyed numbers of a mechanism by its name
     variables : numbers that the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None if none are requested
+    fragility : what `assess fragility` asks
     report : what the report states besides the analysis
     scan : whether histories are run at rising PGA for the capacity
+    sampling : how its uncertain numbers are sampled; None if that is not requested
     """
 
     spectrum: Spectrum | None
@@ -136,8 +159,10 @@ class Study:
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
+    fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
     report: ReportMatter = NO_MATTER
     scan: bool = True
+    sampling: Sampling | None = None
 
 
 @dataclass(frozen=True)
@@ -180,6 +205,45 @@ class Variable:
     high: float
     study_at: Callable[[float], Study]
     remark: str = ""
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """An uncertain number of the project.
+
+    given : its mean, scatter and group; least, most : physical limits of its values over the mean [-]
+    mechanisms : those that it can change
+    """
+
+    given: UncertainInput
+    least: float
+    most: float
+    mechanisms: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """How often a study is repeated with other values of its uncertain numbers.
+
+    samples : a power of two; seed : of the Sobol sequence
+    study_at : returns, for a value of each number in their order, what builds the study of one mechanism by its name
+    notes : on what does not vary
+    """
+
+    samples: int
+    seed: int
+    numbers: tuple[Sampled, ...]
+    study_at: Callable[[Sequence[float]], Callable[[str], Study]]
+    notes: tuple[Message, ...] = ()
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """The names of what varies together, in the order of the numbers."""
+        return tuple(dict.fromkeys(number.given.group for number in self.numbers))
+
+    def groups_of(self, mechanism: str) -> tuple[str, ...]:
+        """Return the groups with a number that can change a mechanism."""
+        return tuple(dict.fromkeys(each.given.group for each in self.numbers if mechanism in each.mechanisms))
 
 
 @dataclass(frozen=True)

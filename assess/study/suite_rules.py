@@ -104,6 +104,15 @@ def made_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
     """Return the range of periods over which artificial records are made to fit [s]: as the rules require, if possible.
 
     A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
+
+    Parameters
+    ----------
+    study : Study
+        The mechanisms, and the codes that decide.
+    spectrum : Spectrum
+        The target.
+    duration : float
+        Of the records [s].
     """
     ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in codes_that_decide(study)]
     longest = max([BAND[1], *(high for _, high in ranges)])

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import isclose
+from typing import Protocol
 
-from assess.codes.check import Family
+from assess.codes.check import Check, Family
 from assess.codes.families import FAMILIES
 from assess.codes.verdict import (
     MechanismChecks,
@@ -21,6 +22,18 @@ from assess.results import MechanismResult
 from assess.study.study import Study
 
 
+class Checked(Protocol):
+    """A mechanism that has been checked, in results or alone."""
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """The answers of every procedure."""
+
+
 def by_motion(question: Question) -> bool:
     """Return whether a method by histories or energy may decide, or no method is named."""
     methods = methods_of(question)
@@ -32,9 +45,7 @@ def states_of(question: Question) -> tuple[str, ...]:
     return tuple(state.checked_as for state in find_limit_states(question)[0])
 
 
-def decide(
-    study: Study, mechanisms: Sequence[MechanismResult], tolerance: Mapping[str, float] | None = None
-) -> Verdict:
+def decide(study: Study, mechanisms: Sequence[Checked], tolerance: Mapping[str, float] | None = None) -> Verdict:
     """Decide on the checks of the mechanisms; tolerance: loss of index by the survey, by name."""
     near = tolerance or {}
     judged = [

@@ -35,6 +35,11 @@ RECORDED = "2.4 is of synthetic or modified motions; of recorded ones this bound
 ARTIFICIAL = "seven with artificial records among them is this program's own rule"
 
 
+def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+    """Return the range of periods over which the mean of recorded motions is compared with the target [s]."""
+    return OF_INTEREST[0] * shortest, OF_INTEREST[1] * longest
+
+
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
     """Check the number and the mean of the records; of artificial ones also step, duration and fit.
 
@@ -45,7 +50,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     """
     if suite.artificial.any():
         return (_number(suite, LEAST_ARTIFICIAL, ARTIFICIAL), *_fitted(suite, longest=longest))
-    periods = (OF_INTEREST[0] * shortest, OF_INTEREST[1] * longest)
+    periods = interest(shortest=shortest, longest=longest)
     return (
         _number(suite, LEAST_RECORDS, ""),
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods, remark=RECORDED),

@@ -14,12 +14,17 @@ REMARK = (
 )
 
 
+def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+    """Return the range of periods over which the mean is compared with the target [s]."""
+    return 0.2 * shortest, 2.0 * longest
+
+
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
     """Check the number of motions (16.2.2), and the mean over 0.2 to 2.0 times the period (16.2.3.1-2).
 
     shortest, longest : equivalent periods in place of those of the first modes [s].
     """
-    periods = (0.2 * shortest, 2.0 * longest)
+    periods = interest(shortest=shortest, longest=longest)
     return (
         check_limit(CODE, "16.2.2", Rule.COUNT, "number of ground motions", suite.count, ">=", LEAST_RECORDS),
         mean_at_least(suite, CODE, "16.2.3.2", share=BELOW, periods=periods, remark=REMARK),

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from records.compliance.requirement import Requirement, Rule, check_limit, no_answer
+from records.compliance.requirement import Requirement, Rule, Sense, check_limit, no_answer, with_least_factor
 from records.compliance.suite import Suite
-from spectra.arrays import FloatArray
+from spectra.arrays import BoolArray, FloatArray
 
 CODE = "NZS 1170.5:2004"
 LEAST_RECORDS = 3
@@ -16,43 +18,85 @@ LEAST_FACTOR, LARGEST_FACTOR = 0.33, 3.0
 FAMILY = 1.3
 
 
-def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Check number (5.5.1), scale factors k_1, fits D_1 and family factor k_2 (5.5.2), over 0.4 to 1.3 T_1.
+IN_USE = "least scale factor in use over k_1 k_2"
 
-    D_1 is the root of the mean square, over the period, of log10(k_1 SA / SA_target). k_2 is what brings the largest of
-    the records up to the target at every period, at least 1.
+
+def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+    """Return the range of periods over which records are fitted to the target, 0.4 to 1.3 T_1 [s]."""
+    return 0.4 * max(shortest, LEAST_PERIOD), 1.3 * max(longest, LEAST_PERIOD)
+
+
+def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+    """Check number (5.5.1), scale factors k_1, fits D_1, family factor k_2, and the factors in use (5.5.2).
+
+    k_1 of a record makes the mean square of log10(k_1 SA / SA_target) over the period least, D_1 is the root of that.
+    k_2 is what then brings the largest of the records up to the target at every period, at least 1.
     """
-    periods = (0.4 * max(shortest, LEAST_PERIOD), 1.3 * max(longest, LEAST_PERIOD))
-    least, most = suite.factor.min(), suite.factor.max()
-    few = "k_1 is the factor in use, by least squares over the logarithm of the period"
+    periods = interest(shortest=shortest, longest=longest)
     number = check_limit(CODE, "5.5.1", Rule.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
-    factors = (
-        check_limit(CODE, "5.5.2", Rule.FACTOR, "least record scale factor k_1", least, ">=", LEAST_FACTOR, remark=few),
-        check_limit(
-            CODE, "5.5.2", Rule.FACTOR, "largest record scale factor k_1", most, "<=", LARGEST_FACTOR, remark=few
-        ),
-    )
-    what = ("largest misfit D_1 of a record", "family scale factor k_2")
-    inside = (suite.period >= periods[0]) & (suite.period <= periods[1])
-    if periods[0] < suite.period_range[0] or periods[1] > suite.period_range[1] or inside.sum() < 2:
-        missing = (
-            no_answer(CODE, "5.5.2", Rule.FIT, w, "<=", limit, periods, suite)
-            for w, limit in zip(what, (LOG_FIT, FAMILY), strict=True)
+    least, most = "least record scale factor k_1", "largest record scale factor k_1"
+    fit, family = "largest misfit D_1 of a record", "family scale factor k_2"
+    fits = _fits(suite, periods)
+    if fits is None:
+        rows: tuple[tuple[Rule, str, Sense, float], ...] = (
+            (Rule.FACTOR, least, ">=", LEAST_FACTOR),
+            (Rule.FACTOR, most, "<=", LARGEST_FACTOR),
+            (Rule.FIT, fit, "<=", LOG_FIT),
+            (Rule.FIT, family, "<=", FAMILY),
+            (Rule.IN_USE, IN_USE, ">=", 1.0),
         )
-        return (number, *factors, *missing)
-    ratio = suite.spectra[:, inside] / suite.target[inside]
-    worst, family = float(_fits(ratio, suite.period[inside]).max()), max(1.0, float(1.0 / ratio.max(axis=0).min()))
+        silent = (
+            no_answer(CODE, "5.5.2", rule, what, sense, limit, periods, suite) for rule, what, sense, limit in rows
+        )
+        return (number, *silent)
+    k_1, k_2, used = fits.k_1, fits.k_2, float((suite.factor / (fits.k_1 * fits.k_2)).min())
     return (
         number,
-        *factors,
-        check_limit(CODE, "5.5.2", Rule.FIT, what[0], worst, "<=", LOG_FIT, periods=periods),
-        check_limit(
-            CODE, "5.5.2", Rule.FIT, what[1], family, "<=", FAMILY, periods=periods, remark="k_2 is not applied"
+        check_limit(CODE, "5.5.2", Rule.FACTOR, least, k_1.min(), ">=", LEAST_FACTOR, periods=periods),
+        check_limit(CODE, "5.5.2", Rule.FACTOR, most, k_1.max(), "<=", LARGEST_FACTOR, periods=periods),
+        check_limit(CODE, "5.5.2", Rule.FIT, fit, fits.D_1.max(), "<=", LOG_FIT, periods=periods),
+        check_limit(CODE, "5.5.2", Rule.FIT, family, k_2, "<=", FAMILY, periods=periods),
+        with_least_factor(
+            check_limit(CODE, "5.5.2", Rule.IN_USE, IN_USE, used, ">=", 1.0, periods=periods), 1.0 / used
         ),
     )
 
 
-def _fits(ratio: FloatArray, period: FloatArray) -> FloatArray:
-    """Return D_1 of each record [n] from its spectrum over the target [n, k]."""
-    square = np.trapezoid(np.log10(ratio) ** 2, period, axis=1)
-    return np.asarray(np.sqrt(square / (period[-1] - period[0])))
+def scale_factors(suite: Suite, *, shortest: float, longest: float) -> FloatArray | None:
+    """Return k_1 k_2 of each record [n]; None where the target does not cover the range of periods."""
+    fits = _fits(suite, interest(shortest=shortest, longest=longest))
+    return None if fits is None else fits.k_1 * fits.k_2
+
+
+def unfit_records(suite: Suite, *, shortest: float, longest: float) -> BoolArray:
+    """Return which records have a k_1 or D_1 beyond its limit [n]."""
+    fits = _fits(suite, interest(shortest=shortest, longest=longest))
+    if fits is None:
+        return np.zeros(suite.count, dtype=np.bool_)
+    return np.asarray((fits.k_1 < LEAST_FACTOR) | (fits.k_1 > LARGEST_FACTOR) | (fits.D_1 > LOG_FIT))
+
+
+@dataclass(frozen=True)
+class _Fits:
+    """k_1 and D_1 of each record [n], and k_2."""
+
+    k_1: FloatArray
+    D_1: FloatArray
+    k_2: float
+
+
+def _fits(suite: Suite, periods: tuple[float, float]) -> _Fits | None:
+    """Fit the records as they are before scaling; None where the target does not cover the range of periods."""
+    inside = (suite.period >= periods[0]) & (suite.period <= periods[1])
+    if periods[0] < suite.period_range[0] or periods[1] > suite.period_range[1] or inside.sum() < 2:
+        return None
+    period = suite.period[inside]
+    log_ratio = np.log10(suite.spectra[:, inside] / suite.factor[:, np.newaxis] / suite.target[inside])
+    log_k_1 = -_mean(log_ratio, period)
+    left = log_ratio + log_k_1[:, np.newaxis]
+    return _Fits(10.0**log_k_1, np.sqrt(_mean(left**2, period)), max(1.0, float(10.0 ** -left.max(axis=0).min())))
+
+
+def _mean(values: FloatArray, period: FloatArray) -> FloatArray:
+    """Return the mean over the period [n] of values [n, k]."""
+    return np.asarray(np.trapezoid(values, period, axis=1) / (period[-1] - period[0]))

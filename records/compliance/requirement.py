@@ -33,6 +33,7 @@ class Rule(StrEnum):
     PEAK = "peak"
     FACTOR = "factor"
     FIT = "fit"
+    IN_USE = "in-use"
 
 
 @dataclass(frozen=True)

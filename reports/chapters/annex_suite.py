@@ -38,9 +38,11 @@ def sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
         source=Term(motion.source),
         misfit=quantity(motion.misfit),
     )
+    made = (suite.made_for_sentence(motion.made_for),) if motion.made_for else ()
+    lock = (*made, *((suite.lock_sentence(motion.lock),) if motion.lock else ()))
     chosen = motion.selection
     if chosen is None:
-        return (over,)
+        return (over, *lock)
     rules: list[Text] = [
         say("no two of one earthquake") if chosen.one_per_event else say("several of one earthquake allowed")
     ]
@@ -53,7 +55,7 @@ def sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
         largest=quantity(chosen.largest_factor),
         rules=Listing(tuple(rules)),
     )
-    return (over, rule)
+    return (over, rule, *lock)
 
 
 def periods(results: Results, motion: GroundMotionResult) -> Table:

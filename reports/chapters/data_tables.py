@@ -7,7 +7,15 @@ from collections.abc import Iterator
 from assess.codes.check import Check
 from assess.results import BranchCurve, ComparisonRow, RecordSpectrum, Results, SensitivityResult, SpectrumResult
 from reports import governing
-from reports.chapters import annex_envelopes, annex_histories, annex_inputs, annex_suite, controls, parameter_tables
+from reports.chapters import (
+    annex_envelopes,
+    annex_histories,
+    annex_inputs,
+    annex_suite,
+    controls,
+    parameter_tables,
+    uncertainty,
+)
 from reports.chapters.cells import (
     BRANCHES,
     INPUTS,
@@ -51,6 +59,7 @@ def tables(results: Results) -> Iterator[Table]:
         capacity_curves(results),
         pga_curves(results),
         sensitivity(results),
+        *uncertainty.data(results),
         controls.control_rows(results),
         *annex_envelopes.data(results),
         annex_envelopes.primary_pulses(results.records),

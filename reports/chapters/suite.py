@@ -93,8 +93,28 @@ def sentences(results: Results) -> Iterator[Text]:
             longest=quantity(motion.to_s, "time"),
             misfit=quantity(motion.misfit, "ratio", FIGURES),
         )
+    if motion is not None and motion.lock:
+        yield lock_sentence(motion.lock)
     if rules:
         yield from _compliance(rules)
+
+
+def made_for_sentence(code: str) -> Text:
+    """Say whose rules the suite was made to meet."""
+    return say(
+        "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records, "
+        "their factors, and records that break a rule by themselves were changed for it.",
+        code=Verbatim(code),
+    )
+
+
+def lock_sentence(file: str) -> Text:
+    """Say that the suite is locked."""
+    return say(
+        "The suite is locked: the records and their scale factors are those of {file}, whatever becomes of the "
+        "mechanisms and the selection.",
+        file=Verbatim(file),
+    )
 
 
 def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:

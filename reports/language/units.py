@@ -76,6 +76,7 @@ _SI: Mapping[str, Units] = {
     "stiffness": _PER_METRE,
     "rotational stiffness": _several("kN m/rad", **{"N m/rad": 1.0, "kN m/rad": kilo, "MN m/rad": mega}),
     "return period": _one("years"),
+    "annual rate": _one("1/year"),
 }
 _US: Mapping[str, Units] = {
     "length": _one("ft", foot),
@@ -99,5 +100,5 @@ _US: Mapping[str, Units] = {
     "rotational stiffness": _one("kip ft/rad", KIP * foot),
 }
 UNITS: Mapping[System, Mapping[str, Units]] = {"SI": _SI, "US": {**_SI, **_US}}
-WORDS = ("years",)
+WORDS = ("years", "1/year")
 """Units that are words of a language."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TypeGuard
 
 from assess.messages.message import Quantity
-from reports.document import Cell, Column, Graded
+from reports.document import Cell, Column, Graded, Link
 from reports.language.locale import Locale
 from reports.render.frame_words import NO, YES
 
@@ -35,7 +35,7 @@ def cell_text(cell: Cell, column: Column, locale: Locale) -> str:
         return locale.text(YES if cell else NO)
     if isinstance(cell, int | float):
         return _number(cell, column, locale)
-    return locale.text(cell.text if isinstance(cell, Graded) else cell) or NOTHING
+    return locale.text(cell.text if isinstance(cell, Graded | Link) else cell) or NOTHING
 
 
 def column_texts(cells: Sequence[Cell], column: Column, locale: Locale) -> list[str]:
@@ -85,8 +85,10 @@ def is_numeric(cells: tuple[Cell, ...]) -> bool:
 def plain_cell(cell: Cell, column: Column, locale: Locale) -> PlainCell:
     """Return a number in the unit of its column; a quantity with a unit of its own as the report shows it.
 
-    A quantity of the dimension of its column, or without a unit, is a number as well.
+    A quantity of the dimension of its column, or without a unit, is a number as well; a link is its path.
     """
+    if isinstance(cell, Link):
+        return cell.path
     content = cell.text if isinstance(cell, Graded) else cell
     if isinstance(content, Quantity) and content.dimension in ("ratio", column.dimension):
         return _in_unit(content.value, content.dimension, locale)

@@ -21,6 +21,7 @@ from reports.document import (
     Figure,
     Graded,
     Items,
+    Link,
     Model,
     Photograph,
     Prose,
@@ -93,7 +94,8 @@ class Elements:
         shown = zip(muted, zip(*(cells for _, cells in made), strict=True), strict=True)
         rows = [f"<tr{look}>{''.join(row)}</tr>\n" for look, row in shown]
         heads = [head for head, _ in made]
-        return self._wide(block, "Table", f"sortable{' small' if block.small else ''}", heads, rows)
+        look = f"sortable{' small' if block.small else ''}{' sifted' if block.sifted else ''}"
+        return self._wide(block, "Table", look, heads, rows)
 
     @of.register
     def _(self, block: Sheet) -> str:
@@ -190,12 +192,13 @@ def _cell(cell: Cell, text: str, *, number: bool) -> str:
     value = _sorting_value(cell)
     data = "" if value is None else f' data-value="{value!r}"'
     look = _classes("number" if number else "", outcome, "empty" if cell is None else "")
-    return f"<td{look}{data}>{_whole(text)}</td>"
+    content = f'<a href="{markup(cell.address)}">{markup(text)}</a>' if isinstance(cell, Link) else _whole(text)
+    return f"<td{look}{data}>{content}</td>"
 
 
 def _sorting_value(cell: Cell) -> float | int | None:
     """Return the number by which a cell is sorted; None where its text is."""
-    content = cell.text if isinstance(cell, Graded) else cell
+    content = cell.text if isinstance(cell, Graded | Link) else cell
     value = content.value if isinstance(content, Quantity) else content
     return value if isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value) else None
 

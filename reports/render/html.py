@@ -26,6 +26,7 @@ SCRIPTS = (  # in the order they need each other
     "model.js",
     "viewer.js",
     "tables.js",
+    "sifting.js",
     "sideways.js",
     "contents.js",
 )
@@ -39,6 +40,11 @@ FRAME: Mapping[str, Phrase] = {  # words of the frame of the page
     "hint_turn": say(
         "Drag to turn, with Shift or two fingers to shift, wheel or pinch to enlarge; keys: arrows, +, −, 0."
     ),
+    "outcome_word": say("Outcome"),
+    "all_outcomes": say("all"),
+    "words": say("With the words"),
+    "every_row": say("show more than 1,000 rows"),
+    "rows_found": say("Rows found:"),
     "larger": say("Larger"),
     "smaller": say("Smaller"),
     "reset": say("Reset"),

@@ -14,7 +14,7 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import Cell, Column, Document, Graded, Sheet, Table
+from reports.document import Cell, Column, Document, Graded, Link, Sheet, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.lettering import truncate, visible
 from reports.language.locale import Locale
@@ -30,7 +30,8 @@ _HEADS = (Column(say("Sheet")), Column(say("In the report")), Column(say("What i
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
-_LONG = 500  # rows; numbers of longer tables have no format
+_LONG = 500  # rows; numbers of longer tables have no format of their own
+_MOST_LINKS, _LONGEST_LINK = 60_000, 2_000  # of a sheet, of which Excel opens no more; characters
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
 Look = dict[str, str | int]
@@ -166,12 +167,25 @@ def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
     numeric = [is_numeric(cells) for cells in zip(*table.rows, strict=True)] or [False] * len(table.columns)
     book.write(sheet, start, 0, book.locale.text(table.caption), _BOLD)
     _head(sheet, start + 1, table.columns, numeric, book)
+    links = sum(any(isinstance(cell, Link) for cell in cells) for cells in zip(*table.rows, strict=True))
     for place, row in enumerate(table.rows):
         for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
+            if isinstance(cell, Link):
+                _link(sheet, start + 2 + place, at, cell, book, few=place * links < _MOST_LINKS)
+                continue
             plain = plain_cell(cell, column, book.locale)
             colours = _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
             shape = _shape(plain, column) if len(table.rows) <= _LONG else {}
             book.write(sheet, start + 2 + place, at, plain, {**colours, **_quoted(plain), **shape})
+
+
+def _link(sheet: Worksheet, place: int, at: int, link: Link, book: _Book, *, few: bool) -> None:
+    """Write a link; its text alone where there are more than Excel opens."""
+    text = visible(book.locale.text(link.text))
+    if few and len(link.address) < _LONGEST_LINK:
+        sheet.write_url(place, at, f"external:{link.address}", book.format(_LINK), text)
+    else:
+        book.write(sheet, place, at, text, {})
 
 
 def _head(sheet: Worksheet, place: int, columns: Iterable[Column], numeric: Iterable[bool], book: _Book) -> None:

@@ -26,8 +26,8 @@ from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
 from tests.support.projects import ASCE7, published, tables_toml
 
 ROOT = Path(__file__).parents[2]
-WRITERS = {  # what may write tables; `csv_lines` escapes every cell, `write_xlsx` writes text as text, quoted
-    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py"},
+WRITERS = {  # `csv_lines` and `table_text` escape every cell, `write_xlsx` writes text as text, quoted
+    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py", "assess/risk/exports/table.py"},
     r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"

@@ -15,7 +15,9 @@ from assess.cli.records.options import TARGET, Catalogue, Flatfile, Response, St
 if TYPE_CHECKING:
     from assess.project.suites import Suite
 
-OWN = ("places", "jobs", "as_json", "as_csv", "output", "target")
+OWN = ("places", "jobs", "as_json", "as_csv", "output", "target", "lock")
+OPTIONS = {"code": "for"}
+"""Options that are not named after their argument."""
 Span = tuple[float, float] | None
 
 
@@ -45,6 +47,14 @@ def select(
     components: Annotated[
         str, typer.Option(help='Use components separately ("single"), or those of a recording "together".')
     ] = "single",
+    code: Annotated[
+        str | None,
+        typer.Option(
+            "--for",
+            metavar="CODE",
+            help="Meet the rules of asce7-16, asce43-05, ec8, ntc2018 or nzs1170.5; --periods are 0.2 to 1.2 T.",
+        ),
+    ] = None,
     scale_to: Annotated[str, typer.Option(help='Scale each record to "spectrum", "pga" or "none".')] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
@@ -62,6 +72,12 @@ def select(
     unit: Unit = None,
     step: Step = None,
     response: Response = None,
+    lock: Annotated[
+        bool,
+        typer.Option(
+            "--lock", help="Also write records.lock.toml beside the project (or target): files, factors, hashes."
+        ),
+    ] = False,
     jobs: Jobs = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
@@ -71,33 +87,41 @@ def select(
 ) -> None:
     """Select the records that best fit a target spectrum, scale them, and check the suite against code rules.
 
-    A project uses its own [records] select. Folders are indexed first; only new and changed files are read.
+    A project uses its own [records] select. Folders are indexed first; only new and changed files are read. A lock,
+    used by [records] lock = "records.lock.toml", keeps the suite as it is whatever becomes of the mechanisms.
     """
     refuse_both(as_json=as_json, as_csv=as_csv)
     refuse_figure(output)
     _refuse_without_target(context, target, places)
-    from assess.project.suites import Wanted, of_project, of_target
+    from assess.project.suites import Wanted, lock_project, lock_target, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
+    written = None
     if target is None:
         with process_pool(jobs) as executor:
-            found = of_project(places[0], executor=executor)
+            if lock:
+                found, written = lock_project(places[0], executor=executor)
+            else:
+                found = of_project(places[0], executor=executor)
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
-        wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
+        wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events, code)
         overrides = HeaderOverrides(unit, step, response)
         with process_pool(jobs) as executor:
-            found = of_target(
+            selected = of_target(
                 target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
+        found, written = selected.suite, lock_target(target, selected) if lock else None
     _print_suite(found, output, as_json=as_json, as_csv=as_csv)
+    if written is not None:
+        print(f'{written} written; [records] lock = "{written.name}" uses it', file=sys.stderr)
 
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:
     """Raise BadParameter for options or several places without a target; a project has its own criteria."""
-    given = [name for name in context.params if name not in OWN and _is_given(context, name)]
+    given = [OPTIONS.get(name, name) for name in context.params if name not in OWN and _is_given(context, name)]
     if target is None and (given or len(places) != 1):
         what = f"--{given[0].replace('_', '-')}" if given else "several places"
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")

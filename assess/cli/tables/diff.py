@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
@@ -23,8 +24,10 @@ HEADINGS: Mapping[Kind, str] = {
     "parameter": "rocking parameters (SI)",
     "sweep": "parametric studies",
     "sensitivity": "sensitivity",
+    "uncertainty": "uncertainty",
     "other": "other blocks of results.json that differ",
-    "site": "site and records",
+    "suite": "suite of records",
+    "site": "site",
     "project": "project (SI)",
     "input": "files",
     "warning": "warnings",
@@ -39,6 +42,7 @@ WORDS = {
 """Verdicts and outcomes, as `assess run` prints them."""
 LONGEST, WIDEST = 40, 100  # characters of names and values, and of what they are of
 AROUND = 12  # characters that are shown of what two long texts have in common
+HASHED = re.compile("[0-9a-f]{64}")
 HASH = 12  # characters of a SHA-256 that tell files apart
 FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
 
@@ -104,7 +108,7 @@ def _shown(value: Any, kind: Kind) -> str:
         return "-"
     if kind == "verdict" and isinstance(value, str):
         return WORDS.get(value, str(value))
-    if kind == "input":
+    if kind == "input" or (kind == "suite" and HASHED.fullmatch(str(value))):
         return str(value)[:HASH]
     return f"{value:.4g}" if is_number(value) else str(_plain(value))
 

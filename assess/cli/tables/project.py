@@ -60,6 +60,8 @@ def _site(project: Project) -> str:
 
 def _motions(project: Project) -> str:
     records = project.content.records
+    if records.lock is not None:
+        return f"records: those of {escape_text(records.lock.name)}"
     artificial = 0 if records.synthetic is None else records.synthetic.count
     if records.select is not None:
         of = f"{records.select.count} selected out of {len(records.files)} files or folders"

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from textwrap import wrap
 
 from assess.cli.tables.text_table import on_one_line, text_table
+from assess.cli.tables.uncertainty import uncertainty_lines
 from assess.codes.numerical_spread import interval_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.codes.verdict_text import (
@@ -48,6 +49,7 @@ def summary(results: Results) -> str:
         *_verdict(found, results.report),
         *(f"condition: {each.text}" for each in found.conditions),
         *(f"warning: {each.where}: {each.text}" for each in told),
+        *uncertainty_lines(results.uncertainty),
         *_missing(found),
     ]
     return _table(found, pairs) + "".join(map(_wrap, lines)) + "".join(f"{line}\n" for line in _toml(found, results))

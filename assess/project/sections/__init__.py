@@ -8,6 +8,7 @@ from assess.project.sections.analysis import Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody
 from assess.project.sections.content import Content
 from assess.project.sections.cuts import CutAngle, CutPlane
+from assess.project.sections.fragility import Fragility, Risk, measure_of
 from assess.project.sections.hinges import Hinges, RadialJoints
 from assess.project.sections.interfaces import Interface
 from assess.project.sections.italian import FreeElement, Italian
@@ -28,6 +29,7 @@ from assess.project.sections.spectra import (
     Spectrum,
     TableSpectrum,
 )
+from assess.project.sections.uncertainty import Uncertainty
 from assess.project.sections.verdict import VerdictSection
 
 __all__ = [
@@ -48,6 +50,7 @@ __all__ = [
     "EquivalentBlock",
     "ForceLoad",
     "FourHinge",
+    "Fragility",
     "FreeElement",
     "Hinges",
     "Interface",
@@ -65,6 +68,7 @@ __all__ = [
     "RadialJoints",
     "Records",
     "Report",
+    "Risk",
     "Select",
     "Sensitivity",
     "SingleBlock",
@@ -73,5 +77,7 @@ __all__ = [
     "TableSpectrum",
     "TieLoad",
     "TwoBlock",
+    "Uncertainty",
     "VerdictSection",
+    "measure_of",
 ]

@@ -10,6 +10,7 @@ from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
+    FilePlace,
     InputFile,
     InputFiles,
     PositiveAcceleration,
@@ -21,12 +22,14 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section, wrong
+from assess.project.sections.fragility import Fragility, Risk
 from assess.project.sections.italian import Dmi2008, Ntc2018
 from assess.project.sections.procedure_names import Procedure
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import Asked
 from assess.project.sections.sweeps import Sweep, Sweeps
+from assess.project.sections.uncertainty import Uncertainty
 
 
 class Synthetic(Section):
@@ -62,6 +65,24 @@ class Records(Section):
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
     factor: PositiveRatio = 1.0
     """further factor on every record, like 1.05, where the mean of the suite falls short of what its code asks"""
+    lock: FilePlace | None = None
+    """file like "records.lock.toml", written by `assess records select PROJECT --lock`: its records and factors are
+    used, and the other keys here say how it is made"""
+
+    @property
+    def selection(self) -> Select | None:
+        """What the suite is selected by; nothing is selected for a locked one."""
+        return self.select if self.lock is None else None
+
+    @property
+    def made(self) -> Synthetic | None:
+        """The artificial records that are made; those of a lock are its own."""
+        return self.synthetic if self.lock is None else None
+
+    @property
+    def further_factor(self) -> float:
+        """The factor on every record; those of a lock include it."""
+        return self.factor if self.lock is None else 1.0
 
     @model_validator(mode="after")
     def _select_has_files(self) -> Records:
@@ -70,6 +91,8 @@ class Records(Section):
             raise wrong("files", f'{folders[0]} is a folder; add `select`, or write a pattern like "records/*.AT2"')
         if self.select is not None and not self.files:
             raise wrong("select", "there are no files to choose from; add files")
+        if self.select is not None and self.select.code is not None and self.synthetic is not None:
+            raise wrong("synthetic", "beside select.for, which makes a suite of recorded motions; remove one of them")
         return self
 
 
@@ -93,6 +116,12 @@ class Analysis(Section):
     """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
     sensitivity: Asked = None
     """true, or { vary, thickness, density, … }: how the verdicts move with numbers that are not well known"""
+    fragility: Fragility | None = None
+    """a table [analysis.fragility] for `assess fragility`: { measures, states, method, samples, seed, … }"""
+    risk: Risk | None = None
+    """a table [analysis.risk] for `assess fragility`: the hazard of the site, { hazard | curve, site, target }"""
+    uncertainty: Uncertainty | None = None
+    """{ samples, seed, thickness }: how the answers spread when the numbers given as { mean, cov } vary together"""
 
     @property
     def sweeps(self) -> tuple[Sweep, ...]:

@@ -22,33 +22,34 @@ from assess.project.quantities import (
 )
 from assess.project.section import Section
 from assess.project.sections.corners import Corners
+from assess.project.sections.uncertain_number import UNCERTAIN
 
 
 class Material(Section):
     """A masonry."""
 
-    density: PositiveDensity
+    density: Annotated[PositiveDensity, UNCERTAIN]
     """mass per volume, like "2240 kg/m^3\""""
-    young_modulus: PositiveStress | None = None
+    young_modulus: Annotated[PositiveStress, UNCERTAIN] | None = None
     """modulus of elasticity, like "6.89 GPa\""""
-    compressive_strength: PositiveStress | None = None
+    compressive_strength: Annotated[PositiveStress, UNCERTAIN] | None = None
     """strength in compression, like "1.0 MPa\""""
-    tensile_strength: NotNegativeStress | None = None
+    tensile_strength: Annotated[NotNegativeStress, UNCERTAIN] | None = None
     """strength of the mortar in tension"""
     disintegration: Literal["excluded", "possible"] | None = None
     """whether the masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
-    friction: NotNegativeRatio | None = None
+    friction: Annotated[NotNegativeRatio, UNCERTAIN] | None = None
     """coefficient of friction"""
 
 
 class Box(Section):
     """A rectangular block: thickness along x, length along y."""
 
-    thickness: PositiveLength
+    thickness: Annotated[PositiveLength, UNCERTAIN]
     """size along x, like "1.25 m\""""
-    length: PositiveLength
+    length: Annotated[PositiveLength, UNCERTAIN]
     """size along y, like "3.0 m\""""
-    height: PositiveLength
+    height: Annotated[PositiveLength, UNCERTAIN]
     """size along z, like "8.0 m\""""
     base: SpacePoint = (0.0, 0.0, 0.0)
     """centre of the base face [x, y, z]"""
@@ -89,18 +90,18 @@ class ProfileBody(Section):
     """the name of a table [materials.NAME]"""
     profile: Corners
     """corners of the polygon [[x, z], …] in order"""
-    length: PositiveLength
+    length: Annotated[PositiveLength, UNCERTAIN]
     """length along y, like "3.0 m\""""
 
 
 class DirectBody(Section):
     """A body by its mass, centroid and inertia, without geometry."""
 
-    mass: PositiveMass
+    mass: Annotated[PositiveMass, UNCERTAIN]
     """mass, like "12000 kg\""""
     centroid: PlanePoint
     """centre of mass [x, z]"""
-    inertia: PositiveInertia
+    inertia: Annotated[PositiveInertia, UNCERTAIN]
     """moment of inertia about the centroid, like "5200 kg*m^2\""""
     disintegration: Literal["excluded", "possible"] | None = None
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""

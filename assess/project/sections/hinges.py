@@ -14,30 +14,34 @@ from pydantic import (
 )
 
 from assess.model.ranges import MOST_VOUSSOIRS
-from assess.project.quantities import Angle, PlanePoint, Point
+from assess.project.quantities import Angle, Coordinate, PlanePoint, a_point
 from assess.project.section import Section, wrong
+from assess.project.sections.uncertain_number import UNCERTAIN_COORDINATE
+
+Place = Annotated[Coordinate, UNCERTAIN_COORDINATE]
+UncertainPoint = Annotated[tuple[Place, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
 
 
 class Hinges(Section):
     """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
 
-    A: Point
+    A: UncertainPoint
     """the base hinge"""
 
 
 class ThreeHinges(Hinges):
     """Hinges of a wall of two blocks."""
 
-    B: Point
+    B: UncertainPoint
     """at the crack"""
-    C: Point
+    C: UncertainPoint
     """at the top"""
 
 
 class FourHinges(ThreeHinges):
     """Hinges of three blocks."""
 
-    D: Point
+    D: UncertainPoint
     """the far base hinge"""
 
 

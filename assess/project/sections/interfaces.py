@@ -9,8 +9,10 @@ from pydantic import AfterValidator, BeforeValidator, Discriminator, Tag, model_
 from assess.project.quantities import JointStiffness, PositiveLength, Strength
 from assess.project.section import Section, wrong
 from assess.project.sections.corners import Corners
+from assess.project.sections.uncertain_number import UNCERTAIN
 
 Letter = Literal["A", "B", "C", "D"]
+Size = Annotated[PositiveLength, UNCERTAIN]
 
 
 SIZES = {
@@ -43,15 +45,13 @@ def _shape(value: Any) -> Any:
 class Shape(Section):
     """The contact by one of its sizes, the first along the direction of motion, the second across."""
 
-    rectangle: tuple[PositiveLength, PositiveLength] | None = None
+    rectangle: tuple[Size, Size] | None = None
     """[thickness, length]"""
-    hollow_rectangle: (
-        Annotated[tuple[PositiveLength, PositiveLength, PositiveLength, PositiveLength], AfterValidator(_hollow)] | None
-    ) = None
+    hollow_rectangle: Annotated[tuple[Size, Size, Size, Size], AfterValidator(_hollow)] | None = None
     """[thickness, length, inner thickness, inner length]"""
-    circle: PositiveLength | None = None
+    circle: Size | None = None
     """diameter"""
-    annulus: Annotated[tuple[PositiveLength, PositiveLength], AfterValidator(_hollow)] | None = None
+    annulus: Annotated[tuple[Size, Size], AfterValidator(_hollow)] | None = None
     """[diameter, inner diameter]"""
     polygon: Corners | None = None
     """corners [[x, y], …] in plan"""
@@ -70,11 +70,11 @@ class Interface(Section):
     model: Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"] = "rigid"
     """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
     "semi-flexible", about the resultant: "flexible-thesis\""""
-    stiffness: JointStiffness | None = None
+    stiffness: Annotated[JointStiffness, UNCERTAIN] | None = None
     """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
-    course_thickness: PositiveLength | None = None
+    course_thickness: Annotated[PositiveLength, UNCERTAIN] | None = None
     """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
-    strength: Strength | None = None
+    strength: Annotated[Strength, UNCERTAIN] | None = None
     """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""
     shape: Annotated[
         Annotated[Literal["outline"], Tag("<outline>")] | Annotated[Shape, Tag("<shape>")],

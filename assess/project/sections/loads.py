@@ -20,6 +20,7 @@ from assess.project.quantities import (
     Share,
 )
 from assess.project.section import Section, quote_names, wrong
+from assess.project.sections.uncertain_number import UNCERTAIN
 from assess.project.units import KINDS, key_value
 
 BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
@@ -42,6 +43,7 @@ GivenForce = Annotated[
     BeforeValidator(_force),
     WithJsonSchema({"description": 'like "10 kN" with a direction, or ["8 kN", "-3 kN"]: along the direction, up'}),
     KINDS["force"],
+    UNCERTAIN,
 ]
 
 
@@ -68,7 +70,7 @@ class MassLoad(Section):
 
     kind: Literal["mass"]
     """"mass\""""
-    mass: PositiveMass
+    mass: Annotated[PositiveMass, UNCERTAIN]
     """like "1200 kg\""""
     at: Point
     """[x, y, z], or [distance along the direction, elevation]"""
@@ -120,7 +122,7 @@ class TieLoad(Section):
 
     kind: Literal["tie"]
     """"tie\""""
-    force: PositiveForce
+    force: Annotated[PositiveForce, UNCERTAIN]
     """pretension, like "30 kN\""""
     at: Point
     """where it holds the block: [x, y, z], or [distance along the direction, elevation]"""
@@ -133,7 +135,7 @@ class TieLoad(Section):
     until: Until | None = None
     """"collapse" if it is shown to be there up to collapse; or the displacement of its point at which it breaks; if
     absent it counts in the multiplier alone"""
-    strength: PositiveForce | None = None
+    strength: Annotated[PositiveForce, UNCERTAIN] | None = None
     """least of bar, plate, masonry and far wall; it never pulls with more"""
     length: PositiveLength | None = None
     """of the bar, over which it stretches"""
@@ -154,7 +156,7 @@ class OverburdenLoad(Section):
 
     kind: Literal["overburden"]
     """"overburden\""""
-    force: PositiveForce | None = None
+    force: Annotated[PositiveForce, UNCERTAIN] | None = None
     """vertical load, like "40 kN\""""
     bodies: tuple[Name, ...] = ()
     """or what stands on the wall: its weight, by its share, where it touches"""
@@ -195,9 +197,9 @@ class BodyLoad(Section):
     """how far the contact can move along the direction before the body falls off the block, like "0.12 m\""""
     at: Point | None = None
     """where it acts: [x, y, z], or [distance along the direction, elevation]; centroid of the contact if absent"""
-    mass: PositiveMass | None = None
+    mass: Annotated[PositiveMass, UNCERTAIN] | None = None
     """of the whole body; its volume times the density of its material if absent"""
-    thrust: PositiveForce | None = None
+    thrust: Annotated[PositiveForce, UNCERTAIN] | None = None
     """of a roof or vault on this block, along the direction of motion, outwards; from its shape if absent"""
     span: PositiveLength | None = None
     """of a roof or vault along its thrust; from its bounding box if absent"""
@@ -209,7 +211,7 @@ class BodyLoad(Section):
     """as the faces of the mesh show if absent"""
     construction: Annotated[StrictInt, Field(ge=1, le=5)] | None = None
     """weight of a vault by Ungewitter's case 1 to 5 over its intrados, in place of the mesh's volume"""
-    fill: PositiveAreaMass | None = None
+    fill: Annotated[PositiveAreaMass, UNCERTAIN] | None = None
     """fill and plaster over the plan of a vault, beside its own weight, like "80 kg/m^2\""""
     block: BlockIndex | None = None
     """which block it acts on, from 0 at the base; if absent the one that it touches, or all that it bears on"""

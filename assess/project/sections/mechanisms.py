@@ -37,6 +37,7 @@ from assess.project.sections.hinges import ArchHinges, FourHinges, Hinges, Joint
 from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
 from assess.project.sections.restitution import Restitution
+from assess.project.sections.uncertain_number import UNCERTAIN, UNCERTAIN_RESTITUTION, UNCERTAIN_UPLIFT
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 
@@ -68,7 +69,7 @@ class Chained(Section):
     """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadSection, ...] = ()
     """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
-    restitution: Restitution = Field(default_factory=Restitution)
+    restitution: Annotated[Restitution, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
     interface: Interface = Field(default_factory=Interface)
     """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
@@ -193,9 +194,9 @@ class EquivalentBlock(Section):
 
     kind: Literal["equivalent-block"]
     """"equivalent-block\""""
-    p: PositiveRate
+    p: Annotated[PositiveRate, UNCERTAIN]
     """frequency parameter, like "1.60 1/s\""""
-    uplift: Uplift
+    uplift: Annotated[Uplift, UNCERTAIN_UPLIFT]
     """multiplier that starts rocking, taken as the slenderness [rad], like 0.14"""
     radius: PositiveLength
     """distance from hinge to centre of mass, like "2.84 m\""""
@@ -203,7 +204,7 @@ class EquivalentBlock(Section):
     """what the report calls it; the name of the table if absent"""
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
-    restitution: Restitution = Field(default_factory=Restitution)
+    restitution: Annotated[Restitution, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
     mass: PositiveMass = 1.0
     """mass of the mechanism"""

@@ -12,6 +12,7 @@ from pydantic import (
 
 from assess.model.ranges import RESTITUTIONS
 from assess.project.section import Section, quote_names
+from assess.project.sections.uncertain_number import UNCERTAIN_RESTITUTION
 from assess.project.units import KINDS, key_value
 
 
@@ -31,6 +32,7 @@ RestitutionValue = Annotated[
     BeforeValidator(_restitution),
     Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
     KINDS["ratio"],
+    UNCERTAIN_RESTITUTION,
 ]
 
 

@@ -18,6 +18,7 @@ from assess.project.quantities import (
     Time,
 )
 from assess.project.section import Section
+from records.compliance.making import CodeName
 
 T = TypeVar("T", bound=tuple[float, float])
 
@@ -40,11 +41,14 @@ Factors = Annotated[tuple[PositiveRatio, PositiveRatio], AfterValidator(_rising)
 class Select(Section):
     """The best suite out of many records."""
 
+    code: CodeName | None = Field(default=None, alias="for")
+    """code whose rules on suites are to be met, as far as they can be answered: the factor on the records, their number
+    and records that break a rule by themselves are changed, or an error says which rule no suite meets"""
     count: Annotated[Count, Field(le=200)] = 7
     """how many records; with components = "together" how many recordings"""
     periods: Periods | None = None
     """[from, to] over which spectra are to fit; 0.2 times the least to 1.2 times the largest equivalent period of the
-    mechanisms if absent"""
+    mechanisms if absent, and with `for` the range of the code"""
     weights: tuple[tuple[PositiveTime, NotNegativeRatio], ...] = ()
     """[[period, weight], …], between them linear in log period; equal if absent"""
     scale_limits: Factors = (0.25, 4.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, StrictBool, StrictStr, model_validator
 
@@ -19,6 +19,7 @@ from assess.project.quantities import (
 )
 from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.spectra import LIMIT_STATES, NtcHazardSpectrum, SpectrumSection
+from assess.project.sections.uncertain_number import UNCERTAIN
 
 
 class Site(Section):
@@ -75,7 +76,7 @@ class Building(Section):
     """class of use "I" to "IV", of the Italian codes"""
     school: StrictBool | None = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
-    period: PositiveTime | None = Field(
+    period: Annotated[PositiveTime, UNCERTAIN] | None = Field(
         default_factory=lambda values: None if values.get("height") is None else default_period(values["height"])
     )
     """period of the first mode; 0.05 H^0.75 if absent"""

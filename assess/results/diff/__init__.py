@@ -14,7 +14,8 @@ from assess.results.diff.checks import capacities, ratios, verdicts
 from assess.results.diff.inputs import inputs, program, project, site, warnings
 from assess.results.diff.mechanisms import envelopes, histories, mechanisms, parameters
 from assess.results.diff.others import others
-from assess.results.diff.variations import sensitivities, sweeps
+from assess.results.diff.suites import suites
+from assess.results.diff.variations import sensitivities, sweeps, uncertainties
 from assess.results.run import Results
 
 __all__ = ["COMPARED", "KINDS", "Change", "Kind", "changes", "is_number", "same"]
@@ -29,6 +30,8 @@ COMPARED: tuple[Callable[[Results, Results], Iterator[Change]], ...] = (
     parameters,
     sweeps,
     sensitivities,
+    uncertainties,
+    suites,
     site,
     project,
     inputs,

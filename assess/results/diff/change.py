@@ -8,8 +8,8 @@ from math import isclose
 from typing import Any, Literal, get_args
 
 Kind = Literal[
-    "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity", "other",
-    "site", "project", "input", "warning", "program",
+    "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity",
+    "uncertainty", "other", "suite", "site", "project", "input", "warning", "program",
 ]  # fmt: skip
 KINDS: tuple[Kind, ...] = get_args(Kind)
 TOLERANCE = 1e-6  # relative: differences of rounding

@@ -13,7 +13,7 @@ from assess.results.run import Results
 
 
 def site(before: Results, after: Results) -> Iterator[Change]:
-    """Compare the spectrum, the records and their scale factors."""
+    """Compare the spectrum."""
     sides: list[dict[str, float | str]] = []
     for results in (before, after):
         one = results.spectrum
@@ -21,9 +21,6 @@ def site(before: Results, after: Results) -> Iterator[Change]:
         sides.append(known)
     for what, first, second in pairs(*sides):
         yield Change("site", "spectrum", what, first, second)
-    scales = [{record.id: record.scale_factor for record in results.records} for results in (before, after)]
-    for id, factor, other in pairs(*scales):
-        yield Change("site", f"record {id}", "scale factor", factor, other)
 
 
 def project(before: Results, after: Results) -> Iterator[Change]:

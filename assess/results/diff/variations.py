@@ -9,6 +9,7 @@ from assess.results.diff.pairs import of_both, pairs
 from assess.results.run import Results
 from assess.results.sensitivity import SensitivityResult
 from assess.results.sweeps import SweepResult
+from assess.results.uncertainty import QUANTILES, UncertaintyResult
 
 SWEEP_COLUMNS = {
     "demand_capacity": "",
@@ -71,3 +72,29 @@ def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], f
     for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
         yield (row.mechanism, f"{what} {side}", unit), found
         yield (row.mechanism, f"verdict of {what} {side}", ""), verdict
+
+
+def uncertainties(before: Results, after: Results) -> Iterator[Change]:
+    """Compare the uncertain numbers, the probability of failing of each answer and its quantiles."""
+    sides = [{} if each.uncertainty is None else uncertain_statements(each.uncertainty) for each in (before, after)]
+    for (where, what, unit), first, second in pairs(*sides):
+        yield Change("uncertainty", where, what, first, second, unit=unit)
+
+
+def uncertain_statements(found: UncertaintyResult) -> dict[tuple[str, str, str], float | str | None]:
+    """Return what is sampled and what the samples give, by mechanism, subject and unit."""
+    said: dict[tuple[str, str, str], float | str | None] = {
+        ("", "samples", ""): found.samples,
+        ("", "seed", ""): found.seed,
+    }
+    for one in found.inputs:
+        said["", f"{one.key}, mean", one.unit.replace("-", "")] = one.mean
+        said["", f"{one.key}, cov", ""] = one.cov
+        said["", f"{one.key}, distribution and group", ""] = f"{one.distribution}, {one.group}"
+    for each in found.answers:
+        at = "" if each.level_pga_g is None else f" at {each.level_pga_g:.6g} g"
+        of = f"{each.procedure} {each.limit_state}".strip() + at
+        said[each.mechanism, f"probability of failing, {of}", ""] = each.probability
+        for percent, ratio in zip(QUANTILES, each.quantiles, strict=True):
+            said[each.mechanism, f"demand_capacity, {percent} %, {of}", ""] = ratio
+    return said

@@ -39,7 +39,7 @@ def test_name_is_there_and_known_to_dir(name):
 def test_names_of_the_interface_are_public():
     listed = {
         "g", "box", "mesh", "profile", "single_block", "two_block", "four_hinge", "equivalent_block", "read_record",
-        "respond", "envelope", "spectrum", "answers", "load", "run", "write_report",
+        "respond", "envelope", "fragility", "spectrum", "answers", "load", "run", "write_report",
     }  # fmt: skip
     assert listed <= set(assess.__all__)
 

@@ -172,26 +172,45 @@ def test_ec8_asks_for_the_mean_peak() -> None:
         en1998_1.requirements(suite(0.8, 1.1), shortest=T_EQ, longest=T_EQ), "mean zero-period ordinate over a_g S"
     )
     assert (found.value, found.verdict) == (pytest.approx(0.95), "not met")
+    assert found.factor == pytest.approx(1.0 / 0.95)
 
 
-def test_nzs_measures_the_log_misfit_and_the_family_factor() -> None:
-    found = nzs1170_5.requirements(suite(0.8, 0.9, 1.4), shortest=T_EQ, longest=T_EQ)
-    fit = named(found, "largest misfit D_1 of a record")
-    assert fit.value == pytest.approx(log10(1.4), rel=1e-12)
-    assert fit.limit == pytest.approx(log10(1.5), rel=1e-12)
-    assert named(found, "family scale factor k_2").value == 1.0
-    low = nzs1170_5.requirements(suite(0.2, 0.5, 0.7), shortest=T_EQ, longest=T_EQ)
-    assert named(low, "family scale factor k_2").value == pytest.approx(1 / 0.7, rel=1e-12)
-    assert named(low, "family scale factor k_2").verdict == "not met"
-    assert named(low, "least record scale factor k_1").verdict == "not met"
+def off(*powers: float, factor: float = 1.0) -> tuple[Requirement, ...]:
+    """NZS of records that are 10 ^ (n T) off the target, in use with one factor; T_1 = 1 s."""
+    of = suite(*[1.0] * len(powers))
+    spectra = of.target * 10.0 ** (np.array(powers)[:, np.newaxis] * FINE)
+    return nzs1170_5.requirements(
+        replace(of, spectra=factor * spectra, factor=np.full(len(powers), factor)), shortest=T_EQ, longest=T_EQ
+    )
 
 
-def test_nzs_averages_over_the_period_itself_not_its_logarithm() -> None:
-    """A record 10 ^ x off at period T, with x = T, has D_1^2 = (b^3 - a^3) / 3 / (b - a)."""
-    of = replace(suite(1.0), spectra=(suite(1.0).target * 10.0**FINE)[np.newaxis])
-    found = named(nzs1170_5.requirements(of, shortest=T_EQ, longest=T_EQ), "largest misfit D_1 of a record")
+def test_nzs_finds_k_1_and_the_log_misfit_over_the_period_itself_not_its_logarithm() -> None:
+    """Of log10 ratios n T over a to b the mean is n (a + b) / 2 and the deviation n (b - a) / sqrt(12)."""
     a, b = (FINE[(FINE >= 0.4) & (FINE <= 1.3)][i] for i in (0, -1))
-    assert found.value == pytest.approx(np.sqrt((b**3 - a**3) / 3 / (b - a)), rel=1e-3)
+    for factor in (1.0, 2.5):
+        found = off(0.4, 0.1, factor=factor)
+        assert named(found, "least record scale factor k_1").value == pytest.approx(10 ** (-0.2 * (a + b)), rel=1e-3)
+        assert named(found, "largest record scale factor k_1").value == pytest.approx(10 ** (-0.05 * (a + b)), rel=1e-3)
+        fit = named(found, "largest misfit D_1 of a record")
+        assert fit.value == pytest.approx(0.4 * (b - a) / np.sqrt(12), rel=1e-3)
+        assert fit.limit == pytest.approx(log10(1.5), rel=1e-12)
+    steep = named(off(0.8), "largest misfit D_1 of a record")
+    assert (steep.verdict, steep.value) == ("not met", pytest.approx(0.8 * (b - a) / np.sqrt(12), rel=1e-3))
+
+
+def test_nzs_asks_for_a_family_factor_where_no_record_reaches_the_target_and_for_factors_in_use_with_it() -> None:
+    a, b = (FINE[(FINE >= 0.4) & (FINE <= 1.3)][i] for i in (0, -1))
+    assert named(off(0.3, -0.3), "family scale factor k_2").value == pytest.approx(1.0, abs=2e-3)
+    found = off(0.3, 0.3, 0.3, factor=2.0)
+    k_2 = 10 ** (0.3 * (b - a) / 2)
+    family = named(found, "family scale factor k_2")
+    assert (family.value, family.verdict) == (pytest.approx(k_2, rel=1e-3), "not met")
+    used = named(found, nzs1170_5.IN_USE)
+    assert used.value == pytest.approx(2.0 / (10 ** (-0.15 * (a + b)) * k_2), rel=1e-3)
+    low = nzs1170_5.requirements(replace(suite(0.25, 0.5, 0.7), factor=np.ones(3)), shortest=T_EQ, longest=T_EQ)
+    assert named(low, "largest record scale factor k_1").value == pytest.approx(4.0, rel=1e-12)
+    assert named(low, "largest record scale factor k_1").verdict == "not met"
+    assert named(low, nzs1170_5.IN_USE).factor == pytest.approx(4.0, rel=1e-12)
 
 
 def test_nzs_takes_no_period_below_0_4_s() -> None:

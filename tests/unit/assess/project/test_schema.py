@@ -313,7 +313,7 @@ def test_json_schema_is_closed_and_strict() -> None:
         assert set(table.get("required", [])) <= set(table["properties"])
         assert [key for key in table.get("required", []) if not table["properties"][key].get("description")] == []
     thickness = definitions["Box"]["properties"]["thickness"]
-    assert thickness["type"] == ["number", "string"]
+    assert thickness["anyOf"] == [{"type": ["number", "string"]}, {"$ref": "#/$defs/UncertainNumber"}]
     assert thickness["description"] == 'size along x, like "1.25 m"'
 
 

@@ -43,7 +43,14 @@ from assess.results import (
     View,
 )
 from assess.results.files import read
-from assess.results.json import _validate_at_once, _validate_step_by_step, dumps, dumps_mechanisms, loads
+from assess.results.json import (
+    RESULTS_TREE,
+    _validate_at_once,
+    _validate_step_by_step,
+    dumps,
+    dumps_mechanisms,
+    loads,
+)
 
 
 def oscillator() -> OscillatorResult:
@@ -176,7 +183,7 @@ def test_a_contact_comes_back_as_lines_and_is_none_in_older_files() -> None:
 def test_letters_within_a_picture_do_not_slow_the_reading() -> None:
     logo = Picture("logo.png", "", "image/png", 2, 1, "AANaN+NaN/InfinityAA")
     written = dumps(replace(results(), report=ReportMatter(logo=logo)))
-    assert _validate_at_once(written) == loads(written)
+    assert _validate_at_once(written, RESULTS_TREE) == loads(written)
 
 
 def test_an_examined_item_names_mechanisms_of_the_results() -> None:
@@ -211,7 +218,7 @@ def test_a_message_has_key_severity_where_values_and_text() -> None:
 
 def test_read_at_once_as_step_by_step() -> None:
     text = dumps(results())
-    assert _validate_at_once(text) == _validate_step_by_step(text, "results") == results()
+    assert _validate_at_once(text, RESULTS_TREE) == _validate_step_by_step(text, "results", RESULTS_TREE) == results()
     told = replace(results(), warnings=(Message("NaN", Severity.NOTE, "Infinity", "a word, not a number"),))
     assert loads(dumps(told)) == told
 

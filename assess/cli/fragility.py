@@ -1,0 +1,100 @@
+"""`assess fragility`: how likely each mechanism is to rock and to overturn, and how often."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.options import Jobs, ProjectPath, refuse_both
+
+FORMATS = ("nrml", "pelicun", "csv")
+
+
+def check_formats(text: str | None) -> str | None:
+    """Return the formats of an export, separated by commas; raise BadParameter for one that is not known."""
+    for name in [] if text is None else text.split(","):
+        if name not in FORMATS:
+            raise typer.BadParameter(f'"{name}" is no format of exports; write of {",".join(FORMATS)}')
+    return text
+
+
+def fragility(
+    project: ProjectPath,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="DIR",
+            help="Folder for fragility.pdf, fragility.html, fragility.json, tables, figures and exports.",
+        ),
+    ] = None,
+    export: Annotated[
+        str | None,
+        typer.Option(
+            "--export",
+            metavar="FORMATS",
+            help="Also write the curves for other programs: nrml, pelicun, csv, or several with commas; needs -o.",
+            callback=check_formats,
+        ),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print fragility.json.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print medians, dispersions and rates as CSV.")] = False,
+    jobs: Jobs = None,
+) -> None:
+    """Find how likely each mechanism is to rock and to overturn at each intensity, and how often it does so.
+
+    Measures, states and method are those of [analysis.fragility], the hazard that of [analysis.risk] or of an Italian
+    site over return periods. Records are scaled from what they are, not from the spectrum. Prints a table; files are
+    written only with -o. Sweeps are ignored.
+    """
+    refuse_both(as_json=as_json, as_csv=as_csv)
+    if export is not None and output is None:
+        raise typer.BadParameter("--export needs -o, the folder to write to")
+    from assess.project.schema import load
+
+    loaded = load(project)
+    from assess.cli.progress import progress
+    from assess.cli.stderr import print_message
+    from assess.cli.tables.fragility import csv_text, table_text
+    from assess.cli.tables.messages import messages_text
+    from assess.outputs.folder import output_folder
+    from assess.outputs.manifest import FRAGILITY
+    from assess.project.build import build
+    from assess.results.json import dumps_fragility
+    from assess.study.fragility.exports import FORMATS as FILES
+    from assess.study.fragility.exports import export as export_curves
+    from assess.study.fragility.fragility import run_fragility
+    from assess.workers import available_cores, process_pool
+
+    formats = [] if export is None else list(dict.fromkeys(export.split(",")))
+    exported = [name for format in formats for name in FILES[format]]
+    wanted = (FRAGILITY, "fragility.pdf", "fragility.html", "tables.xlsx", *exported)
+    place = (
+        nullcontext()
+        if output is None
+        else output_folder(output, command="assess fragility", owner=FRAGILITY, wanted=wanted, tell=print_message)
+    )
+    with place as stage, progress() as shown:
+        with process_pool(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = run_fragility(study, jobs=jobs or available_cores(), progress=shown.count)
+        if stage is not None:
+            from reports.assessment import fragility_report
+            from reports.writing import write_document
+
+            (stage / FRAGILITY).write_bytes(dumps_fragility(results).encode())
+            write_document(fragility_report(results), stage, name="fragility.pdf", jobs=jobs or 0, progress=shown.step)
+            files, left_out = export_curves(results, formats)
+            for name, text in files.items():
+                (stage / name).write_bytes(text.encode())
+            print(messages_text(left_out), end="", file=sys.stderr)
+    if as_json or as_csv:  # the table includes them
+        print(messages_text(results.warnings), end="", file=sys.stderr)
+    print(dumps_fragility(results) if as_json else csv_text(results) if as_csv else table_text(results), end="")
+    if output is not None and not (as_json or as_csv):
+        print(output / "fragility.pdf")

@@ -1,0 +1,107 @@
+"""Fragility for the terminal and as CSV."""
+
+from __future__ import annotations
+
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.text_table import text_table
+from assess.messages.message import UNITS, locate
+from assess.results.fragility import (
+    CurveName,
+    FragilityCurve,
+    FragilityResults,
+    LognormalResult,
+    MeasureResult,
+    MechanismFragility,
+    RiskResult,
+    StateResult,
+)
+from reports.render.csv import csv_lines
+
+HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
+RISK_HEADER = ["mechanism", "state", "curve", "rate [1/year]", "in 50 years", "target [1/year]"]
+
+
+def table_text(results: FragilityResults) -> str:
+    """Write median and dispersion of each curve, the rates where the hazard is known, and the messages."""
+    rows = [_row(each, curve) for each in results.mechanisms for curve in each.curves]
+    risks = [_risk_row(each, risk) for each in results.mechanisms for risk in each.risks]
+    tables = [text_table(HEADER, rows)] if rows else ["no mechanism has a fragility curve\n"]
+    if risks:
+        tables.append(text_table(RISK_HEADER, risks))
+    notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
+    said = (
+        note for each in results.mechanisms for risk in each.risks for note in locate(risk.notes, _place(each, risk))
+    )
+    return "\n".join(tables) + messages_text((*results.warnings, *notes, *said))
+
+
+def _place(mechanism: MechanismFragility, risk: RiskResult) -> str:
+    return f"mechanisms.{mechanism.name}, {state_name(risk.state)}"
+
+
+def _row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:
+    fitted, unit = curve.lognormal, UNITS[curve.measure.dimension]
+    head = [mechanism.name, state_name(curve.state), measure_name(curve.measure)]
+    if fitted is None:
+        return [*head, "none", *[""] * 3]
+    median = f"{fitted.median:.3g}" + ("" if unit == "-" else f" {unit}")
+    return [
+        *head,
+        median,
+        _interval(fitted.median_interval),
+        f"{fitted.dispersion:.2f}",
+        _interval(fitted.dispersion_interval),
+    ]
+
+
+def _interval(found: tuple[float, float] | None) -> str:
+    return "" if found is None else f"{found[0]:.3g} to {found[1]:.3g}"
+
+
+def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
+    target = "" if risk.target_rate is None else f"{risk.target_rate:.2g}"
+    rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
+    return [mechanism.name, state_name(risk.state), risk.curve, rate, probability, target]
+
+
+def state_name(state: StateResult) -> str:
+    """Return a state in words of the project file."""
+    return state.name if state.share is None else f"{state.share:g} of overturning"
+
+
+def measure_name(measure: MeasureResult) -> str:
+    """Return a measure as the project names it, with the place where that is not the ground."""
+    periods = f"({measure.periods_s[0]:g} s)" if measure.key == "sa" else ""
+    return f"{measure.key}{periods}" + (" at the base" if measure.at == "base" else "")
+
+
+def csv_text(results: FragilityResults) -> str:
+    """Write a line for each curve, at full precision: its lognormals with their intervals, and its rates."""
+    header: list[str | float | None] = ["mechanism", "state", "share", "measure", "at", "period [s]", "unit"]
+    header += ["records", "events", "censored", "median", "median low", "median high", "dispersion"]
+    header += ["dispersion low", "dispersion high", "first median", "first dispersion"]
+    header += ["rate [1/year]", "lognormal rate [1/year]", "first rate [1/year]"]
+    rows = [_csv_row(each, curve) for each in results.mechanisms for curve in each.curves]
+    return csv_lines([header, *rows])
+
+
+def _csv_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str | float | None]:
+    measure = curve.measure
+    period = measure.periods_s[0] if measure.key == "sa" else None
+    rates = [_rate(mechanism, curve, name) for name in ("empirical", "lognormal", "first")]
+    first = (None, None) if curve.first is None else (curve.first.median, curve.first.dispersion)
+    head = [mechanism.name, curve.state.name, curve.state.share, measure.key, measure.at, period]
+    counts = [curve.records, curve.events, curve.censored]
+    return [*head, UNITS[measure.dimension], *counts, *_numbers(curve.lognormal), *first, *rates]
+
+
+def _numbers(fitted: LognormalResult | None) -> list[float | None]:
+    if fitted is None:
+        return [None] * 6
+    median, dispersion = fitted.median_interval or (None, None), fitted.dispersion_interval or (None, None)
+    return [fitted.median, *median, fitted.dispersion, *dispersion]
+
+
+def _rate(mechanism: MechanismFragility, curve: FragilityCurve, name: CurveName) -> float | None:
+    same = (curve.measure, curve.state, name)
+    return next((each.annual_rate for each in mechanism.risks if (each.measure, each.state, each.curve) == same), None)

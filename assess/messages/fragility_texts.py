@@ -1,0 +1,41 @@
+"""The English text of messages on fragility and risk, by key."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+FRAGILITY_TEXTS: Mapping[str, str] = {
+    # why no lognormal curve is drawn
+    "fragility-none-reach": "no record reaches this state: no lognormal curve",
+    "fragility-all-reach": "every record reaches this state at every intensity: no lognormal curve",
+    "fragility-one-intensity": "the records have one intensity in common: no lognormal curve",
+    "fragility-separated": "all records reach this state between the same two intensities: the scatter is less than "
+    "the step between them, and no lognormal curve can be fitted",
+    "fragility-falling": "the share of records that reach this state does not rise with this measure: no lognormal "
+    "curve",
+    "fragility-no-threshold": "on joints that deform at once there is no uplift, and the state of rocking is not "
+    "defined",
+    "fragility-no-cloud": "too few records make the mechanism rock without overturning it, or their responses do not "
+    "rise with this measure: no lognormal curve",
+    # records
+    "fragility-few-records": "records: {number}, fewer than {least}: dispersion and tails are hardly known",
+    "fragility-artificial": "artificial records: {number} of {all}; made for one spectrum, they differ less than "
+    "earthquakes do, so the dispersion is too small; use recorded motions",
+    "fragility-hollow": "runs at scale factors above 4: {runs}, up to {largest}; motions scaled so far may not "
+    "resemble strong earthquakes",
+    "fragility-long-periods": "{measure} needs periods up to {period}, beyond those to which {records} can be used",
+    "fragility-no-events": "records that name no earthquake: {number}; each counts as an earthquake of its own, "
+    "and intervals may be too narrow",
+    "fragility-stripes-one-measure": "by stripes fragility is found for the measure that records are scaled by, "
+    '{measure}; use method = "ida" to compare measures',
+    # exports
+    "fragility-left-out": "{mechanism}, {measure}: {why}",
+    # risk
+    "fragility-no-hazard-measure": "the hazard is in {measure}, which is not among the measures of the fragility: no "
+    "rate; add it to [analysis.fragility] measures",
+    "fragility-hazard-ends": "the hazard ends at {intensity}, where the share of records that reach the state is "
+    "{share}: rarer, stronger motions may add at most {beyond} a year",
+    "fragility-hazard-starts": "the hazard begins at {intensity}, where already {share} of records reach the state: "
+    "more frequent motions add to the rate",
+    "fragility-curve-ends": "records are run up to {intensity}, and the share found there is held above it",
+}

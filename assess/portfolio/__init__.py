@@ -1,0 +1,1 @@
+"""Many projects assessed as one: tasks, the processes that compute them, and the ledger of what is done."""

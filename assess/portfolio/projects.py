@@ -1,0 +1,198 @@
+"""The projects of a portfolio: those below a folder, or one for each row of a table that changes a template."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from assess.errors import ProjectError
+from assess.portfolio.named_files import FilesHash, files_hash
+from assess.portfolio.table import Line, read_table
+from assess.portfolio.template import TITLE, Column, columns_of, quote, read_template, with_row
+from assess.short_repr import ShortRepr
+
+ID = "id"
+PROJECT_FILE = "project.toml"
+RESULTS = "-results"  # how the folders end that `assess run` writes
+A_PROJECT = re.compile(rb"^\s*\[\s*(site|mechanisms)\s*[\].]", re.MULTILINE)
+
+
+@dataclass(frozen=True, repr=False)
+class Task(ShortRepr):
+    """One project of a portfolio.
+
+    Attributes
+    ----------
+    key : str
+        The path below the folder, or the row's id in the table; any text, not fit for a path.
+    title : str
+        What the project is called.
+    path : Path
+        The project file, or the template that the row changes; absolute.
+    content : str or None
+        What the row changes in the template, as JSON text; None for a project file. `project_tree` applies it.
+    sha256 : str
+        Of everything the project is made of: its file or template, the row, and the files they name.
+    """
+
+    key: str
+    title: str
+    path: Path
+    content: str | None
+    sha256: str
+
+
+def find_tasks(source: Path, template: Path | None = None) -> tuple[Task, ...]:
+    """Return the projects below a folder, or those that the rows of a table make of a template.
+
+    Parameters
+    ----------
+    source : Path
+        A folder, or a table as CSV.
+    template : Path or None
+        The project file whose values the table changes; None for a folder.
+
+    Raises
+    ------
+    ProjectError
+        If the folder holds no project, or the table's header or the template cannot be used.
+    """
+    if source.is_dir():
+        if template is not None:
+            raise ProjectError(f"{source}: a folder, whose projects need no template; leave out --template")
+        return _of_folder(source)
+    if template is None:
+        raise ProjectError(f"{source}: a table needs the project that its rows change; add --template FILE.toml")
+    return tuple(_of_table(source, template.absolute()))
+
+
+def project_tree(task: Task) -> dict[str, Any]:
+    """Return what a project of a table says: the template with the values of its row.
+
+    Raises
+    ------
+    ProjectError
+        If the row has a value that cannot stand there.
+    """
+    row = json.loads(task.content or "{}")
+    if "fault" in row:
+        raise ProjectError(str(row["fault"]))
+    return with_row(read_template(task.path), {key: (text, unit) for key, text, unit in row["cells"]})
+
+
+def _of_folder(folder: Path) -> tuple[Task, ...]:
+    """Return a task for each project file below a folder, in the order of their paths."""
+    files, hash_of = sorted(_project_files(folder)), files_hash()
+    if not files:
+        raise ProjectError(
+            f"{folder}: no project below it; give a folder with project files, or a table with --template"
+        )
+    return tuple(_of_file(file, folder, hash_of) for file in files)
+
+
+def _project_files(folder: Path) -> Iterator[Path]:
+    """Yield every project.toml, and every other TOML file with a table [site] or [mechanisms]; results are skipped."""
+    for place, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if not name.startswith(".") and not name.endswith(RESULTS)]
+        for name in names:
+            path = Path(place, name)
+            if name == PROJECT_FILE or (name.endswith(".toml") and A_PROJECT.search(_bytes(path))):
+                yield path
+
+
+def _bytes(path: Path) -> bytes:
+    """Return what a file holds; nothing if it cannot be read, which the run of the project tells."""
+    try:
+        return path.read_bytes() if path.is_file() else b""
+    except OSError:
+        return b""
+
+
+def _of_file(file: Path, folder: Path, hash_of: FilesHash) -> Task:
+    data, key = _bytes(file), file.relative_to(folder).as_posix()
+    try:
+        tables: Mapping[str, Any] = tomllib.loads(data.decode("utf-8-sig"))
+    except (ValueError, RecursionError):
+        tables = {}
+    sha256 = hashlib.sha256(data + b"\0" + hash_of(tables, file.parent.absolute()).encode()).hexdigest()
+    return Task(key, _title(tables), file.absolute(), None, sha256)
+
+
+def _title(tables: Mapping[str, Any]) -> str:
+    title = tables.get(TITLE)
+    return title if isinstance(title, str) else ""
+
+
+def _of_table(source: Path, template: Path) -> Iterator[Task]:
+    """Yield a task for each row of a table.
+
+    Raises
+    ------
+    ProjectError : the header or the template cannot be used, there is no row, or two have the same id
+    """
+    tables = read_template(template)
+    lines, seen = read_table(source), dict[str, int]()
+    header = _header(next(lines))
+    try:
+        columns = columns_of(header, tables, skipped=(ID,))
+    except ProjectError as error:
+        raise ProjectError(f"{source}: {error}") from None
+    start, hash_of = hashlib.sha256(template.read_bytes()), files_hash()
+    for line in lines:
+        key = _key(line, header)
+        if key in seen:
+            raise ProjectError(
+                f"{source}: lines {seen[key]} and {line.number}: {quote(key)} twice; give each row its own id"
+            )
+        seen[key] = line.number
+        yield _of_line(line, key, columns, template, tables, start.copy(), hash_of)
+    if not seen:
+        raise ProjectError(f"{source}: no row below the header; add one for each project")
+
+
+def _header(line: Line) -> tuple[str, ...]:
+    """Return the names of the columns, without empty ones at the end, which spreadsheets leave there."""
+    names = list(line.cells)
+    while names and not names[-1]:
+        names.pop()
+    return tuple(names)
+
+
+def _key(line: Line, header: Sequence[str]) -> str:
+    """Return the row's id, or the number of its line."""
+    place = header.index(ID) if ID in header else len(line.cells)
+    return (line.cells[place] if place < len(line.cells) else "") or str(line.number)
+
+
+def _of_line(
+    line: Line,
+    key: str,
+    columns: Sequence[Column | None],
+    template: Path,
+    tables: Mapping[str, Any],
+    start: Any,
+    hash_of: FilesHash,
+) -> Task:
+    """Return the task of a row; start: the hash of the template."""
+    cells = [
+        (column.key, text, column.unit) for column, text in zip(columns, line.cells, strict=False) if column and text
+    ]
+    content = json.dumps({"cells": cells}, ensure_ascii=False, separators=(",", ":"))
+    title, named = next((text for name, text, _ in cells if name == TITLE), _title(tables)), tables
+    try:
+        named = with_row(tables, {name: (text, unit) for name, text, unit in cells})
+        if any(line.cells[len(columns) :]):
+            raise ProjectError(
+                f"{len(line.cells)} cells below {len(columns)} columns; put a text with separators in quotes"
+            )
+    except ProjectError as error:
+        content = json.dumps({"fault": f"line {line.number}: {error}"}, ensure_ascii=False)
+    start.update(content.encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode())
+    return Task(key, title, template, content, start.hexdigest())

@@ -1,0 +1,1 @@
+"""Fragility curves in the formats of other programs."""

@@ -1,0 +1,1 @@
+"""Fragility: how likely a mechanism is to rock and to overturn, given the strength of the ground motion."""

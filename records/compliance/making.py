@@ -1,0 +1,113 @@
+"""How a suite is made to meet the rules of a code: the periods it is fitted over, its number, and its factors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf, log
+from typing import Literal, Protocol
+
+import numpy as np
+
+from records.compliance import asce7_16, asce43_05, en1998_1, ntc2018, nzs1170_5
+from records.compliance.registry import REQUIREMENTS
+from records.compliance.requirement import Requirement, factor_that_does
+from records.compliance.suite import Suite
+from spectra.arrays import BoolArray, FloatArray
+
+CodeName = Literal["asce7-16", "asce43-05", "ec8", "ntc2018", "nzs1170.5"]
+
+
+class Interest(Protocol):
+    """The range of periods over which a code compares a suite with its target [s]."""
+
+    def __call__(self, *, shortest: float, longest: float) -> tuple[float, float]:
+        """Return the range for the shortest and the longest period of the mechanisms [s]."""
+
+
+class Unfit(Protocol):
+    """Which records break a rule of a code by themselves [n]."""
+
+    def __call__(self, suite: Suite, *, shortest: float, longest: float) -> BoolArray:
+        """Return true for each record that has to be replaced."""
+
+
+class Factors(Protocol):
+    """The factors on a suite with which it meets a code, if any do [n]."""
+
+    def __call__(self, suite: Suite, *, shortest: float, longest: float) -> FloatArray | None:
+        """Return the scale factor of each record, None where there are none."""
+
+
+@dataclass(frozen=True)
+class Making:
+    """What a code lets one choose of a suite.
+
+    code : as in `REQUIREMENTS`; least : number of records; interest : periods over which records are fitted
+    unfit : which records break a rule by themselves; factors : with which the suite meets the code
+    own_factors : whether the code finds the factor of each record itself, over the period and not its logarithm
+    record_factors : least and largest factor of a record; record_misfit : of a record, mean square of ln [-]
+    """
+
+    code: str
+    least: int
+    interest: Interest
+    unfit: Unfit
+    factors: Factors
+    own_factors: bool = False
+    record_factors: tuple[float, float] = (0.0, inf)
+    record_misfit: float = inf
+
+    def found(self, suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+        """Return the requirements of the code on a suite."""
+        return REQUIREMENTS[self.code](suite, shortest=shortest, longest=longest)
+
+
+def unusable_records(suite: Suite, *, shortest: float, longest: float) -> BoolArray:
+    """Return which records are not usable up to the longest period [n]."""
+    return np.asarray(suite.usable < longest)
+
+
+def any_record(suite: Suite, *, shortest: float, longest: float) -> BoolArray:
+    """Return that every record may be used [n]."""
+    return np.zeros(suite.count, dtype=np.bool_)
+
+
+def _one_factor(code: str) -> Factors:
+    """Return the search for one further factor on all records, nearest to 1, with which the mean meets a code."""
+
+    def factors(suite: Suite, *, shortest: float, longest: float) -> FloatArray | None:
+        further = factor_that_does(REQUIREMENTS[code](suite, shortest=shortest, longest=longest))
+        return None if further is None else suite.factor * further
+
+    return factors
+
+
+def _by_mean(code: str, least: int, interest: Interest, unfit: Unfit) -> Making:
+    return Making(code, least, interest, unfit, _one_factor(code))
+
+
+MAKING: Mapping[CodeName, Making] = {
+    "asce7-16": _by_mean(asce7_16.CODE, asce7_16.LEAST_RECORDS, asce7_16.interest, any_record),
+    "asce43-05": _by_mean(asce43_05.CODE, asce43_05.LEAST_RECORDS, asce43_05.interest, unusable_records),
+    "ec8": _by_mean(en1998_1.CODE, en1998_1.LEAST_RECORDS, en1998_1.interest, any_record),
+    "ntc2018": _by_mean(ntc2018.CODE, ntc2018.LEAST_RECORDS, ntc2018.interest, unusable_records),
+    "nzs1170.5": Making(
+        nzs1170_5.CODE,
+        nzs1170_5.LEAST_RECORDS,
+        nzs1170_5.interest,
+        nzs1170_5.unfit_records,
+        nzs1170_5.scale_factors,
+        own_factors=True,
+        record_factors=(nzs1170_5.LEAST_FACTOR, nzs1170_5.LARGEST_FACTOR),
+        record_misfit=(nzs1170_5.LOG_FIT * log(10.0)) ** 2,
+    ),
+}
+"""By the names of `select.for`."""
+
+
+def linear_weights(period: Sequence[float]) -> tuple[tuple[float, float], ...]:
+    """Return (period [s], weight [-]) with which a mean over periods is one over the period, not its logarithm."""
+    at = np.asarray(period, dtype=np.float64)
+    share = np.convolve(np.diff(at), [0.5, 0.5]) if at.size > 1 else np.ones(1)
+    return tuple(zip(at.tolist(), share.tolist(), strict=True))

@@ -1,0 +1,243 @@
+"""The chapter on uncertainty: how the deciding answers spread, how often they fail, and what they hang on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+
+from assess.messages.message import distinct
+from assess.results import Results
+from assess.results.uncertainty import UncertainAnswer, UncertainInput, UncertaintyResult
+from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, value_cell
+from reports.chapters.index_text import state_text
+from reports.document import Block, Cell, Column, Figure, Items, Prose, Row, Section, Table, nonempty
+from reports.figures import uncertainty as figure
+from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
+from reports.titles import file_stem, numbered_title, procedure_title
+
+MOST = 4
+"""Rows of the table of the main part."""
+PERCENT = 100.0
+DENSITY = ".density"
+MEDIAN = 2
+"""Place of the quantile at 50 %."""
+DISTRIBUTIONS: Mapping[str, Phrase] = {
+    "normal": say("normal"),
+    "lognormal": say("lognormal"),
+    "uniform": say("uniform"),
+}
+KEY = Column(say("Key"), share=0.4)
+SPREAD = (
+    Column(say("Coefficient of variation"), "ratio", FIGURES),
+    Column(say("Distribution")),
+    Column(say("Group")),
+)
+LEAD = (MECHANISM, METHOD, LIMIT_STATE, LEVEL)
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the chapter, of half a page; none where nothing was sampled."""
+    found = results.uncertainty
+    if found is None or not found.answers:
+        return []
+    shown = shown_answers(found)
+    blocks: list[Block] = [
+        Prose((Paragraph(tuple(_findings(found))),)),
+        *nonempty(_table(results, shown[:MOST], "uncertainty-main")),
+        figures(results, shown[0]),
+    ]
+    return [Section(say("Uncertainty"), 0, tuple(blocks))]
+
+
+def others(results: Results) -> list[Section]:
+    """Return for the annex the inputs, the answers that the chapter has no room for, and what was noted."""
+    found = results.uncertainty
+    if found is None or not found.answers:
+        return []
+    shown = shown_answers(found)
+    blocks: list[Block] = [*nonempty(inputs(found)), *nonempty(_table(results, shown, "uncertainty-answers"))]
+    blocks += [figures(results, each) for each in shown[1:]]
+    notes = distinct((*found.notes, *(note for answer in shown for note in answer.notes)))
+    blocks += [Items(notes)] if notes else []
+    return [Section(say("Uncertainty of all answers"), 1, tuple(blocks))]
+
+
+def shown_answers(found: UncertaintyResult) -> list[UncertainAnswer]:
+    """Return the deciding answers, those that fail most often first; all of them where none decides."""
+    deciding = [each for each in found.answers if each.role == "deciding"] or list(found.answers)
+    return sorted(deciding, key=lambda each: (-(each.probability or 0.0), -(each.at_mean or 0.0)))
+
+
+def _findings(found: UncertaintyResult) -> Iterator[Text]:
+    yield say_count(
+        "{number} uncertain value of the project varies in {samples} samples (Sobol sequence, seed {seed}), and every "
+        "mechanism is assessed in each.",
+        "{number} uncertain values of the project vary together in {samples} samples (Sobol sequence, seed {seed}), "
+        "and every mechanism is assessed in each.",
+        len(found.inputs),
+        samples=count(found.samples),
+        seed=count(found.seed),
+    )
+    yield say("The probability of failing is the share of samples that fail: of these values alone, not of records.")
+    yield from idle_densities(found)
+
+
+def idle_densities(found: UncertaintyResult) -> Iterator[Text]:
+    """Yield that densities change no answer, where none of them does."""
+    keys = [each.key for each in found.inputs if each.key.endswith(DENSITY)]
+    known = [each for answer in found.answers for each in answer.influences if set(each.keys) & set(keys)]
+    changing = {key for each in known if each.rank_correlation is not None for key in each.keys}
+    still = [key for key in keys if key not in changing and any(key in each.keys for each in known)]
+    if still:
+        yield say_count(
+            "{keys} changes nothing: the weight that holds a free wall and the inertia that overturns it grow alike.",
+            "{keys} change nothing: the weight that holds a free wall and the inertia that overturns it grow alike.",
+            len(still),
+            keys=listing(Verbatim(key) for key in still),
+        )
+
+
+def figures(results: Results, answer: UncertainAnswer) -> Row | Figure:
+    """Return the distribution of an answer beside its influences; alone where nothing changes it."""
+    found = results.uncertainty
+    place = 0 if found is None else found.answers.index(answer) + 1
+    stem = f"{_stem(results, answer.mechanism)}-uncertainty-{place:02d}"
+    name = {"mechanism": numbered_title(results, answer.mechanism), "method": procedure_title(answer.procedure)}
+    caption = say(
+        "{mechanism}, {method}: samples by demand over capacity; red: the limit, dotted: at the means. Samples that "
+        "overturn have no finite ratio.",
+        **name,
+    )
+    spread = Figure(f"{stem}-distribution", caption, partial(figure.draw_distribution, answer))
+    if not figure.rank_influences(answer):
+        return spread
+    caption = say("What this answer hangs on: to the right, a larger value makes it worse.")
+    return Row((spread, Figure(f"{stem}-influences", caption, partial(figure.draw_influences, answer))))
+
+
+def _stem(results: Results, name: str) -> str:
+    return file_stem(name, [each.name for each in results.mechanisms].index(name) + 1)
+
+
+def _table(results: Results, answers: list[UncertainAnswer], name: str) -> Table:
+    columns = (
+        MECHANISM,
+        METHOD,
+        LIMIT_STATE,
+        *(Column(each, "ratio", FIGURES) for each in (say("D/C at the means"), say("Median D/C"))),
+        Column(say("Fails"), "percent", FIGURES),
+        Column(say("95 % interval")),
+        Column(say("Hangs most on")),
+    )
+    caption = say("Deciding answers over all samples: share of samples that fail, with its interval.")
+    return Table(name, caption, columns, tuple(_row(results, each) for each in answers), small=True)
+
+
+def _row(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:
+    strongest = figure.rank_influences(each)[:1]
+    return (
+        numbered_title(results, each.mechanism),
+        procedure_title(each.procedure),
+        state_text(each.limit_state),
+        each.at_mean,
+        each.quantiles[MEDIAN],
+        None if each.probability is None else PERCENT * each.probability,
+        _interval(each),
+        figure.group_name(strongest[0]) if strongest else say("none of the values"),
+    )
+
+
+def _interval(each: UncertainAnswer) -> Text | None:
+    if each.interval is None:
+        return None
+    low, high = (quantity(PERCENT * end, "percent", FIGURES) for end in each.interval)
+    return say("{low} to {high}", low=low, high=high)
+
+
+def inputs(found: UncertaintyResult) -> Table:
+    """Tabulate the uncertain inputs, each mean with its unit."""
+    columns = (KEY, Column(say("Mean")), *SPREAD)
+    rows = tuple((Verbatim(each.key), value_cell(each.mean, each.unit), *_spread(each)) for each in found.inputs)
+    caption = say("Uncertain values; those of one group vary together.")
+    return Table("uncertainty-inputs", caption, columns, rows, small=True)
+
+
+def _spread(each: UncertainInput) -> tuple[Cell, ...]:
+    return each.cov, DISTRIBUTIONS[each.distribution], Verbatim(each.group)
+
+
+def _means(found: UncertaintyResult) -> Table:
+    """Tabulate the uncertain inputs in SI."""
+    columns = (KEY, Column(say("Mean"), "ratio"), Column(say("Unit")), *SPREAD)
+    rows = tuple((Verbatim(each.key), each.mean, Verbatim(each.unit), *_spread(each)) for each in found.inputs)
+    return Table("uncertainty-means", say("Uncertain values, in SI."), columns, rows)
+
+
+def data(results: Results) -> Iterator[Table]:
+    """Yield every number, for the spreadsheet and the CSV files."""
+    found = results.uncertainty
+    if found is None:
+        return
+    yield _means(found)
+    yield _statistics(results, found)
+    yield _influences(results, found)
+    yield _samples(results, found)
+
+
+def _lead(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:
+    name = numbered_title(results, each.mechanism)
+    return name, procedure_title(each.procedure), state_text(each.limit_state), each.level_pga_g
+
+
+def _statistics(results: Results, found: UncertaintyResult) -> Table:
+    labels = (
+        say("Probability of failing"), say("from"), say("to"), say("D/C at the means"),
+        say("5 %"), say("16 %"), say("50 %"), say("84 %"), say("95 %"),
+    )  # fmt: skip
+    columns = (
+        *LEAD,
+        Column(say("Role")),
+        Column(say("Samples answered")),
+        Column(say("Samples that fail")),
+        *(Column(each, "ratio") for each in labels),
+    )
+    rows = tuple(
+        (
+            *_lead(results, each),
+            ROLES[each.role],
+            each.answered,
+            each.failed,
+            each.probability,
+            *(each.interval or (None, None)),
+            each.at_mean,
+            *each.quantiles,
+        )
+        for each in found.answers
+    )
+    caption = say("Every answer over all samples; quantiles of demand over capacity.")
+    return Table("uncertainty", caption, columns, rows)
+
+
+def _influences(results: Results, found: UncertaintyResult) -> Table:
+    columns = (
+        *LEAD,
+        Column(say("Group")),
+        Column(say("Rank correlation"), "ratio"),
+        Column(say("Share of the variance of ranks"), "ratio"),
+    )
+    rows = tuple(
+        (*_lead(results, each), Verbatim(one.group), one.rank_correlation, one.share)
+        for each in found.answers
+        for one in each.influences
+    )
+    return Table("uncertainty-influences", say("What each answer hangs on."), columns, rows)
+
+
+def _samples(results: Results, found: UncertaintyResult) -> Table:
+    columns = (*LEAD, Column(say("Sample")), Column(say("Demand / capacity"), "ratio"))
+    rows = tuple(
+        (*_lead(results, each), sample, ratio)
+        for each in found.answers
+        for sample, ratio in enumerate(each.ratios, start=1)
+    )
+    return Table("uncertainty-samples", say("Demand over capacity in every sample."), columns, rows)

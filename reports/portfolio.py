@@ -1,0 +1,126 @@
+"""The ranked table of a portfolio: which of many projects comes first, as a page, a workbook and a CSV file."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from assess.portfolio.ranking import rank
+from assess.portfolio.row import Row
+from assess.results.program import describe_program
+from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
+from reports.document import Cell, Column, Document, Graded, Link, Prose, Section, Table
+from reports.language.locale import Locale
+from reports.language.texts import Phrase, Text, Verbatim, count, say
+from reports.language.units import System
+from reports.render.csv import write_csv
+from reports.render.html import write_html
+from reports.render.spreadsheet import write_xlsx
+from reports.titles import short_title
+
+NAME = "ranked"
+FILES = (f"{NAME}.csv", f"{NAME}.xlsx", f"{NAME}.html")
+FIGURES = 3
+COUNTS: Mapping[str, Phrase] = {
+    "fail": say("Fail"),
+    "incomplete": say("Incomplete"),
+    "pass": say("Pass"),
+    "broken": say("Broken"),
+}
+ORDER = say(
+    "Projects that fail come first, then those without an answer, then those that pass; within each of these the one "
+    "of the least margin first. The margin is the PGA at capacity over that of the action, of the mechanism with the "
+    "least; where it is not known, the order follows the inverse of D/C."
+)
+BROKEN = say(
+    "Broken projects could not be assessed: they stand at the end, each with its reason, and are neither a pass nor a "
+    "fail."
+)
+FIELDS: tuple[tuple[Column, Callable[[int, Row], Cell]], ...] = (
+    (Column(say("Rank")), lambda place, row: place),
+    (Column(say("Project")), lambda place, row: Verbatim(row.key)),
+    (Column(say("Title")), lambda place, row: _name(row.title)),
+    (OUTCOME, lambda place, row: _outcome(row)),
+    (Column(say("Margin"), "ratio", FIGURES), lambda place, row: row.margin),
+    (RATIO, lambda place, row: row.demand_capacity),
+    (Column(say("Mechanism")), lambda place, row: _name(row.worst_mechanism)),
+    (LIMIT_STATE, lambda place, row: _name(row.limit_state)),
+    (METHOD, lambda place, row: short_title(row.procedure) if row.procedure else None),
+    (Column(say("Missing inputs")), lambda place, row: row.missing or None),
+    (Column(say("Report")), lambda place, row: Link(say("report"), row.report) if row.report else None),
+    (Column(say("Results")), lambda place, row: Link(say("results"), row.results) if row.results else None),
+    (Column(say("Reason")), lambda place, row: _name(row.reason)),
+)
+"""The columns, each with its cell of a row; one without any cell is left out."""
+
+
+def write_ranking(
+    rows: Sequence[Row], stage: Path, *, language: str | None = None, units: System = "SI"
+) -> tuple[Path, ...]:
+    """Write the ranked table of a portfolio as CSV, workbook and page.
+
+    Parameters
+    ----------
+    rows : one for each project, in any order
+    stage : an existing folder, to which the links of the rows are relative
+    language : "en" or "it"; English where None
+    units : "SI" or "US"
+
+    Returns
+    -------
+    The paths of ranked.csv, ranked.xlsx and ranked.html
+    """
+    document = portfolio_report(rows, locale=Locale(system=units) if language is None else Locale(language, units))
+    (table,) = write_csv(document, stage)
+    return (
+        table,
+        write_xlsx(document, stage / f"{NAME}.xlsx"),
+        write_html(document, stage / f"{NAME}.html", pictures={}),
+    )
+
+
+def portfolio_report(rows: Sequence[Row], *, locale: Locale) -> Document:
+    """Return the ranked table of a portfolio as a document, in a locale."""
+    program = describe_program()
+    numbers = Counter("broken" if row.status == "broken" else row.outcome or "incomplete" for row in rows)
+    facts: list[tuple[Text, Text]] = [(say("Projects"), count(len(rows)))]
+    facts += [(label, count(numbers[name])) for name, label in COUNTS.items() if numbers[name]]
+    paragraphs = (ORDER, BROKEN) if numbers["broken"] else (ORDER,)
+    return Document(
+        title=say("Portfolio, ranked"),
+        subject=say("Seismic assessment of masonry by rocking dynamics"),
+        author="",
+        program=f"{program.name} {program.version}",
+        paper="A4",
+        facts=tuple(facts),
+        sections=(Section(say("Ranking"), 0, (Prose(paragraphs), ranked_table(rows))),),
+        locale=locale,
+    )
+
+
+def ranked_table(rows: Sequence[Row]) -> Table:
+    """Return the table of the rows in their order."""
+    columns = [
+        (column, tuple(cell(place, row) for place, row in enumerate(rank(rows), start=1))) for column, cell in FIELDS
+    ]
+    kept = [(column, cells) for column, cells in columns if any(cell is not None for cell in cells)]
+    return Table(
+        NAME,
+        say("Projects in the order of their margins"),
+        tuple(column for column, _ in kept),
+        tuple(zip(*(cells for _, cells in kept), strict=True)),
+        sifted=True,
+    )
+
+
+def _name(text: str) -> Verbatim | None:
+    return Verbatim(text) if text else None
+
+
+def _outcome(row: Row) -> Graded:
+    """Return the outcome, coloured; a project without a verdict is incomplete."""
+    if row.status == "broken":
+        return Graded("comparison", say("broken"))
+    outcome = row.outcome or "incomplete"
+    return Graded(outcome, OUTCOMES[outcome])

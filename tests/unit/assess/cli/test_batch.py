@@ -1,0 +1,75 @@
+"""`assess batch`: a table with a broken row, its outputs, its last lines, and its end by Ctrl-C."""
+
+from __future__ import annotations
+
+import csv
+import signal
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+import assess.verbs
+from assess.outputs.signals import Terminated
+from tests.support.command import ended
+from tests.support.projects import NTC, project_toml
+
+TABLE = "id,title,bodies.wall.box.thickness\nthin,Thin,0.2\nThick,Thick,1.2\n../up,=1+1,thick\n"
+
+
+@pytest.fixture
+def street(tmp_path: Path) -> Path:
+    site = {"limit_state": "SLV", "spectrum": NTC}
+    (tmp_path / "wall.toml").write_text(project_toml(site=site, procedures={"ntc2018": {"knowledge_level": "LC3"}}))
+    (tmp_path / "street.csv").write_text(TABLE)
+    return tmp_path
+
+
+def test_a_table_is_ranked_and_each_project_has_its_results(street: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = street / "street-results"
+    assert ended("batch", street / "street.csv", "--template", street / "wall.toml", "--no-report", "--jobs", 1) == 2
+    said = capsys.readouterr()
+    assert said.out.splitlines()[-1] == str(out / "ranked.html")
+    assert said.out.startswith("3 projects: ")
+    assert "1 broken" in said.out
+    assert said.err == ""
+    names = {path.name for path in out.iterdir()}
+    assert {"ranked.html", "ranked.xlsx", "ranked.csv", "ledger.sqlite", "thin"} < names
+    assert (out / "thin" / "results.json").is_file()
+    assert not (out / "thin" / "report.pdf").exists()
+    with (out / "ranked.csv").open(encoding="utf-8-sig", newline="") as file:
+        text = file.read()
+    assert len(list(csv.reader(text.splitlines()))) >= 4
+    (street / "street.csv").write_text(TABLE.rpartition("../up")[0])
+    arguments = ("batch", street / "street.csv", "--template", street / "wall.toml", "--no-report", "--jobs", 1)
+    assert ended(*arguments, "--resume") in (0, 1, 3)
+    assert "2 of 2 projects are done" in capsys.readouterr().err
+
+
+def test_what_is_asked_wrongly_is_one_line(street: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table, template = street / "street.csv", street / "wall.toml"
+    for arguments, word in (
+        ((table,), "--template"),
+        ((table, "--template", template, "--shard", "3/2"), "--shard"),
+        ((table, "--template", template, "--jobs", 1, "--scheduler", "tcp://127.0.0.1:9"), "--jobs"),
+        ((street / "absent.csv", "--template", template), "absent.csv"),
+        ((table, "--template", template, "-o", table), "is a file"),
+    ):
+        assert ended("batch", *arguments) == 2
+        line = capsys.readouterr().err
+        assert word in line
+        assert line.count("\n") == 1
+
+
+def test_ctrl_c_says_how_to_go_on(
+    street: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stop(*_: object, **__: object) -> NoReturn:
+        raise Terminated(signal.SIGINT)
+
+    monkeypatch.setattr(assess.verbs, "batch", stop)
+    assert ended("batch", street / "street.csv", "-o", street / "out") == 130
+    assert capsys.readouterr().err.splitlines() == [
+        f"assess: note: what is done is kept in {street / 'out'}; go on with --resume",
+        "assess: interrupted",
+    ]

@@ -1,0 +1,24 @@
+"""The street: a table whose every row is a valid project, other than its neighbours."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+from assess.examples import copy_example
+from assess.portfolio.projects import find_tasks, project_tree
+from assess.project.build import build
+from assess.project.schema import load_tree
+from assess.study.decision import find_verdict
+
+
+def test_every_facade_of_the_street_has_a_verdict(tmp_path: Path) -> None:
+    template = copy_example("street", tmp_path / "street")
+    assert sorted(path.name for path in template.parent.iterdir()) == ["README.md", "street.csv", "template.toml"]
+    tasks = find_tasks(template.parent / "street.csv", template)
+    studies = [build(load_tree(project_tree(task), task.path, sha256=task.sha256)) for task in tasks]
+    found = [find_verdict(study) for study in studies]
+    assert [task.key for task in tasks] == [f"V{number:02}" for number in range(1, 41)]
+    assert len({task.sha256 for task in tasks}) == len({each.mechanisms[0].margin for each in found}) == 40
+    assert set(Counter(each.outcome.value for each in found)) == {"pass", "fail"}
+    assert not any(message.severity == "warning" for study in studies for message in study.messages)

@@ -1,0 +1,284 @@
+"""`assess records select --lock` and [records] lock: the same suite whatever becomes of the mechanisms, or an error."""
+
+import hashlib
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assess.errors import AssessError, OutputError, ProjectError
+from assess.project import locked_records, suites
+from assess.project.suite_lock import NAME, is_sealed
+from assess.results import Results
+from assess.results.diff import changes
+from assess.results.json import dumps, loads
+from assess.study.motions import motions_of
+from assess.study.run import run
+from assess.study.suite_faults import suite_faults
+from records.record import make_record
+from records.writing import at2_text
+from reports.chapters import annex_suite
+from reports.chapters.suite import sentences
+from tests.support.command import ended
+from tests.support.letters import letters
+from tests.support.projects import ASCE7, Table, published, study_of, tables_toml
+
+PEER = Path(__file__).resolve().parents[5] / "shared" / "records" / "peer_at2"
+SELECT = 'files = ["motions/*.AT2"]\nselect = { count = 3, scale_limits = [0.001, 1000.0] }\nfactor = 1.1'
+LOCKED = f'lock = "{NAME}"\n{SELECT}'
+SLOW, QUICK, SLUGGISH = published(), published(3.36, 0.34, 0.62), published(0.9, 0.14, 9.0)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A project's folder with records of eight earthquakes, of different colour."""
+    (tmp_path / "motions").mkdir()
+    rng = np.random.default_rng(5)
+    for number in range(8):
+        shake = rng.normal(0.0, 1.0, 1500) * np.hanning(1500)
+        smooth = np.convolve(shake, np.hanning(5 + 9 * number), mode="same")
+        record = make_record("x", 0.3 * smooth, 0.02, event=f"Quake {number}", station="S", component="000")
+        (tmp_path / "motions" / f"RSN{100 + number}_Q_000.AT2").write_text(at2_text(record))
+    return tmp_path
+
+
+def project(records: str, *, site: Table | None = None, **mechanisms: Table) -> str:
+    return tables_toml(
+        site=site or {"spectrum": ASCE7},
+        mechanisms=mechanisms or {"slow": SLOW, "quick": QUICK},
+        records=records,
+        analysis={"procedures": ["asce43-05-history"]},
+        verdict={"basis": "asce43-05"},
+    )
+
+
+def results_of(folder: Path, records: str, *, site: Table | None = None, **mechanisms: Table) -> Results:
+    return run(study_of(folder, project(records, site=site, **mechanisms)))
+
+
+def lock(folder: Path, records: str = SELECT, **mechanisms: Table) -> Path:
+    (folder / "project.toml").write_text(project(records, **mechanisms))
+    return suites.lock_project(folder)[1]
+
+
+def test_a_locked_suite_gives_the_results_that_it_was_locked_from(folder: Path) -> None:
+    before = results_of(folder, SELECT)
+    path = lock(folder)
+    after = results_of(folder, LOCKED)
+    assert [(one.id, one.path) for one in after.records] == [(one.id, one.path) for one in before.records]
+    assert [one.scale_factor for one in after.records] == [one.scale_factor for one in before.records]
+    assert [one.histories for one in after.mechanisms] == [one.histories for one in before.mechanisms]
+    assert after.ground_motion is not None
+    assert before.ground_motion is not None
+    assert after.ground_motion.selection == before.ground_motion.selection
+    assert after.ground_motion.lock == NAME
+    inputs = {one.path: one.sha256 for one in after.inputs}
+    assert inputs[NAME] == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert {one.path for one in after.records} <= set(inputs)
+    assert not any("lock" in one.what for one in changes(before, before))
+    assert loads(dumps(after)) == after
+
+
+def test_one_wall_edited_changes_the_earthquakes_of_another_only_without_the_lock(folder: Path) -> None:
+    lock(folder)
+    for records, same in ((SELECT, False), (LOCKED, True)):
+        before = results_of(folder, records, slow=SLOW, quick=QUICK)
+        after = results_of(folder, records, slow=SLOW, quick=SLUGGISH)
+        factors = [{one.path: one.scale_factor for one in each.records} for each in (before, after)]
+        histories = [each.mechanisms[0].histories for each in (before, after)]
+        assert (factors[0] == factors[1]) is same
+        assert (histories[0] == histories[1]) is same
+        assert any(one.kind == "suite" for one in changes(before, after)) is not same
+
+
+def test_the_lock_is_the_same_bytes_and_replaces_only_one_as_it_was_written(folder: Path) -> None:
+    path = lock(folder)
+    first = path.read_text()
+    assert is_sealed(first)
+    assert lock(folder, LOCKED).read_text() == first
+    assert lock(folder, LOCKED.replace("count = 3", "count = 4")).read_text().count("[[records]]") == 4
+    for text in (path.read_text().replace("scale_factor = ", "scale_factor = 1"), "mine"):
+        path.write_text(text)
+        with pytest.raises(OutputError, match="holds something else"):
+            lock(folder, LOCKED)
+        assert path.read_text() == text
+
+
+def test_a_lock_changed_by_hand_is_used_and_told(folder: Path) -> None:
+    path = lock(folder)
+    assert {one.key for one in results_of(folder, LOCKED).warnings if one.where == "records.lock"} == {"suite-locked"}
+    path.write_text(re.sub("scale_factor = .*", "scale_factor = 2.5", path.read_text()))
+    found = results_of(folder, LOCKED)
+    assert {one.scale_factor for one in found.records} == {2.5}
+    assert {one.key for one in found.warnings if one.where == "records.lock"} == {"suite-locked", "lock-edited"}
+
+
+def test_a_record_that_changed_or_is_gone_is_an_error_with_its_remedy(folder: Path) -> None:
+    lock(folder)
+    file = folder / results_of(folder, LOCKED).records[0].path
+    content = file.read_text()
+    file.write_text(content + "\n")
+    with pytest.raises(ProjectError, match=rf"{file.name} has changed since .*records select --lock` again"):
+        study_of(folder, project(LOCKED))
+    file.unlink()
+    with pytest.raises(ProjectError, match=rf"{file.name}, which cannot be read .*records select --lock` again"):
+        study_of(folder, project(LOCKED))
+    file.write_text(content)
+    assert study_of(folder, project(LOCKED)).records
+
+
+@pytest.mark.parametrize(
+    "site", [{"pga": "0.3 g", "spectrum": ASCE7}, {"spectrum": ASCE7 | {"s_d1": "0.3 g"}}], ids=["pga", "shape"]
+)
+def test_a_lock_of_another_spectrum_is_an_error(folder: Path, site: Table) -> None:
+    lock(folder)
+    with pytest.raises(ProjectError, match=r"made for another target .*run `assess records select --lock` again"):
+        study_of(folder, project(LOCKED, site=site))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (None, "no such file; make it"),
+        ("[records", "not valid TOML"),
+        ("format = 1", "seal: missing"),
+        ("format = 2", "seal: missing"),
+    ],
+)
+def test_what_is_no_lock_is_one_line(folder: Path, text: str | None, said: str) -> None:
+    if text is not None:
+        (folder / NAME).write_text(text)
+    with pytest.raises(ProjectError, match=said) as caught:
+        study_of(folder, project(LOCKED))
+    assert "\n" not in str(caught.value)
+
+
+def test_artificial_records_are_made_again_and_compared(folder: Path) -> None:
+    records = 'synthetic = { count = 2, seed = 3, duration = "20 s" }'
+    before = results_of(folder, records)
+    path = lock(folder, records)
+    locked = f'lock = "{NAME}"'
+    slower = published(0.5, 0.14, 29.0)
+    after = results_of(folder, locked, slow=SLOW, quick=slower)
+    moved = results_of(folder, records, slow=SLOW, quick=slower)
+    shaken = [[(one.scale_factor, one.spectrum) for one in each.records] for each in (before, after, moved)]
+    assert shaken[0] == shaken[1]
+    assert shaken[0] != shaken[2]
+    with pytest.raises(AssessError, match=r"records\.files: missing"):
+        lock(folder, locked)
+    path.write_text(path.read_text().replace("seed = 3", "seed = 4"))
+    with pytest.raises(ProjectError, match="not those that were locked"):
+        study_of(folder, project(locked))
+
+
+def test_files_are_read_once_in_a_process(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lock(folder)
+    read: list[Path] = []
+
+    def counted(path: Path, overrides: object) -> object:
+        read.append(path)
+        return original(path, overrides)  # type: ignore[arg-type]
+
+    original = locked_records.read_with
+    monkeypatch.setattr(locked_records, "read_with", counted)
+    for _ in range(3):
+        study_of(folder, project(LOCKED))
+    assert len(read) == 3
+
+
+def test_a_sweep_of_the_pga_scales_a_locked_suite_and_one_of_the_shape_is_refused(folder: Path) -> None:
+    lock(folder)
+    sweep = '[analysis]\nprocedures = ["asce43-05-history"]\nsweep = { key = "%s", values = %s }\n'
+    text = project(LOCKED).split("[analysis]")[0]
+    rest = "[verdict]\n" + project(LOCKED).split("[verdict]\n")[1]
+    swept = run(study_of(folder, text + sweep % ("site.pga", '["0.2 g", "0.4 g"]') + rest))
+    assert swept.sweeps
+    with pytest.raises(ProjectError, match="spectrum of another shape"):
+        run(study_of(folder, text + sweep % ("site.spectrum.s_d1", '["0.2 g", "0.3 g"]') + rest))
+
+
+def test_the_command_writes_beside_the_target_and_the_report_tells(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "project.toml").write_text(project(LOCKED))
+    limits = ("--scale-limits", 0.001, 1000, "--count", 3)
+    assert ended("records", "select", "--target", folder, folder / "motions", *limits, "--lock") == 0
+    assert str(folder / NAME) in capsys.readouterr().err
+    found = results_of(folder, LOCKED)
+    assert 'file = "motions/RSN' in (folder / NAME).read_text()
+    told = [letters(each) for each in sentences(found)]
+    assert (
+        sum(f"The suite is locked: the records and their scale factors are those of {NAME}" in each for each in told)
+        == 1
+    )
+    assert ended("records", "select", folder) == 0
+    assert "The suite is locked" in capsys.readouterr().out
+    (folder / NAME).write_text("mine")
+    assert ended("records", "select", "--target", folder, folder / "motions", *limits, "--lock") == 2
+
+
+FOR = 'files = ["motions/*.AT2"]\nselect = { for = "%s", count = 5, scale_limits = [0.001, 1000.0] }'
+
+
+@pytest.mark.parametrize("code", ["asce43-05", "ec8"])
+def test_a_suite_made_for_a_code_meets_it_and_keeps_its_factors_in_a_lock(folder: Path, code: str) -> None:
+    found = results_of(folder, FOR % code)
+    motion = found.ground_motion
+    assert motion is not None
+    rules = [one for one in motion.requirements if one.code == motion.made_for]
+    assert rules
+    assert {one.verdict for one in rules} == {"met"}
+    assert motion.selection is not None
+    assert motion.selection.misfit == pytest.approx(motion.misfit, rel=1e-9)
+    assert "The suite was made to meet the rules of" in letters(annex_suite.sentences(motion)[-1])
+    lock(folder, FOR % code)
+    after = results_of(folder, f'lock = "{NAME}"\n{FOR % code}', slow=SLOW, quick=SLUGGISH)
+    assert [one.scale_factor for one in after.records] == [one.scale_factor for one in found.records]
+    assert after.ground_motion is not None
+    assert after.ground_motion.made_for == motion.made_for
+
+
+def test_a_suite_that_no_code_accepts_and_artificial_records_beside_it_are_errors(folder: Path) -> None:
+    with pytest.raises(
+        ProjectError, match=r"records\.select: no suite meets ASCE 7-16: 11 records wanted; there are 8"
+    ):
+        study_of(folder, project(FOR % "asce7-16"))
+    with pytest.raises(ProjectError, match=r"records\.synthetic: .*recorded motions; remove one"):
+        study_of(folder, project(FOR % "ec8" + "\nsynthetic = { count = 2 }"))
+    with pytest.raises(ProjectError, match=r"records\.select\.for: "):
+        study_of(folder, project(FOR % "ec9"))
+
+
+def test_the_command_makes_a_suite_for_a_code(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "project.toml").write_text(project(SELECT))
+    asked = ("records", "select", "--target", folder, folder / "motions", "--scale-limits", 0.001, 1000)
+    assert ended(*asked, "--for", "ec8", "--count", 3, "--json", "--lock") == 0
+    found = json.loads(capsys.readouterr().out)["ground_motion"]
+    rules = [one["verdict"] for one in found["requirements"] if one["code"] == found["made_for"] == "EN 1998-1:2004"]
+    assert rules == ["met"] * 3
+    assert 'for = "ec8"' in (folder / NAME).read_text()
+    assert results_of(folder, LOCKED).records
+    assert ended(*asked, "--for", "ec9") == 2
+    assert ended("records", "select", folder, "--for", "ec8") == 2
+    assert "--for needs --target" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there")
+def test_a_suite_made_for_ntc_2018_has_no_fault_at_the_limit_state_that_decides(tmp_path: Path) -> None:
+    """SLC decides, whose PGA and periods are not those of the site's own SLV."""
+    hazard = [
+        {"return_period": years, "a_g": f"{a} g", "f_0": 2.45, "t_c_star": "0.3 s"}
+        for years, a in ((30, 0.05), (475, 0.15), (975, 0.2), (2475, 0.28))
+    ]
+    spectrum = {"code": "ntc2018", "soil": "A", "nominal_life": 50, "use_class": "II", "hazard": hazard}
+    text = tables_toml(
+        site={"limit_state": "SLV", "spectrum": spectrum},
+        mechanisms={"slow": SLOW, "quick": QUICK},
+        records=f'files = ["{PEER}/*.AT2"]\nselect = {{ for = "ntc2018", count = 7 }}',
+        verdict={"basis": "ntc2018", "limit_state": "SLC", "procedures": ["ntc2018-history"]},
+    )
+    study = study_of(tmp_path, text)
+    assert study.spectrum is not None
+    assert suite_faults(study, study.spectrum, motions_of(study, study.spectrum))["ntc2018"] == ()

@@ -1,0 +1,287 @@
+"""Fragility through the whole chain: an oracle in closed form, invariances, and what is counted."""
+
+from dataclasses import replace
+from functools import cache
+from math import exp, pi, tan
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+from scipy.integrate import quad
+from scipy.optimize import brentq
+from scipy.stats import norm
+
+from assess.errors import ProjectError
+from assess.results.fragility import FragilityCurve, FragilityResults, HazardResult
+from assess.results.json import dumps_fragility, loads_fragility
+from assess.study.fragility.fragility import run_fragility
+from assess.study.fragility.measures import measure
+from assess.study.fragility.question import FragilityQuestion
+from assess.study.study import Study
+from records.record import Record, make_record
+from tests.support.motions import noise
+from tests.support.projects import ASCE7, NTC, published, study_of, tables_toml
+
+P, UPLIFT = 1.2, 0.2
+PLAIN = {"site": {"spectrum": ASCE7}, "records": {"synthetic": {"count": 1, "duration": 8}}}
+
+
+def study_with(folder: Path, records: tuple[Record, ...], mechanism: dict | None = None, **question: object) -> Study:
+    """A study of one block under these records."""
+    block = mechanism or published(P, UPLIFT, restitution=0.5)
+    study = study_of(folder, tables_toml(mechanisms={"block": block}, **PLAIN))
+    return replace(study, records=records, artificial=None, fragility=FragilityQuestion(**question))
+
+
+def curve(results: FragilityResults, key: str = "pga", state: str = "overturning") -> FragilityCurve:
+    (found,) = (
+        each for each in results.mechanisms[0].curves
+        if each.measure.key == key and each.state.name == state and each.measure.at == "ground"
+    )  # fmt: skip
+    return found
+
+
+def half_sine(duration: float, place: int, *, npts: int = 400) -> Record:
+    """A half sine of 1 m/s2, followed by stillness."""
+    t = np.linspace(0.0, 1.0, npts)
+    return make_record(f"pulse {place}", np.r_[np.sin(pi * t), 0.0, 0.0], duration / (npts - 1))
+
+
+def least_peak(duration: float) -> float:
+    """The peak [m/s2] of the half sine that just overturns the linearised block.
+
+    z = phi' + p phi - p phi_ov grows as exp(p t) once the pulse is over, from -p phi_ov as the block lifts off at t_0:
+    it overturns where the integral of exp(-p (t - t_0)) a(t) exceeds lambda g / p.
+    """
+
+    def left(peak: float) -> float:
+        start = duration / pi * np.arcsin(UPLIFT * g / peak)
+        pushed = quad(lambda t: exp(-P * (t - start)) * peak * np.sin(pi * t / duration), start, duration)[0]
+        return float(pushed - UPLIFT * g / P)
+
+    return float(brentq(left, 1.001 * UPLIFT * g, 1e4 * g))
+
+
+COUNT, SCATTER = 60, 0.4
+DURATIONS = 0.12 * np.exp(SCATTER * norm.ppf((np.arange(COUNT) + 0.5) / COUNT))
+
+
+@cache
+def pulse_results(folder: Path) -> FragilityResults:
+    pulses = tuple(half_sine(duration, place) for place, duration in enumerate(DURATIONS))
+    return run_fragility(study_with(folder, pulses, largest_factor=1000.0, draws=100), jobs=1)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("fragility")
+
+
+@pytest.fixture(scope="module")
+def pulses(folder: Path) -> FragilityResults:
+    return pulse_results(folder)
+
+
+def test_an_oracle_in_closed_form(pulses: FragilityResults) -> None:
+    """Half sines of lognormal duration: the peak that overturns is known for each, and nearly lognormal."""
+    exact = np.log([least_peak(duration) / g for duration in DURATIONS])
+    found = curve(pulses)
+    assert found.first is not None
+    assert found.lognormal is not None
+    for fitted in (found.first, found.lognormal):
+        assert fitted.median == pytest.approx(exp(exact.mean()), rel=0.01)
+        assert fitted.dispersion == pytest.approx(exact.std(), abs=0.015)
+        assert fitted.median_interval is not None
+        assert fitted.median_interval[0] < exp(exact.mean()) < fitted.median_interval[1]
+    assert found.censored == 0
+    shares = np.array([point.share for point in found.empirical])
+    at = np.array([point.intensity for point in found.empirical])
+    np.testing.assert_allclose(shares, [(exact < np.log(one)).mean() for one in at], atol=1.5 / COUNT)
+
+
+def test_the_impulse_explains_short_pulses(pulses: FragilityResults) -> None:
+    """Short pulses overturn by their impulse alone, at p PGV = g tan alpha but for p D (Housner 1963)."""
+    by_impulse = {
+        each.measure.key: each for each in pulses.mechanisms[0].comparison if each.state.name == "overturning"
+    }
+    assert by_impulse["pgv"].dispersion < 0.3 * by_impulse["pga"].dispersion
+    assert curve(pulses, "p pgv/(g tan alpha)").first.median == pytest.approx(1.0, abs=0.12)
+
+
+def test_dimensionless_measures_are_the_same_curves(pulses: FragilityResults) -> None:
+    one = pulses.mechanisms[0]
+    for plain, by, factor in (
+        ("pga", "pga/(g tan alpha)", 1.0 / tan(one.slenderness_rad)),
+        ("pgv", "p pgv/(g tan alpha)", one.p_eq_per_s / (g * tan(one.slenderness_rad))),
+    ):
+        first, second = curve(pulses, plain), curve(pulses, by)
+        assert second.lognormal.median == pytest.approx(factor * first.lognormal.median, rel=1e-6)
+        assert second.lognormal.dispersion == pytest.approx(first.lognormal.dispersion, rel=1e-6)
+
+
+def test_a_block_rocks_at_its_uplift_acceleration(pulses: FragilityResults) -> None:
+    """No scatter: no lognormal, and the reason; the share steps at lambda."""
+    found = curve(pulses, state="rocking")
+    assert found.lognormal is None
+    assert [note.key for note in found.notes] == ["fragility-separated"]
+    assert {point.share for point in found.empirical if point.intensity < UPLIFT} == {0.0}
+    assert {point.share for point in found.empirical if point.intensity > UPLIFT} == {1.0}
+
+
+NOISES = tuple(noise(seed, npts=700, bell=1.0) for seed in range(12))
+ONE_SIDED = published(2.0, 0.15, sides="one", restitution=0.4)
+
+
+@cache
+def noise_results(folder: Path, jobs: int = 1, factor: float = 1.0, mechanism: str = "two", **more: object):
+    records = tuple(replace(each, acceleration=factor * each.acceleration) for each in NOISES)
+    block = published(2.0, 0.15, restitution=0.9) if mechanism == "two" else ONE_SIDED
+    question = {"samples": 30, "draws": 100, "largest_factor": 100.0} | more
+    return run_fragility(study_with(folder, records, block, **question), jobs=jobs)
+
+
+def test_results_do_not_depend_on_jobs(folder: Path) -> None:
+    one, two = (dumps_fragility(noise_results(folder, jobs)) for jobs in (1, 2))
+    assert one == two
+    assert loads_fragility(one) == noise_results(folder)
+
+
+def test_records_twice_as_strong_have_the_same_curves(folder: Path) -> None:
+    """Intensities are those of the scaled motion, whatever it is scaled from."""
+    once, twice = noise_results(folder), noise_results(folder, factor=2.0)
+    for one, two in zip(once.mechanisms[0].curves, twice.mechanisms[0].curves, strict=True):
+        assert [point.share for point in one.empirical] == [point.share for point in two.empirical]
+        for first, second in ((one.lognormal, two.lognormal), (one.first, two.first)):
+            assert (first is None) == (second is None)
+            if first is not None:
+                assert first.median == pytest.approx(second.median, rel=1e-6)
+                assert first.dispersion == pytest.approx(second.dispersion, rel=1e-6)
+    assert twice.mechanisms[0].runs[0].scale[0] == once.mechanisms[0].runs[0].scale[0] / 2
+
+
+@pytest.mark.parametrize("mechanism", ["two", "one"])
+def test_the_polarity_of_records_does_not_matter(folder: Path, mechanism: str) -> None:
+    plain, reversed_ = (noise_results(folder, factor=sign, mechanism=mechanism) for sign in (1.0, -1.0))
+    assert plain.mechanisms == reversed_.mechanisms
+
+
+def test_stripes_are_runs_of_the_primary_measure(folder: Path) -> None:
+    whole = noise_results(folder)
+    found = noise_results(folder, method="stripes")
+    assert {each.measure.key for each in found.mechanisms[0].curves} == {"pga"}
+    assert curve(found).empirical == curve(whole).empirical
+
+
+def test_a_cloud_runs_each_record_once(folder: Path) -> None:
+    found = noise_results(folder, method="cloud", factor=0.6)
+    assert {len(each.scale) for each in found.mechanisms[0].runs} == {1}
+    overturned = sum(each.ratio == (None,) for each in found.mechanisms[0].runs)
+    assert sum(point.reached for point in curve(found).empirical) == overturned
+    assert sum(point.records for point in curve(found).empirical) == len(NOISES)
+    assert curve(found).censored == len(NOISES) - overturned
+    assert curve(found).first is None
+
+
+def test_records_that_stand_at_their_largest_scale_are_censored(folder: Path) -> None:
+    """They stay among the records, and the first exceedance moves little where they are many."""
+    few = noise_results(folder, factor=0.5, largest_factor=1.3)
+    found, whole = curve(few), curve(noise_results(folder))
+    assert 0 < found.censored < found.records == len(NOISES)
+    standing = sum(each.ratio[-1] is not None for each in few.mechanisms[0].runs)
+    assert found.censored == standing
+    assert max(each.scale[-1] for each in few.mechanisms[0].runs) <= 1.3 * (1 + 1e-9)
+    assert found.first.median == pytest.approx(whole.first.median, rel=0.15)
+
+
+def test_a_record_too_weak_for_any_level_is_kept(folder: Path) -> None:
+    weak = replace(NOISES[0], id="weak", acceleration=1e-4 * NOISES[0].acceleration)
+    study = study_with(folder, (*NOISES, weak), published(2.0, 0.15), samples=20, draws=100)
+    found = run_fragility(study, jobs=1)
+    assert curve(found).records == len(NOISES) + 1
+    assert curve(found).censored >= 1
+    assert found.mechanisms[0].runs[-1].scale == (10.0,)
+    assert max(point.intensity / curve(found, "pgv").empirical[0].intensity
+               for point in curve(found, "pgv").empirical) < 100  # it does not stretch the axis  # fmt: skip
+
+
+def test_scale_factors_above_four_are_counted(folder: Path) -> None:
+    found = noise_results(folder, factor=0.125)
+    counted = sum(scale > 4.0 for each in found.mechanisms[0].runs for scale in each.scale)
+    assert curve(found).hollow == counted > 0
+    assert sum(point.hollow for point in curve(found).empirical) == counted
+    assert "fragility-hollow" in {note.key for note in found.mechanisms[0].notes}
+
+
+def test_rows_of_hazard_give_rates(folder: Path) -> None:
+    """A power law of hazard with the lognormal is Cornell's closed form."""
+    k, k_0 = 2.5, 1e-4
+    at = np.geomspace(1e-3, 50.0, 300)
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(k_0 * at**-k))
+    found = noise_results(folder, hazard=hazard, target_rate=1e-4).mechanisms[0]
+    fitted = curve(noise_results(folder)).lognormal
+    risks = {each.curve: each for each in found.risks if each.state.name == "overturning"}
+    exact = k_0 * fitted.median**-k * exp(0.5 * (k * fitted.dispersion) ** 2)
+    assert risks["lognormal"].annual_rate == pytest.approx(exact, rel=1e-3)
+    assert risks["lognormal"].probability_50_years == pytest.approx(1 - exp(-50 * exact), rel=1e-3)
+    assert risks["empirical"].annual_rate <= risks["first"].annual_rate * 1.2
+    for each in risks.values():
+        assert sum(each.contribution) == pytest.approx(1.0)
+        assert each.target_rate == 1e-4
+
+
+def test_epistemic_dispersion_stays_apart(folder: Path) -> None:
+    at = np.geomspace(1e-3, 50.0, 300)
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-4 * at**-2.0))
+    plain = noise_results(folder, hazard=hazard).mechanisms[0]
+    study = study_with(folder, NOISES, published(2.0, 0.15, restitution=0.9), samples=30, draws=100,
+                       largest_factor=100.0, hazard=hazard, epistemic={"model": 0.3, "masonry": 0.4})  # fmt: skip
+    found = run_fragility(study, jobs=1).mechanisms[0]
+    assert (found.epistemic, found.epistemic_sources) == (pytest.approx(0.5), {"model": 0.3, "masonry": 0.4})
+    assert found.curves == plain.curves
+    for one, other in zip(found.risks, plain.risks, strict=True):
+        assert one.annual_rate == other.annual_rate
+        if one.curve != "empirical":
+            assert one.with_epistemic == pytest.approx(one.annual_rate * exp(0.5 * (2.0 * 0.5) ** 2), rel=1e-3)
+
+
+def test_no_confidence_factor_enters(folder: Path) -> None:
+    """Values are means: what a code divides by for lack of knowledge leaves fragility as it is."""
+    found = []
+    for level in ("LC1", "LC3"):
+        text = tables_toml(
+            site={"spectrum": NTC},
+            materials={"brick": {"density": 1800, "compressive_strength": "2 MPa", "young_modulus": "1 GPa"}},
+            bodies={"wall": {"material": "brick", "box": {"thickness": 0.6, "length": 3.0, "height": 4.0}}},
+            mechanisms={"wall": {"kind": "single-block", "blocks": ["wall"],
+                                 "interface": {"model": "rigid", "strength": "2 MPa"}}},
+            procedures={"ntc2018": {"knowledge_level": level}},
+            records={"synthetic": {"count": 1, "duration": 8}},
+        )  # fmt: skip
+        study = replace(study_of(folder, text), records=NOISES[:5], artificial=None)
+        asked = FragilityQuestion(samples=10, draws=100)
+        found.append(run_fragility(replace(study, fragility=asked), jobs=1))
+    assert found[0].mechanisms == found[1].mechanisms
+    assert "confidence-factor" not in {each.key for each in found[0].warnings}
+
+
+def test_the_motion_at_the_base_is_a_measure_of_its_own(folder: Path) -> None:
+    raised = published(2.0, 0.15, amplification={
+        "method": "srss", "natural_frequency": "2.5 Hz", "effective_height": "6 m", "height": "6 m"})  # fmt: skip
+    found = run_fragility(study_with(folder, NOISES, raised, samples=20, draws=100, largest_factor=50.0), jobs=1)
+    one = found.mechanisms[0]
+    assert [(each.key, each.at) for each in one.measures][:1] == [("pga", "ground")]
+    assert {each.at for each in one.measures} == {"ground", "base"}
+    place = [(each.key, each.at) for each in one.measures].index(("pga", "base"))
+    assert all(each.intensity[place] > each.intensity[0] for each in one.runs)
+
+
+def test_few_and_artificial_records_are_told(folder: Path) -> None:
+    text = tables_toml(mechanisms={"block": published(2.0, 0.15)}, **PLAIN)
+    study = replace(study_of(folder, text), fragility=FragilityQuestion(samples=5, draws=100))
+    assert {"fragility-few-records", "fragility-artificial"} <= {each.key for each in run_fragility(study).warnings}
+
+
+def test_without_records_there_is_one_clear_line(folder: Path) -> None:
+    with pytest.raises(ProjectError, match="records: none; give files"):
+        run_fragility(study_with(folder, ()))

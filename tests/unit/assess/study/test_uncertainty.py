@@ -1,0 +1,256 @@
+"""Uncertainty: closed forms of a lognormal ratio, groups, inputs without influence, seeds, jobs, what is left out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import exp, log, sqrt
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from scipy.special import ndtr, ndtri
+
+from assess.cli.tables.summary import summary
+from assess.cli.tables.uncertainty import uncertainty_lines
+from assess.results import Results
+from assess.results.diff import changes
+from assess.results.json import dumps, loads
+from assess.results.table import table
+from assess.results.uncertainty import UncertainAnswer, UncertaintyResult
+from assess.study.run import run
+from tests.support.motions import write_noise
+from tests.support.projects import NTC, block, project_toml, study_of, wall
+
+THICK = {"mean": "0.60 m", "cov": 0.1}
+SUITE = None
+"""The artificial records of a project that names none, which meet the rules of the code."""
+LINEAR = "ntc2018-linear"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    write_noise(tmp_path / "a.csv", duration=6.0)
+    return tmp_path
+
+
+def project(*more: str, samples: int = 16, procedures: Any = (LINEAR,), **tables: Any) -> str:
+    asked = tables.pop("uncertainty", {})
+    plain = {
+        "site": {"spectrum": {**NTC, "a_g": "0.21 g"}, "limit_state": "SLV"},
+        "mechanisms": {"wall": block(direction=[1, 0, 0])},
+        "records": {"files": ["a.csv"]},
+        "analysis": {
+            "procedures": list(procedures),
+            "uncertainty": {"samples": samples, **asked},
+            **tables.pop("analysis", {}),
+        },
+    }
+    return project_toml(*more, **{**plain, **tables})
+
+
+def assessed(folder: Path, *more: str, jobs: int = 1, **tables: Any) -> Results:
+    return run(study_of(folder, project(*more, **tables)), jobs=jobs)
+
+
+def found(results: Results) -> UncertaintyResult:
+    assert results.uncertainty is not None
+    return results.uncertainty
+
+
+def answer_of(results: Results, procedure: str = LINEAR, state: str = "SLV") -> UncertainAnswer:
+    (one,) = [each for each in found(results).answers if (each.procedure, each.limit_state) == (procedure, state)]
+    return one
+
+
+def ratios(answer: UncertainAnswer) -> Any:
+    return np.array([np.nan if each is None else each for each in answer.ratios])
+
+
+def test_a_lognormal_thickness_gives_a_lognormal_ratio(folder: Path) -> None:
+    """The linear check compares with t / h, so D/C = c / t: ln(D/C) is normal, and P(D/C > 1) = P(t < c)."""
+    results = assessed(folder, samples=64, bodies={"wall": wall(THICK)})
+    answer = answer_of(results)
+    assert answer.at_mean is not None
+    c, b = answer.at_mean * 0.6, sqrt(log(1.01))
+    median = 0.6 * exp(-(b**2) / 2.0)
+    percents = np.array([0.05, 0.16, 0.50, 0.84, 0.95])
+    exact = c / median * np.exp(b * ndtri(percents))
+    np.testing.assert_allclose(answer.quantiles, exact, rtol=2e-2)  # type: ignore[arg-type]
+    np.testing.assert_allclose(np.std(np.log(ratios(answer))), b, rtol=0.02)
+    fails = float(ndtr((log(c) - log(median)) / b))
+    assert answer.probability is not None
+    assert 0.05 < fails < 0.95
+    assert abs(answer.probability - fails) <= 1.0 / 64  # one sample in each of 64 equal cells
+    assert answer.interval is not None
+    assert answer.interval[0] < fails < answer.interval[1]
+    (influence,) = answer.influences
+    assert (influence.rank_correlation, influence.share) == (pytest.approx(-1.0), pytest.approx(1.0))
+    assert (answer.answered, answer.failed, len(answer.ratios)) == (64, round(answer.probability * 64), 64)
+
+
+def test_density_of_a_free_wall_changes_nothing_and_the_results_say_so(folder: Path) -> None:
+    tables = {
+        "materials": {"brick": {"density": {"mean": 1800, "cov": 0.2}}},
+        "bodies": {"wall": wall(THICK)},
+        "procedures": [LINEAR, "ntc2018-nonlinear", "ntc2018-history"],
+        "records": SUITE,
+    }
+    results = assessed(folder, **tables)
+    assert answer_of(results, "ntc2018-history").answered == 16
+    told = [note for note in found(results).notes if note.key == "uncertainty-idle"]
+    assert [note.values["keys"] for note in told] == ["materials.brick.density"]
+    for answer in found(results).answers:
+        if answer.answered:
+            density, thickness = answer.influences
+            assert (density.group, density.rank_correlation, density.share) == ("materials.brick.density", None, None)
+            assert thickness.rank_correlation is not None
+            assert [note.key for note in answer.notes] == ["uncertainty-no-influence"]
+    alone = assessed(folder, samples=16, materials={"brick": {"density": {"mean": 1800, "cov": 0.2}}})
+    np.testing.assert_allclose(ratios(answer_of(alone)), answer_of(alone).at_mean, rtol=1e-12)  # type: ignore[arg-type]
+
+
+def test_numbers_of_one_group_vary_together(folder: Path) -> None:
+    """Thickness and height in proportion leave t / h as it is; one by one they spread it by sqrt(2) of each."""
+    high = {"mean": "4 m", "cov": 0.1}
+    together = {"wall": wall({**THICK, "group": "size"}, height={**high, "group": "size"})}
+    answer = answer_of(assessed(folder, bodies=together))
+    np.testing.assert_allclose(ratios(answer), answer.at_mean, rtol=1e-12)  # type: ignore[arg-type]
+    apart = answer_of(assessed(folder, samples=128, bodies={"wall": wall(THICK, height=high)}))
+    np.testing.assert_allclose(np.std(np.log(ratios(apart))), sqrt(2.0 * log(1.01)), rtol=0.05)
+    first, second = apart.influences
+    assert first.rank_correlation is not None
+    assert second.rank_correlation is not None
+    assert first.rank_correlation < 0.0 < second.rank_correlation
+    np.testing.assert_allclose([first.share, second.share], 0.5, atol=0.1)  # type: ignore[arg-type]
+
+
+def test_the_same_bytes_for_any_number_of_jobs_and_a_seed_of_its_own(folder: Path) -> None:
+    tables = {"bodies": {"wall": wall(THICK)}, "records": SUITE, "procedures": [LINEAR, "ntc2018-history"]}
+    one = assessed(folder, **tables)
+    assert answer_of(one, "ntc2018-history").answered == 16
+    assert dumps(one) == dumps(assessed(folder, **tables, jobs=2))
+    other = assessed(folder, **tables, uncertainty={"seed": 2})
+    assert found(other).seed == 2
+    assert answer_of(one).ratios != answer_of(other).ratios
+    assert loads(dumps(one)) == one
+
+
+def test_records_stay_as_they_are_and_the_rest_of_the_results_too(folder: Path) -> None:
+    study = study_of(folder, project(bodies={"wall": wall(THICK)}, samples=16))
+    results, plain = run(study), run(replace(study, sampling=None))
+    assert results == replace(plain, uncertainty=results.uncertainty)
+
+
+def test_a_sample_is_the_project_with_that_number_in_it(folder: Path) -> None:
+    asked: dict[str, Any] = {"records": SUITE, "procedures": [LINEAR, "ntc2018-nonlinear", "ntc2018-history"]}
+    results = assessed(folder, bodies={"wall": wall(THICK)}, **asked)
+    linear, histories = answer_of(results), answer_of(results, "ntc2018-history")
+    assert histories.answered == 16
+    assert linear.at_mean is not None
+    place = int(np.argmin(ratios(linear)))
+    thickness = linear.at_mean * 0.6 / ratios(linear)[place]
+    scatter = {"brick": {"density": {"mean": 1800, "cov": 0.01}}}
+    single = assessed(folder, bodies={"wall": wall(float(thickness))}, materials=scatter, **asked)
+    for procedure, rtol in ((LINEAR, 1e-9), ("ntc2018-nonlinear", 1e-9), ("ntc2018-history", 1e-3)):
+        at = answer_of(single, procedure).at_mean
+        assert at is not None
+        np.testing.assert_allclose(ratios(answer_of(results, procedure))[place], at, rtol=rtol)  # histories amplify
+
+
+def test_a_mesh_is_thickened_as_the_box_it_is(folder: Path) -> None:
+    trimesh.creation.box((0.6, 3.0, 4.0), trimesh.transformations.translation_matrix((0, 0, 2))).export(
+        folder / "w.stl"
+    )
+    mesh = {"wall": {"material": "brick", "mesh": "w.stl"}}
+    density = {"brick": {"density": {"mean": 1800, "cov": 0.05}}}
+    by_mesh = assessed(folder, bodies=mesh, uncertainty={"thickness": 0.1})
+    np.testing.assert_allclose(
+        ratios(answer_of(by_mesh)),
+        ratios(answer_of(assessed(folder, bodies={"wall": wall(THICK)}))),
+        rtol=1e-6,  # single precision of the file
+    )
+    (given,) = found(by_mesh).inputs
+    assert (given.key, given.group, given.cov, given.mean) == (
+        "thickness of wall", "thickness", 0.1, pytest.approx(0.6, rel=1e-6),
+    )  # fmt: skip
+    study = study_of(folder, project(samples=16, bodies=mesh, materials=density))
+    assert study.sampling is not None
+    (mechanism,) = study.sampling.study_at((1950.0,))("wall").mechanisms
+    np.testing.assert_allclose(mechanism.variants.deciding.mass, 1950.0 * 0.6 * 3.0 * 4.0, rtol=1e-6)
+
+
+def test_what_cannot_be_thickened_or_is_swept_is_told(folder: Path) -> None:
+    direct = {"mass": "12000 kg", "centroid": [0, 2], "inertia": 16000}
+    mechanisms = {
+        "wall": block(direction=[1, 0, 0]),
+        "stone": block("stone", hinges={"A": [0.3, 0]}, hinges_negative={"A": [-0.3, 0]}),
+    }
+    results = assessed(
+        folder,
+        samples=16,
+        bodies={"wall": wall(), "stone": direct},
+        mechanisms=mechanisms,
+        uncertainty={"thickness": 0.1},
+    )
+    assert [note.where for note in found(results).notes if note.key == "uncertainty-thickness-left-out"] == [
+        "mechanisms.stone"
+    ]
+    assert {each.mechanism for each in found(results).answers} == {"wall"}
+    sweep = {"sweep": {"key": "bodies.wall.box.height", "values": [4, 5]}}
+    swept = assessed(folder, bodies={"wall": wall(THICK)}, analysis=sweep)
+    assert found(swept).answers == ()
+    assert [note.key for note in found(swept).notes] == ["uncertainty-left-out", "uncertainty-idle"]
+
+
+def test_a_sensitivity_beside_is_that_of_the_means(folder: Path) -> None:
+    sensitivity = {"sensitivity": {"thickness": "2 cm"}}
+    both = assessed(folder, bodies={"wall": wall(THICK)}, analysis=sensitivity)
+    alone = assessed(folder, bodies={"wall": wall("0.6 m")}, analysis=sensitivity,
+                     materials={"brick": {"density": {"mean": 1800, "cov": 0.1}}})  # fmt: skip
+    assert both.sensitivity == alone.sensitivity != ()
+
+
+def test_a_sample_that_cannot_be_built_is_not_answered_with_its_reason(folder: Path) -> None:
+    """A hollow joint whose hole scatters beyond its outside."""
+    shape = {"hollow_rectangle": [0.6, 3.0, {"mean": 0.5, "cov": 0.2}, 2.5]}
+    joint = {"model": "flexible", "stiffness": "1 GPa/m", "strength": "inf", "shape": shape}
+    results = assessed(folder, samples=32, mechanisms={"wall": block(direction=[1, 0, 0], interface=joint)})
+    answer = answer_of(results)
+    exact = float(ndtr(log(0.6 / 0.5 * sqrt(1.04)) / sqrt(log(1.04))))
+    assert abs(answer.answered / 32 - exact) <= 1.0 / 32
+    (note,) = [each for each in answer.notes if each.key == "uncertainty-not-built"]
+    assert str(note.values["number"]) == str(32 - answer.answered)
+    assert "hollow_rectangle" in note.text
+    assert [at is None for at in answer.ratios].count(False) == answer.answered
+
+
+def test_restitutions_beyond_one_are_cut_off_and_told(folder: Path) -> None:
+    mechanisms = {"wall": block(direction=[1, 0, 0], restitution={"mean": 0.97, "cov": 0.04})}
+    results = assessed(folder, samples=16, mechanisms=mechanisms)
+    (note,) = [each for each in found(results).notes if each.key == "uncertainty-cut-off"]
+    assert note.where == "mechanisms.wall.restitution"
+
+
+def test_table_summary_and_differences(folder: Path) -> None:
+    premises = '[report.sources]\n"materials.brick.disintegration" = "measured: test"\n'
+    tables = {
+        "materials": {"brick": {"density": 1800, "disintegration": "excluded"}},
+        "bodies": {"wall": wall({**THICK, "group": "walls"})},
+        "procedures": ["ntc2018-nonlinear"],
+        "samples": 16,
+    }
+    results = assessed(folder, premises, **tables)
+    frame = table(results, "uncertainty")
+    assert list(frame["mechanism"]) == ["wall"] * len(found(results).answers)
+    assert frame["quantile_50"][0] == found(results).answers[0].quantiles[2]
+    said = " ".join(summary(results).split())
+    assert "uncertainty: 16 samples of 1 uncertain number in 1 group wall: ntc2018-nonlinear SLV: fails in" in said
+    assert "most by walls (share 1)" in said
+    assert list(uncertainty_lines(None)) == []
+    other = assessed(folder, premises, **{**tables, "bodies": {"wall": wall({**THICK, "cov": 0.2, "group": "walls"})}})
+    differing = [each for each in changes(results, other) if each.kind == "uncertainty"]
+    assert ("bodies.wall.box.thickness, cov", 0.1, 0.2) in [(each.what, each.before, each.after) for each in differing]
+    assert any(each.what.startswith("demand_capacity, 95 %") for each in differing)
+    assert not [each for each in changes(results, results) if each.kind == "uncertainty"]

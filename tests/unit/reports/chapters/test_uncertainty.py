@@ -1,0 +1,116 @@
+"""The chapter on uncertainty: half a page of the main part, numbers of the results, and what changes nothing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from matplotlib.text import Text
+
+from assess.results import Results
+from assess.results.json import dumps, loads
+from reports.assessment import assessment
+from reports.chapters import uncertainty
+from reports.figures import uncertainty as figure
+from reports.language.locale import Locale
+from tests.languages.test_reports import unknown_words
+from tests.support.document_numbers import misread, shown_numbers, strange_numbers
+from tests.support.sample_document import HOSTILE
+from tests.support.uncertainty_results import KEYS, SAMPLES, with_uncertainty
+from tests.unit.reports.figures.test_words import WORD, _Bracketed, outside_brackets
+
+LOCALES = [Locale("en", "SI"), Locale("en", "US"), Locale("it", "SI"), Locale("it", "US")]
+
+
+@pytest.fixture(scope="module")
+def sampled(results: Results) -> Results:
+    return with_uncertainty(results)
+
+
+def said(results: Results) -> str:
+    assert results.uncertainty is not None
+    texts = uncertainty.idle_densities(results.uncertainty)
+    return " ".join(map(Locale().text, texts))
+
+
+def test_there_is_no_chapter_without_samples(results: Results) -> None:
+    assert uncertainty.sections(results) == uncertainty.others(results) == []
+    assert not list(uncertainty.data(results))
+
+
+def test_the_main_part_has_the_answer_that_fails_most_often(sampled: Results) -> None:
+    (section,) = uncertainty.sections(sampled)
+    assert [type(block).__name__ for block in section.blocks] == ["Prose", "Table", "Row"]
+    assert sampled.uncertainty is not None
+    worst = max(sampled.uncertainty.answers, key=lambda each: each.probability or 0.0)
+    assert uncertainty.shown_answers(sampled.uncertainty)[0] == worst
+
+
+def test_a_density_that_changes_nothing_is_told(sampled: Results) -> None:
+    assert said(sampled).startswith(f"{KEYS[1]} changes nothing")
+    found = sampled.uncertainty
+    assert found is not None
+    moving = tuple(replace(each, rank_correlation=0.3) for each in found.answers[0].influences)
+    answers = (replace(found.answers[0], influences=moving), found.answers[1])
+    assert said(replace(sampled, uncertainty=replace(found, answers=answers))) == ""
+
+
+@pytest.mark.parametrize("locale", LOCALES, ids=lambda each: f"{each.language}-{each.system}")
+def test_numbers_are_within_half_a_unit_of_their_last_digit(sampled: Results, locale: Locale) -> None:
+    document = replace(assessment(sampled, detail="full"), locale=locale)
+    assert [each for each in shown_numbers(document, document.writer) if misread(each, point=locale.point)] == []
+
+
+def test_numbers_are_those_of_the_results(sampled: Results) -> None:
+    assert strange_numbers(sampled) == set()
+
+
+def test_nothing_is_left_in_english(sampled: Results, results: Results) -> None:
+    assert unknown_words(sampled, "it") == unknown_words(results, "it")
+
+
+def test_results_are_read_as_they_were_written(sampled: Results) -> None:
+    assert loads(dumps(sampled)) == sampled
+
+
+def test_the_distribution_ends_at_the_share_that_does_not_overturn(sampled: Results) -> None:
+    assert sampled.uncertainty is not None
+    answer = sampled.uncertainty.answers[1]
+    finite = sorted(ratio for ratio in answer.ratios if ratio is not None)
+    assert 0 < len(finite) < SAMPLES
+    (axes,) = figure.draw_distribution(answer, Locale()).axes
+    x, y = map(np.asarray, axes.get_lines()[0].get_data())
+    assert x.tolist() == finite
+    assert y[-1] == pytest.approx(100.0 * len(finite) / SAMPLES)
+    at_one = np.searchsorted(x, 1.0, side="right")
+    assert 100.0 - y[at_one - 1] == pytest.approx(100.0 * (answer.probability or 0.0))
+
+
+def test_bars_are_ranked_and_signed(sampled: Results) -> None:
+    assert sampled.uncertainty is not None
+    answer = sampled.uncertainty.answers[0]
+    (axes,) = figure.draw_influences(answer, Locale()).axes
+    widths = [patch.get_width() for patch in axes.patches]  # type: ignore[attr-defined]
+    assert widths == [answer.influences[0].rank_correlation, answer.influences[2].rank_correlation]
+    assert widths[0] < 0.0 < widths[1] < abs(widths[0])
+
+
+def test_answers_without_a_finite_ratio_are_drawn(sampled: Results) -> None:
+    assert sampled.uncertainty is not None
+    empty = replace(sampled.uncertainty.answers[0], ratios=(None,) * SAMPLES, influences=(), at_mean=None)
+    assert figure.draw_distribution(empty, Locale()).axes
+    assert figure.draw_influences(empty, Locale()).axes
+
+
+def test_keys_are_inert_and_words_go_through_the_locale(sampled: Results) -> None:
+    assert sampled.uncertainty is not None
+    answer = sampled.uncertainty.answers[0]
+    hostile = replace(answer, influences=(replace(answer.influences[0], keys=(HOSTILE,), group=HOSTILE),))
+    for draw in (figure.draw_distribution, figure.draw_influences):
+        drawn = draw(hostile, _Bracketed())
+        drawn.draw_without_rendering()
+        labels = {each.get_text() for axes in drawn.axes for each in axes.get_yticklabels()}
+        for text in drawn.findobj(Text):
+            if text.get_text() not in labels:
+                assert not WORD.findall(outside_brackets(text.get_text()))

@@ -1,0 +1,134 @@
+"""Figures of fragility: hollow points, bounds, bands, islands, and every word through the locale."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from assess.results.fragility import FragilityResults
+from reports.document import Figure as Drawing
+from reports.figures import fragility, fragility_risk, fragility_runs
+from reports.language.locale import Locale
+from reports.measures import curves_by, first_measure, main_curve, main_risk
+from tests.support.fragility_results import PGV, SCALED_PGV, fragility_results
+from tests.unit.reports.figures.test_words import WORD, _Bracketed, outside_brackets
+
+
+@pytest.fixture(scope="module")
+def results() -> FragilityResults:
+    return fragility_results()
+
+
+def every(results: FragilityResults) -> Iterator[Drawing]:
+    from reports.assessment import fragility_report
+
+    yield from fragility_report(results).figures
+
+
+def test_no_word_of_a_figure_is_fixed_in_english(results: FragilityResults) -> None:
+    for each in every(results):
+        figure = each.draw(_Bracketed())
+        figure.draw_without_rendering()
+        for text in figure.findobj(Text):
+            words = WORD.findall(outside_brackets(text.get_text())) if text.get_visible() else []
+            assert not words, f"{each.name}: {text.get_text()!r}"
+
+
+def test_everything_is_within_the_sheet(results: FragilityResults) -> None:
+    for locale in (Locale(), Locale("it", "US")):
+        for each in every(results):
+            figure = each.draw(locale)
+            figure.draw_without_rendering()
+            box = figure.get_tightbbox()  # in inches
+            wide, high = figure.get_size_inches()
+            assert min(box.x0, box.y0) >= -0.02, each.name
+            assert (box.x1 <= wide + 0.02, box.y1 <= high + 0.02) == (True, True), each.name
+
+
+def marks(figure: Figure, *, hollow: bool) -> list[float]:
+    """Intensities of the points that are drawn hollow, or full."""
+    lines = [line for line in figure.axes[0].get_lines() if line.get_marker() == "o"]
+    found = [line for line in lines if (to_hex(line.get_markerfacecolor()) == "#ffffff") == hollow]
+    return sorted(float(x) for line in found for x in np.atleast_1d(line.get_xdata()))
+
+
+def test_points_of_large_scale_factors_are_hollow(results: FragilityResults) -> None:
+    curve = main_curve(results.mechanisms[0])
+    assert curve is not None
+    figure = fragility.draw(curve, Locale())
+    for hollow in (False, True):
+        points = [point.intensity for point in curve.empirical if (2 * point.hollow > point.records) == hollow]
+        assert points
+        assert marks(figure, hollow=hollow) == pytest.approx(points)
+
+
+def test_intervals_are_those_of_wilson_and_the_bound_is_dashed(results: FragilityResults) -> None:
+    curve = main_curve(results.mechanisms[0])
+    assert curve is not None
+    (axes,) = fragility.draw(curve, Locale()).axes
+    upright = [line.get_ydata() for line in axes.get_lines() if len(set(np.atleast_1d(line.get_xdata()))) == 1]
+    wilson = [[100 * point.low, 100 * point.high] for point in curve.empirical]
+    assert np.allclose([each for each in upright if len(each) == 2], wilson)
+    dashed = [str(line.get_label()) for line in axes.get_lines() if line.get_linestyle() == "--"]
+    assert dashed == ["bound: first intensity that reaches it"]
+
+
+def test_the_lognormal_passes_half_at_its_median(results: FragilityResults) -> None:
+    curve = main_curve(results.mechanisms[0])
+    assert curve is not None
+    assert curve.lognormal is not None
+    (axes,) = fragility.draw(curve, Locale()).axes
+    line = next(line for line in axes.get_lines() if line.get_label() == "lognormal")
+    at = np.interp(curve.lognormal.median, *map(np.asarray, line.get_data()))
+    assert at == pytest.approx(50.0, abs=0.2)  # between 200 points of the curve
+
+
+def test_a_curve_that_is_not_bounded_has_its_points_alone(results: FragilityResults) -> None:
+    curve = main_curve(results.mechanisms[0])
+    assert curve is not None
+    (axes,) = fragility.draw(replace(curve, lognormal=None, first=None), Locale()).axes
+    assert "lognormal" not in {line.get_label() for line in axes.get_lines()}
+    assert not axes.collections
+    assert fragility.draw_states((replace(curve, lognormal=None),), Locale()).axes
+
+
+def test_islands_are_marked_where_records_stand_again(results: FragilityResults) -> None:
+    front = results.mechanisms[0]
+    measure = first_measure(front)
+    assert measure is not None
+    units = [run.intensity[0] for run in front.runs]
+    (axes,) = fragility_runs.draw(front.runs, units, measure, Locale(), reach=1.0).axes
+    drawn = next(line for line in axes.get_lines() if line.get_label() == "island: stands again")
+    stand = [
+        scale * unit
+        for run, unit in zip(front.runs, units, strict=True)
+        for scale, ratio in zip(run.scale, run.ratio, strict=True)
+        if ratio is not None and any(low <= scale <= high for low, high in run.islands)
+    ]
+    assert stand
+    assert [float(x) for x in np.atleast_1d(drawn.get_xdata())] == pytest.approx(stand)
+
+
+def test_bars_of_contributions_make_up_the_whole_rate(results: FragilityResults) -> None:
+    risk = main_risk(results.mechanisms[0])
+    assert risk is not None
+    for hazard in (results.hazard[0], None):
+        _, below = fragility_risk.draw(risk, hazard, Locale()).axes
+        heights = [patch.get_height() for patch in below.patches]  # type: ignore[attr-defined]
+        assert sum(heights) == pytest.approx(100.0)
+
+
+def test_axes_have_the_units_of_the_measure(results: FragilityResults) -> None:
+    front = results.mechanisms[0]
+    for measure, system, unit in ((PGV, "SI", "m/s"), (PGV, "US", "ft/s"), (SCALED_PGV, "US", "-")):
+        curves = curves_by(front, measure)
+        for draw in (partial(fragility.draw, curves[-1]), partial(fragility.draw_states, curves)):
+            (axes,) = draw(Locale(system=system)).axes  # type: ignore[arg-type]
+            assert axes.get_xlabel().endswith(f"[{unit}]")

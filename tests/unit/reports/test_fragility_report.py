@@ -1,0 +1,195 @@
+"""The report of `assess fragility`: its sentences, its numbers, and texts of users that stay texts."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.stats import norm
+
+from assess.messages.message import note
+from assess.results.fragility import FragilityResults, LognormalResult, MechanismFragility
+from reports.assessment import fragility_report
+from reports.chapters import fragility_tables, fragility_words
+from reports.document import Document, Figure, Table
+from reports.language.locale import Locale
+from reports.measures import main_curve, main_risk, measure_text
+from reports.writing import write_document
+from tests.languages.test_reports import Listener, texts_in
+from tests.support.document_numbers import is_known, misread, numbers_of, shown_numbers
+from tests.support.fragility_results import (
+    AVERAGE,
+    MEASURES,
+    SA,
+    SCALED_PGA,
+    SCALED_PGV,
+    fragility_results,
+    without_risk,
+)
+from tests.support.sample_document import HOSTILE
+
+LOCALES = [Locale("en", "SI"), Locale("en", "US"), Locale("it", "SI"), Locale("it", "US")]
+
+
+@pytest.fixture(scope="module")
+def results() -> FragilityResults:
+    return fragility_results()
+
+
+@pytest.fixture(scope="module")
+def document(results: FragilityResults) -> Document:
+    return fragility_report(results)
+
+
+def plain(text: str) -> str:
+    return text.replace("\u00a0", " ")
+
+
+def summary(mechanism: MechanismFragility, locale: Locale | None = None) -> str:
+    return plain(" ".join(map((locale or Locale()).text, fragility_words.summary(mechanism))))
+
+
+@pytest.mark.parametrize("locale", LOCALES, ids=lambda each: f"{each.language}-{each.system}")
+def test_numbers_are_within_half_a_unit_of_their_last_digit(document: Document, locale: Locale) -> None:
+    made = replace(document, locale=locale)
+    shown = list(shown_numbers(made, made.writer))
+    assert len(shown) > 3000
+    assert [each for each in shown if misread(each, point=locale.point)] == []
+
+
+def test_numbers_are_those_of_the_results(results: FragilityResults, document: Document) -> None:
+    """Besides: 5 % of a lognormal, intensities of islands, places in lists, distances in metres."""
+    runs = [(run, unit) for each in results.mechanisms for run in each.runs for unit in run.intensity]
+    islands = [end * unit for run, unit in runs for ends in run.islands for end in ends]
+    fitted = [fit for each in results.mechanisms for curve in each.curves for fit in (curve.lognormal, curve.first)]
+    fives = [fit.five_percent for fit in fitted if fit]
+    far = [1000.0 * run.distance_km for run, _ in runs if run.distance_km is not None]
+    known = sorted([*numbers_of(results), *islands, *fives, *far])  # type: ignore[arg-type]
+    strange = {
+        (each.where, each.text)
+        for each in shown_numbers(document, document.writer)
+        if not is_known(each.value, known) and not (each.value == int(each.value) and 0 <= each.value < 1000)
+    }
+    assert strange == set()
+
+
+def test_five_percent_is_a_quantile_of_the_lognormal() -> None:
+    fitted = LognormalResult(0.4, 0.5)
+    assert norm.cdf(np.log(fitted.five_percent / fitted.median) / fitted.dispersion) == pytest.approx(0.05, rel=1e-12)
+
+
+def test_measures_are_in_the_usual_notation() -> None:
+    names = [plain(Locale().text(measure_text(each))) for each in MEASURES]
+    assert names == ["PGA", "PGV", "Sa(0.5 s) at the base", "averaged Sa", "PGA/(g tan α)", "p·PGV/(g tan α)"]
+    italian = [plain(Locale("it").text(measure_text(each))) for each in (SA, AVERAGE, SCALED_PGA, SCALED_PGV)]
+    assert italian == ["Sa(0,5 s) alla base", "Sa media", "PGA/(g tan α)", "p·PGV/(g tan α)"]
+
+
+def test_the_first_sentences_name_intensities_with_intervals_and_the_rate_beside_its_target(
+    results: FragilityResults,
+) -> None:
+    front = results.mechanisms[0]
+    curve, risk = main_curve(front), main_risk(front)
+    assert curve is not None
+    assert risk is not None
+    assert curve.lognormal is not None
+    low, high = curve.lognormal.median_interval or (0.0, 0.0)
+    said = summary(front)
+    assert f"{curve.lognormal.median:.3g} g ({low:.3g} g to {high:.3g} g) in 50 of 100" in said
+    assert f"the annual rate of overturning is {risk.annual_rate:.3g} 1/year" in said
+    assert f"a probability of {100 * risk.probability_50_years:.3g} % in 50 years" in said
+    assert said.endswith("This is more than the target of 0.0001 1/year.")
+    within = replace(front, risks=tuple(replace(each, target_rate=0.9) for each in front.risks))
+    assert summary(within).endswith("This is within the target of 0.9 1/year.")
+
+
+def test_without_a_hazard_the_rate_is_not_answered(results: FragilityResults) -> None:
+    bare = without_risk(results)
+    assert "annual rate" not in summary(bare.mechanisms[0])
+    made = fragility_report(bare)
+    said = "\n".join(map(made.writer.text, [text for text in texts_in(made.sections[0]) if not isinstance(text, str)]))
+    assert "give the hazard of the site in [analysis.risk]" in said
+    assert not [figure for figure in made.figures if figure.name.endswith("contributions")]
+
+
+def test_a_curve_that_is_not_bounded_says_what_was_counted(results: FragilityResults) -> None:
+    front = results.mechanisms[0]
+    standing = tuple(
+        replace(curve, lognormal=None, first=None, empirical=tuple(
+            replace(point, reached=0, share=0.0) for point in curve.empirical))
+        for curve in front.curves
+    )  # fmt: skip
+    assert summary(replace(front, curves=standing, risks=())).startswith("No record brings it to overturning up to PGA")
+    some = tuple(replace(curve, lognormal=None) for curve in front.curves)
+    assert "these runs do not bound a lognormal" in summary(replace(front, curves=some, risks=()))
+
+
+def test_the_bound_is_called_a_bound(document: Document) -> None:
+    said = {plain(document.writer.text(text)) for text in texts_in(document.sections) if not isinstance(text, str)}
+    assert any("The dashed line is a bound and no fragility" in text for text in said)
+
+
+def test_trends_are_called_significant_in_words(results: FragilityResults) -> None:
+    table = fragility_tables.comparison(results.mechanisms[0], "measures")
+    texts = [[plain(Locale().text(cell)) for cell in row if hasattr(cell, "english")] for row in table.rows]
+    for row, each in zip(texts, results.mechanisms[0].comparison, strict=True):
+        for trend, said in zip(each.trends, row[-3:], strict=True):
+            assert said.endswith(": significant") == (trend.p_value < 0.05)
+
+
+def test_a_page_has_the_first_islands_and_the_tables_have_all(results: FragilityResults) -> None:
+    front = results.mechanisms[0]
+    many = replace(front, runs=tuple(replace(run, islands=((2.0, 2.5), (3.0, 3.5))) for run in front.runs))
+    printed = fragility_tables.islands(many, "islands", most=10)
+    assert (len(printed.rows), "the first 10 of 48" in plain(Locale().text(printed.caption))) == (10, True)
+    made = fragility_report(replace(results, mechanisms=(many,)))
+    assert len(next(table for table in made.data if table.name == "fragility-islands").rows) == 48
+
+
+def test_nothing_is_left_in_english(document: Document) -> None:
+    listener = Listener("it", titles=document.numbers)
+    for text in texts_in((document.sections, document.data, document.subject)):
+        listener.text(text)  # type: ignore[arg-type]
+    assert listener.unknown == set()
+
+
+def test_language_units_and_paper_are_those_of_the_project() -> None:
+    made = fragility_report(fragility_results(language="it", units="US", paper="letter"))
+    assert (made.locale.language, made.locale.system, made.paper) == ("it", "US", "letter")
+
+
+def test_hostile_names_are_inert(results: FragilityResults, tmp_path: Path) -> None:
+    front = results.mechanisms[0]
+    runs = tuple(replace(run, record=f"{HOSTILE} {place}", event=HOSTILE) for place, run in enumerate(front.runs))
+    remark = note("missing-key", key=HOSTILE, text=HOSTILE)
+    curves = tuple(replace(curve, notes=(remark,)) for curve in front.curves)
+    sources = {HOSTILE: 0.2}
+    mechanism = replace(front, name=HOSTILE, label=HOSTILE, runs=runs, curves=curves, epistemic_sources=sources)
+    hazard = tuple(replace(each, source=HOSTILE) for each in results.hazard)
+    made = fragility_report(replace(results, title=HOSTILE, mechanisms=(mechanism,), hazard=hazard))
+    drawn = {figure.name: figure for figure in made.figures}
+    assert all(set(name) <= set("abcdefghijklmnopqrstuvwxyz0123456789-") for name in drawn)
+    assert write_document(made, tmp_path, name="fragility.pdf", jobs=1).read_bytes().startswith(b"%PDF")
+    assert "<script>alert(1)" not in (tmp_path / "fragility.html").read_text(encoding="utf-8")
+    assert {path.name for path in (tmp_path / "figures").iterdir()} == {f"{name}.svg" for name in drawn}
+    for path in (tmp_path / "tables").glob("*.csv"):
+        with path.open(encoding="utf-8", newline="") as stream:
+            cells = [cell for row in csv.reader(stream) for cell in row]
+        assert not [cell for cell in cells if cell.startswith("=")]
+
+
+def test_every_table_and_figure_has_its_own_name(document: Document) -> None:
+    names = [block.name for block in (*document.blocks, *document.data) if isinstance(block, Table | Figure)]
+    assert len(names) == len(set(names))
+
+
+def test_a_run_of_one_record_and_one_state_has_its_figure_on_the_width_of_the_page(results: FragilityResults) -> None:
+    front = results.mechanisms[0]
+    kept = tuple(curve for curve in front.curves if curve.state.name == "overturning")
+    made = fragility_report(replace(results, mechanisms=(replace(front, curves=kept),)))
+    assert [figure.name for figure in made.figures] == [
+        f"01-front-{each}" for each in ("fragility", "runs", "contributions")
+    ]

@@ -58,7 +58,7 @@ def draw_runs(records: int, runs: int) -> IntArray:
     return np.random.default_rng(SEED).integers(0, runs, size=(records, DRAWS)).T
 
 
-def drawn(values: FloatArray) -> FloatArray:
+def draw_values(values: FloatArray) -> FloatArray:
     """Return the values [runs, records] that every draw takes [draws, records]."""
     runs, records = values.shape
     return values[draw_runs(records, runs), np.arange(records)]
@@ -66,7 +66,7 @@ def drawn(values: FloatArray) -> FloatArray:
 
 def share_standing(suite: Suite) -> float:
     """Return the share of the draws in which no record overturns the mechanism: p of any rule is at most this [-]."""
-    return float(np.isfinite(drawn(suite.runs.ratio)).all(axis=1).mean())
+    return float(np.isfinite(draw_values(suite.runs.ratio)).all(axis=1).mean())
 
 
 def capacities(

@@ -54,7 +54,13 @@ def target_text(verdict: Verdict) -> str:
 
 
 def figures(value: float, number: int = 3) -> str:
-    """Return a number to three figures, or as many as are asked for, with trailing zeros: 1.00 for one."""
+    """Return a number to three figures, or as many as are asked for, with trailing zeros: 1.00 for one.
+
+    Parameters
+    ----------
+    value : the number
+    number : of figures
+    """
     return f"{value:#.{number}g}".rstrip(".") if value else "0"
 
 

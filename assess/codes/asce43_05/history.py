@@ -28,7 +28,14 @@ from assess.codes.check import (
 )
 from assess.codes.context import Context
 from assess.codes.incremental import fails_below, pga_curve, uplift_multiplier
-from assess.codes.numerical_spread import Capacities, capacities, drawn, numerical_spread, spread_steps, with_spread
+from assess.codes.numerical_spread import (
+    Capacities,
+    capacities,
+    draw_values,
+    numerical_spread,
+    spread_steps,
+    with_spread,
+)
 from assess.codes.suite import Suite
 from assess.codes.table_steps import instability_step
 from assess.codes.worst_branch import branch_of
@@ -58,7 +65,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         return share is not None and share <= HALF
 
     def measure(suite: Suite) -> tuple[FloatArray, BoolArray]:
-        ratio = drawn(run_shares(suite, oscillator)).mean(axis=1) / HALF
+        ratio = draw_values(run_shares(suite, oscillator)).mean(axis=1) / HALF
         return ratio, ratio <= 1.0
 
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)

@@ -12,7 +12,7 @@ from assess.codes.context import Context
 from assess.codes.italian.curves import branch_curves
 from assess.codes.italian.thresholds import Rule as Limit
 from assess.codes.italian.thresholds import threshold_of
-from assess.codes.numerical_spread import Measure, drawn
+from assess.codes.numerical_spread import Measure, draw_values
 from assess.codes.suite import Suite
 from assess.oscillator import Oscillator, displacement
 from spectra.arrays import BoolArray, FloatArray
@@ -105,7 +105,7 @@ def measure_of(oscillator: Oscillator, context: Context, limit: Limit) -> Measur
     """Return the governing ratio and the rule in every draw, as functions of a suite."""
 
     def measure(suite: Suite) -> tuple[FloatArray, BoolArray]:
-        collapse, near = (drawn(each) for each in run_ratios(oscillator, context, suite, limit))
+        collapse, near = (draw_values(each) for each in run_ratios(oscillator, context, suite, limit))
         few = near.shape[1] < FOR_THE_MEAN
         ratio = near.max(axis=1) if few else near.mean(axis=1)
         return ratio, (ratio <= 1.0) & (collapse <= 1.0).all(axis=1)

@@ -19,7 +19,7 @@ from assess.codes.check import Outcome, Reason
 from assess.codes.context import Context
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import history as ntc2018
-from assess.codes.numerical_spread import DRAWS, draw_runs, drawn, is_between, standing_figures
+from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between, standing_figures
 from assess.codes.suite import Runs, Suite
 from assess.codes.verdict.answer import Index, is_near
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -120,7 +120,7 @@ def test_every_level_has_the_same_draw_and_more_records_do_not_change_it():
     assert draw_runs(7, 9).shape == (500, 7)
     assert set(draw_runs(7, 9).ravel()) == set(range(9))
     values = np.arange(63.0).reshape(9, 7)
-    assert (drawn(values)[3] == [values[run, n] for n, run in enumerate(draw_runs(7, 9)[3])]).all()
+    assert (draw_values(values)[3] == [values[run, n] for n, run in enumerate(draw_runs(7, 9)[3])]).all()
 
 
 def scan():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from assess.amplification.floor_motion import Unamplified, base_motion
-from assess.codes.numerical_spread import drawn, share_standing
+from assess.codes.numerical_spread import draw_values, share_standing
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.study.histories import run_histories, run_levels, with_governing_trace
@@ -135,7 +135,7 @@ def test_twins_that_a_scan_leaves_out_change_no_share(body):
     saved = sum(int((one.twins.ratio != other.twins.ratio).sum()) for one, other in zip(scan, full, strict=True))
     assert saved > 100
     for one, other in zip(scan, full, strict=True):
-        holds = [(drawn(each.runs.ratio).mean(axis=1) <= 0.5).mean() for each in (one, other)]
+        holds = [(draw_values(each.runs.ratio).mean(axis=1) <= 0.5).mean() for each in (one, other)]
         assert holds[0] == pytest.approx(holds[1], abs=0.01)
 
 
@@ -175,7 +175,7 @@ def long_noise(seed: int) -> ScaledRecord:
 
 def last_before(scan, share: float) -> float:
     """The PGA before the first at which the mean is within half of overturning in less than a share of the draws."""
-    holds = [(drawn(suite.runs.ratio).mean(axis=1) <= 0.5).mean() for suite in scan]
+    holds = [(draw_values(suite.runs.ratio).mean(axis=1) <= 0.5).mean() for suite in scan]
     return scan[next(n for n, p in enumerate(holds) if p < share) - 1].pga
 
 

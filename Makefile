@@ -27,10 +27,12 @@ check: .venv/installed     ## style, types, direction of imports
 
 bench: .venv/installed     ## speed, as ratios measured in one run; then studies, and properties over many more cases
 	$(BIN)/python tests/benchmarks/bench_dynamics.py
+	$(BIN)/python -m tests.benchmarks.bench_fragility
 	$(BIN)/python -m tests.benchmarks.bench_growth
 	$(BIN)/python tests/benchmarks/bench_interfaces.py
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py
 	$(BIN)/python tests/benchmarks/bench_mesh.py
+	$(BIN)/python -m tests.benchmarks.bench_portfolio
 	$(BIN)/python tests/benchmarks/bench_records.py
 	$(BIN)/python tests/benchmarks/bench_report.py
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m study

@@ -103,6 +103,11 @@ def recall_records(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]
     """Return what `read_with` does, from memory if this process has lately read a file of the same content.
 
     The instrument's response is a file of its own: records that need one are always read.
+
+    Parameters
+    ----------
+    path : file in one of the known formats
+    overrides : as in `read_with`
     """
     check_overrides(overrides)
     if overrides.response is not None or not path.is_file():

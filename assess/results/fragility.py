@@ -183,6 +183,8 @@ class RiskResult(ShortRepr):
 
     contribution [n-1] : shares of the rate between neighbouring intensities of the hazard [-]
     beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
+    below : what motions below the first row of the hazard add if it goes on with its first slope; None where that has
+        no end [1/year]
     target_rate : that the project sets [1/year]; None where it sets none
     with_epistemic : the rate with the epistemic dispersion added to that of the records, by the root of squares
         [1/year]; of lognormal curves where one is given
@@ -199,6 +201,18 @@ class RiskResult(ShortRepr):
     target_rate: float | None = None
     notes: tuple[Message, ...] = ()
     with_epistemic: float | None = None
+    below: float | None = 0.0
+
+    @property
+    def outcome(self) -> Literal["pass", "fail", "incomplete"] | None:
+        """Whether the rate is within its target, also with what the hazard leaves out; None without a target."""
+        if self.target_rate is None:
+            return None
+        if self.annual_rate > self.target_rate:
+            return "fail"
+        if self.below is None or self.annual_rate + self.beyond + self.below > self.target_rate:
+            return "incomplete"
+        return "pass"
 
 
 @dataclass(frozen=True, repr=False)

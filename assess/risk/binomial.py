@@ -31,8 +31,11 @@ def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, lin
     overlap = counts_overlap(x, reached, records)
     if overlap.any():
         middle, spread = float(np.mean(x)), float(np.std(x))
-        terms = _Counts((x - middle) / spread, reached[overlap], records[overlap], link)
-        a, b = maximise_likelihood(terms, np.zeros((int(overlap.sum()), 2))).T
+        u, yes, n = (x - middle) / spread, reached[overlap], records[overlap]
+        pooled = _Counts(u, yes.sum(axis=0, keepdims=True), n.sum(axis=0, keepdims=True), link)
+        near = maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
+        start = np.tile(np.nan_to_num(near), (len(yes), 1))
+        a, b = maximise_likelihood(_Counts(u, yes, n, link), start).T
         theta[overlap] = np.stack([a - b * middle / spread, b / spread], axis=1)
     return theta
 

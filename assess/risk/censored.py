@@ -68,9 +68,11 @@ def fit_firsts(stands: FloatArray, reaches: FloatArray, counts: FloatArray) -> t
     if bounded.any():
         known = np.concatenate([lower[np.isfinite(lower)], upper[np.isfinite(upper)]])
         middle, spread = float(known.mean()), float(known.std())
-        terms = _Between((lower - middle) / spread, (upper - middle) / spread, counts[bounded])
-        start = np.tile([0.0, 1.0], (int(bounded.sum()), 1))
-        a, b = maximise_likelihood(terms, start).T
+        low, high, n = (lower - middle) / spread, (upper - middle) / spread, counts[bounded]
+        plain = np.array([[0.0, 1.0]])
+        near = maximise_likelihood(_Between(low, high, n.sum(axis=0, keepdims=True)), plain)
+        start = np.tile(near if np.isfinite(near).all() else plain, (len(n), 1))
+        a, b = maximise_likelihood(_Between(low, high, n), start).T
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             m, beta = np.exp(middle - a / b * spread), spread / b
         good = (b > 0.0) & np.isfinite(m) & (m > 0.0) & np.isfinite(beta)

@@ -74,6 +74,17 @@ def apply_given_factors(
 ) -> tuple[ScaledRecord, ...]:
     """Scale each record by its given factor, times the PGA of the target over the PGA that the factors refer to.
 
+    Parameters
+    ----------
+    records : sequence of Record
+        The records.
+    spectrum : Spectrum
+        The target.
+    given : GivenFactors
+        Factors by id, and the target that they refer to.
+    band : Band
+        Periods at which the misfit is taken.
+
     Raises
     ------
     ProjectError

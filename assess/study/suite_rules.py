@@ -94,7 +94,17 @@ def codes_that_decide(study: Study) -> tuple[str, ...]:
 
 
 def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
-    """Return the target of a suite: for the Italian code, the spectrum of the limit state that decides, if known."""
+    """Return the target of a suite: for the Italian code, the spectrum of the limit state that decides, if known.
+
+    Parameters
+    ----------
+    code : str
+        Of a procedure, as in `RULES`.
+    study : Study
+        The hazard and what decides.
+    spectrum : Spectrum
+        The site's.
+    """
     if code != "ntc2018" or study.hazard is None:
         return spectrum
     return study.hazard.spectra.get(deciding_state(study), spectrum)

@@ -68,6 +68,13 @@ def overview(results: FragilityResults) -> Table:
     return Table("fragility", caption, tuple(columns), rows, small=True)
 
 
+OUTCOMES = {
+    "pass": Graded("pass", say("within the target")),
+    "fail": Graded("fail", say("more than the target")),
+    "incomplete": Graded("incomplete", say("not known: the hazard ends too soon")),
+}
+
+
 def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
     measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
     yield numbered_name(results, mechanism)
@@ -76,11 +83,7 @@ def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Itera
     yield None if risk is None else risk.annual_rate
     yield None if risk is None else PERCENT * risk.probability_50_years
     yield None if risk is None else risk.target_rate
-    yield None if risk is None or risk.target_rate is None else _outcome(within=words.is_within_target(risk))
-
-
-def _outcome(*, within: bool) -> Graded:
-    return Graded("pass", say("within the target")) if within else Graded("fail", say("more than the target"))
+    yield None if risk is None or risk.outcome is None else OUTCOMES[risk.outcome]
 
 
 def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:

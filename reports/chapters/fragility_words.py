@@ -122,14 +122,15 @@ def how_likely(risk: RiskResult) -> Text:
 def beside_target(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
     target = rate(risk.target_rate or 0.0)
-    if is_within_target(risk):
+    if risk.outcome == "incomplete":
+        return say(
+            "Whether this is within the target of {target} is not known: stronger or more frequent motions than the "
+            "hazard lists may add to it; give a hazard of more return periods.",
+            target=target,
+        )
+    if risk.outcome == "pass":
         return say("This is within the target of {target}.", target=target)
     return say("This is more than the target of {target}.", target=target)
-
-
-def is_within_target(risk: RiskResult) -> bool:
-    """Return whether a rate is at most its target; True without one."""
-    return risk.target_rate is None or risk.annual_rate <= risk.target_rate
 
 
 def rate(value: float) -> Text:

@@ -42,9 +42,9 @@ def sections(results: Results) -> list[Section]:
         return []
     shown = shown_answers(found)
     blocks: list[Block] = [
-        Prose((Paragraph(tuple(_findings(found))),)),
+        Prose((Paragraph(tuple(_findings(results, found))),)),
         *nonempty(_table(results, shown[:MOST], "uncertainty-main")),
-        figures(results, shown[0]),
+        *(figures(results, each) for each in _spread_out(shown)[:1]),
     ]
     return [Section(say("Uncertainty"), 0, tuple(blocks))]
 
@@ -56,10 +56,16 @@ def others(results: Results) -> list[Section]:
         return []
     shown = shown_answers(found)
     blocks: list[Block] = [*nonempty(inputs(found)), *nonempty(_table(results, shown, "uncertainty-answers"))]
-    blocks += [figures(results, each) for each in shown[1:]]
-    notes = distinct((*found.notes, *(note for answer in shown for note in answer.notes)))
+    blocks += [figures(results, each) for each in _spread_out(shown)[1:]]
+    notes = (*distinct(found.notes), *dict.fromkeys(_remarks(results, shown)))
     blocks += [Items(notes)] if notes else []
     return [Section(say("Uncertainty of all answers"), 1, tuple(blocks))]
+
+
+def _remarks(results: Results, shown: list[UncertainAnswer]) -> Iterator[Text]:
+    for answer in shown:
+        lead = {"mechanism": numbered_title(results, answer.mechanism), "method": procedure_title(answer.procedure)}
+        yield from (say("{mechanism}, {method}: {note}", **lead, note=note) for note in answer.notes)
 
 
 def shown_answers(found: UncertaintyResult) -> list[UncertainAnswer]:
@@ -68,7 +74,7 @@ def shown_answers(found: UncertaintyResult) -> list[UncertainAnswer]:
     return sorted(deciding, key=lambda each: (-(each.probability or 0.0), -(each.at_mean or 0.0)))
 
 
-def _findings(found: UncertaintyResult) -> Iterator[Text]:
+def _findings(results: Results, found: UncertaintyResult) -> Iterator[Text]:
     yield say_count(
         "{number} uncertain value of the project varies in {samples} samples (Sobol sequence, seed {seed}), and every "
         "mechanism is assessed in each.",
@@ -79,38 +85,48 @@ def _findings(found: UncertaintyResult) -> Iterator[Text]:
         seed=count(found.seed),
     )
     yield say("The probability of failing is the share of samples that fail: of these values alone, not of records.")
-    yield from idle_densities(found)
+    yield from idle_densities(results, found)
 
 
-def idle_densities(found: UncertaintyResult) -> Iterator[Text]:
-    """Yield that densities change no answer, where none of them does."""
-    keys = [each.key for each in found.inputs if each.key.endswith(DENSITY)]
-    known = [each for answer in found.answers for each in answer.influences if set(each.keys) & set(keys)]
-    changing = {key for each in known if each.rank_correlation is not None for key in each.keys}
-    still = [key for key in keys if key not in changing and any(key in each.keys for each in known)]
-    if still:
+def idle_densities(results: Results, found: UncertaintyResult) -> Iterator[Text]:
+    """Yield that densities change no answer of a mechanism, for those of which that is so."""
+    mechanisms: dict[tuple[str, ...], list[str]] = {}
+    for name in dict.fromkeys(answer.mechanism for answer in found.answers):
+        known = [each for answer in found.answers if answer.mechanism == name for each in answer.influences]
+        changing = {key for each in known if each.rank_correlation is not None for key in each.keys}
+        keys = tuple(dict.fromkeys(key for each in known for key in each.keys if key.endswith(DENSITY)))
+        still = tuple(key for key in keys if key not in changing)
+        if still:
+            mechanisms.setdefault(still, []).append(name)
+    for still, named in mechanisms.items():
         yield say_count(
-            "{keys} changes nothing: the weight that holds a free wall and the inertia that overturns it grow alike.",
-            "{keys} change nothing: the weight that holds a free wall and the inertia that overturns it grow alike.",
+            "For {mechanisms}, {keys} changes nothing: the weight that holds a free wall and the inertia that "
+            "overturns it grow alike.",
+            "For {mechanisms}, {keys} change nothing: the weight that holds a free wall and the inertia that "
+            "overturns it grow alike.",
             len(still),
+            mechanisms=listing(numbered_title(results, name) for name in named),
             keys=listing(Verbatim(key) for key in still),
         )
 
 
-def figures(results: Results, answer: UncertainAnswer) -> Row | Figure:
-    """Return the distribution of an answer beside its influences; alone where nothing changes it."""
+def _spread_out(answers: list[UncertainAnswer]) -> list[UncertainAnswer]:
+    """Return the answers that any value changes, which alone have something to draw."""
+    return [each for each in answers if figure.rank_influences(each)]
+
+
+def figures(results: Results, answer: UncertainAnswer) -> Row:
+    """Return the distribution of an answer beside its influences."""
     found = results.uncertainty
     place = 0 if found is None else found.answers.index(answer) + 1
     stem = f"{_stem(results, answer.mechanism)}-uncertainty-{place:02d}"
-    name = {"mechanism": numbered_title(results, answer.mechanism), "method": procedure_title(answer.procedure)}
     caption = say(
         "{mechanism}, {method}: samples by demand over capacity; red: the limit, dotted: at the means. Samples that "
         "overturn have no finite ratio.",
-        **name,
+        mechanism=numbered_title(results, answer.mechanism),
+        method=procedure_title(answer.procedure),
     )
     spread = Figure(f"{stem}-distribution", caption, partial(figure.draw_distribution, answer))
-    if not figure.rank_influences(answer):
-        return spread
     caption = say("What this answer hangs on: to the right, a larger value makes it worse.")
     return Row((spread, Figure(f"{stem}-influences", caption, partial(figure.draw_influences, answer))))
 
@@ -157,7 +173,9 @@ def _interval(each: UncertainAnswer) -> Text | None:
 def inputs(found: UncertaintyResult) -> Table:
     """Tabulate the uncertain inputs, each mean with its unit."""
     columns = (KEY, Column(say("Mean")), *SPREAD)
-    rows = tuple((Verbatim(each.key), value_cell(each.mean, each.unit), *_spread(each)) for each in found.inputs)
+    rows = tuple(
+        (Verbatim(each.key), value_cell(each.mean, each.unit.replace("^", "")), *_spread(each)) for each in found.inputs
+    )
     caption = say("Uncertain values; those of one group vary together.")
     return Table("uncertainty-inputs", caption, columns, rows, small=True)
 

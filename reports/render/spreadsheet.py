@@ -30,7 +30,7 @@ _HEADS = (Column(say("Sheet")), Column(say("In the report")), Column(say("What i
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
-_LONG = 500  # rows; numbers of longer tables have no format of their own
+_LONG = 500  # rows; numbers of longer tables have no format, but where people look for a row
 _MOST_LINKS, _LONGEST_LINK = 60_000, 2_000  # of a sheet, of which Excel opens no more; characters
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
@@ -97,7 +97,10 @@ def write_xlsx(document: Document, path: Path) -> Path:
         ]
         _contents(made.add_worksheet(contents), document, listed, book)
         for table, name in zip(document.tables, names, strict=True):
-            _alone(made.add_worksheet(name), table, book)
+            sheet = made.add_worksheet(name)
+            _alone(sheet, table, book)
+            if table.sifted:
+                sheet.activate()  # what people look for a row in
         sheet = made.add_worksheet(last)
         for start, each in zip(starts, document.sheets, strict=False):
             _table(sheet, as_table(each, locale), start, book)
@@ -175,7 +178,7 @@ def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
                 continue
             plain = plain_cell(cell, column, book.locale)
             colours = _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
-            shape = _shape(plain, column) if len(table.rows) <= _LONG else {}
+            shape = _shape(plain, column) if table.sifted or len(table.rows) <= _LONG else {}
             book.write(sheet, start + 2 + place, at, plain, {**colours, **_quoted(plain), **shape})
 
 

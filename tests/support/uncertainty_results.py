@@ -53,7 +53,7 @@ def with_uncertainty(results: Results) -> Results:
     """The results of a run with samples of its first two mechanisms."""
     inputs = (
         UncertainInput(KEYS[0], "m", 0.6, 0.05, "normal", "thickness"),
-        UncertainInput(KEYS[1], "kg/m3", 2100.0, 0.1, "lognormal", "density"),
+        UncertainInput(KEYS[1], "kg/m^3", 2100.0, 0.1, "lognormal", "density"),
         UncertainInput(KEYS[2], "N", 12000.0, 0.2, "uniform", "force"),
     )
     answers = (answer(results, 0, 0.72), answer(results, 1, 0.97))

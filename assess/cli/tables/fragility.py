@@ -18,7 +18,8 @@ from assess.results.fragility import (
 from reports.render.csv import csv_lines
 
 HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
-RISK_HEADER = ["mechanism", "state", "curve", "rate [1/year]", "in 50 years", "target [1/year]"]
+RISK_HEADER = ["mechanism", "state", "curve", "rate [1/year]", "in 50 years", "target [1/year]", "outcome"]
+OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
 
 
 def table_text(results: FragilityResults) -> str:
@@ -61,7 +62,7 @@ def _interval(found: tuple[float, float] | None) -> str:
 def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
     target = "" if risk.target_rate is None else f"{risk.target_rate:.2g}"
     rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
-    return [mechanism.name, state_name(risk.state), risk.curve, rate, probability, target]
+    return [mechanism.name, state_name(risk.state), risk.curve, rate, probability, target, OUTCOMES[risk.outcome]]
 
 
 def state_name(state: StateResult) -> str:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from itertools import cycle
 from math import hypot
 
 import numpy as np
@@ -15,6 +16,7 @@ from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.results.fragility import (
     FRAGILITY_VERSION,
+    FragilityCurve,
     FragilityResults,
     MechanismFragility,
     RecordRuns,
@@ -27,6 +29,7 @@ from assess.study.fragility.comparison import Origins, compare, origins_of
 from assess.study.fragility.curves import Intensities, fragility_curve
 from assess.study.fragility.measures import Rocker, at_base, default_measures, intensities
 from assess.study.fragility.messages import mechanism_notes, study_warnings
+from assess.study.fragility.proportional import convert, factor_between
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.fragility.risk import risks
 from assess.study.fragility.runs import Runs, run_levels, run_once
@@ -36,9 +39,6 @@ from assess.study.progress import Progress, silent
 from assess.study.rocking_case import RockingCase, vibrates
 from assess.study.study import Study
 from records.record import Record
-
-ROUNDING = 1e-9
-"""Relative difference below which the ratios of two measures are one number."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -163,7 +163,7 @@ def shake(
     places += [(each, tuple(one.record for one in base)) for each in at_base(question.measures) if above]
     units = [intensities(each, where, rocker) for each, where in places]
     by = tuple(
-        Intensities(each, unit, primary=bool(np.ptp(unit / units[0]) <= ROUNDING * unit[0] / units[0][0]))
+        Intensities(each, unit, primary=factor_between(units[0], unit) is not None)
         for (each, _), unit in zip(places, units, strict=True)
     )
     if question.method == "cloud":
@@ -179,8 +179,11 @@ def mechanism_fragility(
     """Return the curves, comparison and risk of a mechanism that has been run."""
     mechanism, runs = shaken.mechanism, shaken.runs
     by = shaken.by[:1] if question.method == "stripes" else shaken.by
-    pairs = [(one, state) for state in states_of(shaken.case, question) for one in by]
-    curves = [fragility_curve(runs, one, state, origins.event, question) for one, state in pairs]
+    curves = [
+        each
+        for state in states_of(shaken.case, question)
+        for each in curves_of_state(runs, by, state, origins.event, question)
+    ]
     epistemic = hypot(*question.epistemic.values()) if question.epistemic else None
     return MechanismFragility(
         name=mechanism.name,
@@ -190,13 +193,42 @@ def mechanism_fragility(
         above_ground=study.grounded[mechanism.name].above,
         runs=tuple(record_runs(shaken, place, record, origins) for place, record in enumerate(records)),
         curves=tuple(curves),
-        comparison=tuple(compare(runs, one, curve, origins) for (one, _), curve in zip(pairs, curves, strict=True)),
+        comparison=tuple(compare(runs, one, curve, origins) for one, curve in zip(cycle(by), curves, strict=False)),
         risks=tuple(risks(curves, question, epistemic=epistemic)),
         epistemic=epistemic,
         epistemic_sources=dict(question.epistemic) or None,
         measures=tuple(one.measure for one in shaken.by),
         notes=mechanism_notes(study, mechanism, runs, question),
     )
+
+
+def curves_of_state(
+    runs: Runs, by: Sequence[Intensities], state: StateResult, events: Sequence[str], question: FragilityQuestion
+) -> list[FragilityCurve]:
+    """Return the curves of a mechanism in one state by every measure; proportional measures share theirs.
+
+    Parameters
+    ----------
+    runs : Runs
+        Of all records.
+    by : sequence of Intensities
+        The measures.
+    state : StateResult
+        To be reached.
+    events : sequence of str
+        Earthquake of each record.
+    question : FragilityQuestion
+        Method, seed and draws.
+    """
+    found: list[FragilityCurve] = []
+    for place, one in enumerate(by):
+        factors = ((at, factor_between(known.unit, one.unit)) for at, known in enumerate(by[:place]))
+        same = next(((at, factor) for at, factor in factors if factor is not None), None)
+        if same is None:
+            found.append(fragility_curve(runs, one, state, events, question))
+        else:
+            found.append(convert(found[same[0]], one.measure, same[1]))
+    return found
 
 
 def states_of(case: RockingCase, question: FragilityQuestion) -> tuple[StateResult, ...]:

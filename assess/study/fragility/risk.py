@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import hypot, isclose
+from math import hypot, isclose, isfinite
 
 import numpy as np
 
@@ -89,6 +89,7 @@ def _risk(
         intensity=tuple(hazard.intensity.tolist()),
         contribution=tuple(found.shares.tolist()),
         beyond=found.beyond,
+        below=found.below if isfinite(found.below) else None,
         target_rate=question.target_rate,
         notes=notes,
     )

@@ -7,7 +7,7 @@ for (const table of document.querySelectorAll("table.sifted")) {
   const [select, search, whole, count] = ["select", "[type=search]", "[type=checkbox]", "output"].map((name) => form.querySelector(name));
   const rows = [...table.tBodies[0].rows].map((row) => {
     const outcome = row.querySelector(".pass, .fail, .incomplete, .comparison");
-    return { row, outcome: outcome?.textContent ?? "", words: row.textContent.toLowerCase() };
+    return { row, outcome: outcome?.textContent ?? "", words: [...row.cells].map((cell) => cell.textContent.toLowerCase()).join("\n") };
   });
   const numbers = new Map();
   for (const { outcome } of rows) numbers.set(outcome, (numbers.get(outcome) ?? 0) + 1);
@@ -25,7 +25,7 @@ for (const table of document.querySelectorAll("table.sifted")) {
   };
   whole.addEventListener("change", () => table.classList.toggle("whole", whole.checked));
   whole.parentElement.hidden = rows.length <= MOST;
-  form.addEventListener("input", sift);
+  for (const event of ["input", "change"]) form.addEventListener(event, sift);
   form.addEventListener("submit", (event) => event.preventDefault());
   sift();
   table.closest(".wide").before(form);

@@ -12,6 +12,7 @@ from assess.results import Results
 from assess.results.json import dumps, loads
 from reports.assessment import assessment
 from reports.chapters import uncertainty
+from reports.document import Row
 from reports.figures import uncertainty as figure
 from reports.language.locale import Locale
 from tests.languages.test_reports import unknown_words
@@ -30,7 +31,7 @@ def sampled(results: Results) -> Results:
 
 def said(results: Results) -> str:
     assert results.uncertainty is not None
-    texts = uncertainty.idle_densities(results.uncertainty)
+    texts = uncertainty.idle_densities(results, results.uncertainty)
     return " ".join(map(Locale().text, texts))
 
 
@@ -47,13 +48,38 @@ def test_the_main_part_has_the_answer_that_fails_most_often(sampled: Results) ->
     assert uncertainty.shown_answers(sampled.uncertainty)[0] == worst
 
 
-def test_a_density_that_changes_nothing_is_told(sampled: Results) -> None:
-    assert said(sampled).startswith(f"{KEYS[1]} changes nothing")
+def test_an_answer_that_nothing_changes_has_no_figure(sampled: Results) -> None:
+    assert sampled.uncertainty is not None
+    still = tuple(replace(each, influences=()) for each in sampled.uncertainty.answers)
+    one = replace(sampled, uncertainty=replace(sampled.uncertainty, answers=(still[0], sampled.uncertainty.answers[1])))
+    (row,) = [block for block in uncertainty.sections(one)[0].blocks if isinstance(block, Row)]
+    assert "-uncertainty-02-" in row.figures[0].name
+    none = replace(sampled, uncertainty=replace(sampled.uncertainty, answers=still))
+    assert not [block for block in uncertainty.sections(none)[0].blocks if isinstance(block, Row)]
+
+
+def test_a_density_that_changes_nothing_is_told_of_the_mechanisms_where_that_is_so(sampled: Results) -> None:
+    both = "For M1 Wall 6, eroded base; M2 parapet"
+    assert said(sampled).startswith(f"{both}, {KEYS[1]} changes nothing") or said(sampled).startswith(
+        f"For M1 Wall 6, eroded base and M2 parapet, {KEYS[1]} changes nothing"
+    )
     found = sampled.uncertainty
     assert found is not None
     moving = tuple(replace(each, rank_correlation=0.3) for each in found.answers[0].influences)
-    answers = (replace(found.answers[0], influences=moving), found.answers[1])
-    assert said(replace(sampled, uncertainty=replace(found, answers=answers))) == ""
+    one = replace(found, answers=(replace(found.answers[0], influences=moving), found.answers[1]))
+    assert said(replace(sampled, uncertainty=one)).startswith(f"For M2 parapet, {KEYS[1]} changes nothing")
+    none = replace(found, answers=one.answers[:1])
+    assert said(replace(sampled, uncertainty=none)) == ""
+
+
+def test_means_have_the_unit_of_their_key(sampled: Results) -> None:
+    assert sampled.uncertainty is not None
+    for locale, means in (
+        (Locale(), ["0.6 m", "2100 kg/m³", "12 kN"]),
+        (Locale("en", "US"), ["1.969 ft", "131.1 lb/ft³"]),
+    ):
+        rows = uncertainty.inputs(sampled.uncertainty).rows
+        assert [locale.text(row[1]).replace("\u00a0", " ") for row in rows][: len(means)] == means  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("locale", LOCALES, ids=lambda each: f"{each.language}-{each.system}")

@@ -23,7 +23,9 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
+from selenium.webdriver.support.select import Select
 
+from assess.portfolio.row import Row as Project
 from reports.document import (
     NOTHING,
     Banner,
@@ -45,6 +47,7 @@ from reports.document import (
     Writing,
 )
 from reports.language.texts import Verbatim
+from reports.portfolio import write_ranking
 from tests.support.sample_document import HOSTILE, box, draw_sample, sample_document
 from tests.support.sample_page import write_page
 
@@ -104,6 +107,55 @@ def laid_out(driver: webdriver.Chrome) -> None:
 
 def two_frames(driver: webdriver.Chrome) -> None:
     driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+
+
+@pytest.fixture(scope="module")
+def ranked(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of a portfolio of more rows than are laid out at once: 300 fail, then 700 pass, then 200 are broken."""
+    rows = [Project(f"{n}", "", "", "done", outcome="fail", margin=0.001 * (n + 1)) for n in range(300)]
+    rows += [Project(f"{n}", "Mill Lane", "", "done", outcome="pass", margin=0.01 * n) for n in range(300, 1000)]
+    rows += [Project(f"{n}", "", "", "broken", reason="no thickness") for n in range(1000, 1200)]
+    return write_ranking(rows, tmp_path_factory.mktemp("ranked"))[2]
+
+
+def seen_rows(driver: webdriver.Chrome) -> list[str]:
+    """The projects of the rows in sight, from above."""
+    script = "return [...document.querySelectorAll('tbody tr')].filter((row) => row.checkVisibility()).map((row) => row"
+    return list(driver.execute_script(f"{script}.cells[1].textContent)"))
+
+
+def test_ranked_rows_are_found_by_outcome_and_words(browser: webdriver.Chrome, ranked: Path) -> None:
+    browser.get(ranked.as_uri())
+    search, select, count = (first(browser, f".sifting {name}") for name in ("[type=search]", "select", "output"))
+    assert [option.text for option in select.find_elements(By.TAG_NAME, "option")] == [
+        "all",
+        "fail (300)",
+        "pass (700)",
+        "broken (200)",
+    ]
+    assert len(seen_rows(browser)) == 1000
+    assert count.text == "1200 / 1200"
+    first(browser, ".sifting [type=checkbox]").click()
+    assert len(seen_rows(browser)) == 1200
+    Select(select).select_by_value("broken")
+    assert (count.text, len(seen_rows(browser))) == ("200 / 1200", 200)
+    Select(select).select_by_value("")
+    search.send_keys("MILL 357")
+    assert (count.text, seen_rows(browser)) == ("2 / 1200", ["356", "357"])  # the first by its rank
+
+
+def test_ranked_rows_are_sorted_among_those_found(browser: webdriver.Chrome, ranked: Path) -> None:
+    browser.get(ranked.as_uri())
+    assert seen_rows(browser)[:2] == ["0", "1"]
+    heads = browser.find_elements(By.CSS_SELECTOR, "th button")
+    margin = next(head for head in heads if head.text.startswith("Margin"))
+    margin.click()
+    margin.click()
+    assert seen_rows(browser)[:2] == ["999", "998"]
+    assert first(browser, "th[aria-sort]").get_dom_attribute("aria-sort") == "descending"
+    Select(first(browser, ".sifting select")).select_by_value("fail")
+    assert seen_rows(browser)[:2] == ["299", "298"]
+    assert all(entry["level"] != "SEVERE" for entry in browser.get_log("browser"))
 
 
 @pytest.fixture

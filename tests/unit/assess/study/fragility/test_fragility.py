@@ -285,3 +285,16 @@ def test_few_and_artificial_records_are_told(folder: Path) -> None:
 def test_without_records_there_is_one_clear_line(folder: Path) -> None:
     with pytest.raises(ProjectError, match="records: none; give files"):
         run_fragility(study_with(folder, ()))
+
+
+def test_a_target_is_met_only_with_what_the_hazard_leaves_out(folder: Path) -> None:
+    """The hazard ends at 1e-4 a year: a rate below the target of 5e-5 within its rows shows nothing."""
+    at = np.geomspace(1e-3, 0.1, 50)
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
+    for target, outcome in ((5e-5, "incomplete"), (2e-3, "pass"), (1e-30, "fail"), (None, None)):
+        (risk,) = (
+            each for each in noise_results(folder, hazard=hazard, target_rate=target).mechanisms[0].risks
+            if (each.state.name, each.curve) == ("overturning", "lognormal")
+        )  # fmt: skip
+        assert risk.beyond == pytest.approx(1e-4)
+        assert risk.outcome == outcome

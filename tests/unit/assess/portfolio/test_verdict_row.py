@@ -1,0 +1,71 @@
+"""The row of a project tells of its worst mechanism, and is the same without a report as with one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from assess.codes.verdict import Action, Answer, Decision, MechanismVerdict, Verdict
+from assess.messages.message import message
+from assess.one_project import assess_project
+from assess.portfolio.folder_names import folder_name
+from assess.portfolio.projects import Task
+from assess.portfolio.tasks import Job
+from assess.portfolio.verdict_row import row_of_verdict
+from tests.support.portfolios import task
+from tests.support.projects import NTC, block, project_toml, wall
+
+SAID = message("missing-key", {"key": "site", "text": "why"}, where="site")
+
+
+def answer(outcome: Decision, ratio: float | None, state: str = "SLV") -> Answer:
+    return Answer(state, outcome, "ntc2018-nonlinear", ratio, None, SAID)
+
+
+def verdict(*mechanisms: MechanismVerdict) -> Verdict:
+    outcome = mechanisms[0].outcome
+    return Verdict("ntc2018", "", Action(0.15, "SLV"), 1.0, outcome, False, (), (), mechanisms)
+
+
+def mechanism(name: str, outcome: Decision, margin: float | None, *answers: Answer) -> MechanismVerdict:
+    return MechanismVerdict(name, outcome, margin, False, answers)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_the_worst_mechanism_fails_with_the_least_margin(turned: bool) -> None:
+    fail, wanting, good = Decision.FAIL, Decision.INCOMPLETE, Decision.PASS
+    mechanisms = [
+        mechanism("worst", fail, 0.4, answer(good, 0.2, "SLD"), answer(fail, 2.5), answer(fail, 2.0, "SLC")),
+        mechanism("better", fail, 0.7, answer(fail, 1.4)),
+        mechanism("unknown", fail, None, answer(fail, None)),
+        mechanism("wanting", wanting, 0.1, answer(wanting, None)),
+        mechanism("good", good, 1.2, answer(good, 0.8)),
+    ]
+    found = replace(verdict(*mechanisms), mechanisms=tuple(mechanisms[::-1] if turned else mechanisms))
+    row = row_of_verdict(Job(task("a"), Path(), "rows", ""), found)
+    assert (row.worst_mechanism, row.margin, row.demand_capacity, row.limit_state) == ("worst", 0.4, 2.5, "SLV")
+    assert (row.outcome, row.exit_code, row.mechanisms) == ("fail", 1, 5)
+
+
+def test_without_a_verdict_or_a_mechanism_it_is_incomplete() -> None:
+    job = Job(task("a"), Path(), "rows", "")
+    assert row_of_verdict(job, None).exit_code == 3
+    row = row_of_verdict(job, replace(verdict(mechanism("a", Decision.PASS, 1.0)), mechanisms=()))
+    assert (row.worst_mechanism, row.margin) == ("", None)
+
+
+def test_the_row_alone_is_the_row_of_a_full_run(tmp_path: Path) -> None:
+    text = project_toml(
+        site={"limit_state": "SLV", "spectrum": NTC},
+        bodies={"low": wall(0.4, height=3.0), "high": wall(0.4, height=6.0)},
+        mechanisms={"low": block("low"), "high": block("high")},
+    )
+    (tmp_path / "project.toml").write_text(text)
+    one = Task("Two walls", "", tmp_path / "project.toml", None, "")
+    alone, whole = (assess_project(Job(one, tmp_path / "out", keep, "")) for keep in ("rows", "results"))
+    place = folder_name("Two walls")
+    assert whole == replace(alone, results=f"{place}/results.json")
+    assert (tmp_path / "out" / place / "results.json").is_file()
+    assert alone.worst_mechanism == "high"

@@ -64,7 +64,7 @@ def draw_values(values: FloatArray) -> FloatArray:
     return values[draw_runs(records, runs), np.arange(records)]
 
 
-def share_standing(suite: Suite) -> float:
+def share_upright(suite: Suite) -> float:
     """Return the share of the draws in which no record overturns the mechanism: p of any rule is at most this [-]."""
     return float(np.isfinite(draw_values(suite.runs.ratio)).all(axis=1).mean())
 

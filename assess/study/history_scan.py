@@ -12,7 +12,7 @@ from math import log
 
 from scipy.constants import g
 
-from assess.codes.numerical_spread import LOW, share_standing
+from assess.codes.numerical_spread import LOW, share_upright
 from assess.codes.suite import Suite
 from assess.oscillator import linear_multiplier
 from assess.study.history_levels import level_solver, suites_of
@@ -54,6 +54,6 @@ def scan_levels(
     suites = list(suites_of(solve([start * step**k for k in range(below)], "where they matter")))
     for k in range(below, most):
         suites += suites_of(solve([start * step**k], "where they matter"))
-        if share_standing(suites[-1]) < LOW:
+        if share_upright(suites[-1]) < LOW:
             break
     return tuple(suites)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from assess.amplification.floor_motion import Unamplified, base_motion
-from assess.codes.numerical_spread import draw_values, share_standing
+from assess.codes.numerical_spread import draw_values, share_upright
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.study.histories import run_histories, run_levels, with_governing_trace
@@ -121,7 +121,7 @@ def test_the_scan_asks_level_by_level_and_ends_where_no_rule_can_hold(body):
     scan = scanned(body)
     level = tuple(suite.pga for suite in scan)
     np.testing.assert_allclose(np.diff(np.log(level)), np.log(SCAN_STEP), rtol=1e-9)
-    assert [share_standing(suite) < 0.16 for suite in scan] == [False] * (len(scan) - 1) + [True]
+    assert [share_upright(suite) < 0.16 for suite in scan] == [False] * (len(scan) - 1) + [True]
     assert scan[0].mean == 0.0  # short of uplift
     assert len(scan) > 40
     assert asked(body, level).suites == scan

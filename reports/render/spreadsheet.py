@@ -97,7 +97,10 @@ def write_xlsx(document: Document, path: Path) -> Path:
         ]
         _contents(made.add_worksheet(contents), document, listed, book)
         for table, name in zip(document.tables, names, strict=True):
-            _alone(made.add_worksheet(name), table, book)
+            sheet = made.add_worksheet(name)
+            _alone(sheet, table, book)
+            if table.sifted:
+                sheet.activate()  # what people look for a row in
         sheet = made.add_worksheet(last)
         for start, each in zip(starts, document.sheets, strict=False):
             _table(sheet, as_table(each, locale), start, book)

@@ -31,6 +31,7 @@ RECORDS = ("{at2}",), ("{bare}", "--unit", "g", "--step", "0.01")
 USES: dict[str, Sequence[tuple[str, ...]]] = {
     "run": [("{project}", "-o", "{out}")],
     "envelope": [("{project}",)],
+    "fragility": [("{project}",)],
     "diff": [("{results}", "{results}")],
     "records list": RECORDS,
     "records convert": [(*files, "-o", "{out}.csv") for files in (*RECORDS, ("{at2}", "{east}", "--azimuth", "30"))],

@@ -9,6 +9,7 @@ from typing import Literal
 
 from assess.codes.calculation_step import Given
 from assess.codes.check import BranchName, InputAt
+from assess.codes.suite import Suite
 from assess.errors import ProcedureError
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message
@@ -165,33 +166,6 @@ class LocalLimit:
     what: str
     branch: BranchName
     rotation: float
-
-
-@dataclass(frozen=True)
-class Suite:
-    """The largest responses of one mechanism to all records at one level, the worse polarity of each.
-
-    pga : level, peak ground acceleration of the target [m/s2]
-    ratio : largest |rotation| / rigid overturning rotation of each record, None where it overturned
-    branch : where the largest of them happened
-    branches : where the largest of each record happened; empty: all on `branch`
-    """
-
-    pga: float
-    ratio: tuple[float | None, ...]
-    branch: BranchName
-    branches: tuple[BranchName, ...] = ()
-
-    @property
-    def overturned(self) -> int:
-        """Number of records that overturned the mechanism."""
-        return sum(1 for ratio in self.ratio if ratio is None)
-
-    @property
-    def mean(self) -> float | None:
-        """Mean of the maxima; None where a record overturned, as it has no maximum."""
-        standing = [ratio for ratio in self.ratio if ratio is not None]
-        return sum(standing) / len(standing) if len(standing) == len(self.ratio) > 0 else None
 
 
 @dataclass(frozen=True)

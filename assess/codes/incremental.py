@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from scipy.constants import g
 
 from assess.codes.check import PgaCurve
-from assess.codes.context import Suite
+from assess.codes.suite import Suite
 from assess.codes.worst_branch import least_known
 from assess.messages.message import Message, Quantity, message
 from assess.oscillator import Oscillator, threshold

@@ -35,7 +35,7 @@ def index_text(index: Index | None) -> str:
     """Return an index with its name and grade, as "zeta_E 0.83" or "45 %NBS, grade C"; empty where there is none."""
     if index is None:
         return ""
-    value = figures(index.value)
+    value = figures(index.value, index.figures)
     said = f"{value} {index.name}" if index.name in BEHIND else f"{index.name} {value}"
     return f"{said}, grade {index.grade}" if index.grade else said
 
@@ -53,9 +53,15 @@ def target_text(verdict: Verdict) -> str:
     return "" if verdict.target is None else f"{verdict.target:.3g}"
 
 
-def figures(value: float) -> str:
-    """Return a number to three figures, with trailing zeros: 1.00 for one."""
-    return f"{value:#.3g}".rstrip(".") if value else "0"
+def figures(value: float, number: int = 3) -> str:
+    """Return a number to three figures, or as many as are asked for, with trailing zeros: 1.00 for one.
+
+    Parameters
+    ----------
+    value : the number
+    number : of figures
+    """
+    return f"{value:#.{number}g}".rstrip(".") if value else "0"
 
 
 def action_text(action: Action) -> str:

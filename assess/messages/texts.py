@@ -13,6 +13,8 @@ TEXTS: Mapping[str, str] = {
     **GEOMETRY_TEXTS,
     **RECORD_TEXTS,
     # remarks on checks
+    "spread-would-pass": "with their numerical spread a share {share} of the draws passes, but the records as they are "
+    "fail, and so does the answer",
     "fails-below": "the PGA scan already fails just above {pga}: the response does not grow steadily with PGA",
     "rocks-before-sliding": "the body rocks before it slides, a case that A.1 does not cover",
     "ground-motion": "the ground motion is applied unamplified although the mechanism is above ground: "
@@ -210,6 +212,8 @@ TEXTS: Mapping[str, str] = {
     "limit-beyond-overturning": "the empirical rotation limit is larger than the overturning rotation: outside its "
     "range of validity",
     "records-overturn": "{fallen} of {n} records overturn the body",
+    "numerical-spread": "the records as they are pass, but with their numerical spread only a share {share} of the "
+    "draws does; a pass needs 0.84",
     "records-beyond-collapse": "{fallen} of {n} records move the body beyond d0*, where it survives only by chance",
     "too-few-records": "too few records: {n} ({fallen} overturning the body); {clause} requires at least {least}",
     "above-building": "the supports of the mechanism are {height} above the ground, higher than the building: check "

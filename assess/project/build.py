@@ -179,6 +179,7 @@ def part_of(
         scale_to=content.records.scale_to,
         record_factor=content.records.further_factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
+        scan=content.analysis.scan,
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
         grounded={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},

@@ -28,7 +28,10 @@ class HistoryResult(ShortRepr):
 
     max_rotation_rad: signed; it, its ratio and its time are None where the record overturned the mechanism.
     overturning_time_s: last passage of phi_ov. branch: of the largest rotation. rebound: factor on the restitution of
-    the mechanism with which this history was worst, 1 if no range was run [-].
+    the mechanism with which this history was worst, 1 if no range was run [-]. twin_ratios, twin_times_s: largest
+    |rotation| / phi_ov and its time in each of the nine runs, the record as it is and its eight twins (see
+    docs/verdict.md), None where that run overturned; twin_impacts: their impacts. Empty where the record was run alone.
+    The number of impacts is a result only where all nine agree.
     """
 
     record: str
@@ -45,6 +48,9 @@ class HistoryResult(ShortRepr):
     trace: Trace | None
     branch: BranchName
     rebound: float = 1.0
+    twin_ratios: tuple[float | None, ...] = ()
+    twin_times_s: tuple[float | None, ...] = ()
+    twin_impacts: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
@@ -53,7 +59,8 @@ class SuiteResult(ShortRepr):
 
     mean_ratio: None where a record overturned; max_ratio: of the records that did not overturn. median_ratio,
     p84_ratio: not exceeded by 50 % and 84 % of the records, an overturned one counting as the largest; None where that
-    record overturned.
+    record overturned. figures: to how many significant figures, one at least, these stand in the nine runs of the
+    records.
     """
 
     level_pga_g: float
@@ -63,3 +70,4 @@ class SuiteResult(ShortRepr):
     max_ratio: float | None
     median_ratio: float | None = None
     p84_ratio: float | None = None
+    figures: int = 4

@@ -133,7 +133,7 @@ def _parameters(results: Results) -> Iterator[Row]:
                 yield {"mechanism": mechanism.name, "branch": branch, **_cells(oscillator, PARAMETERS), **linearised}
 
 
-CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score", "caveats"))}
+CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score", "caveats", "numerical"))}
 
 
 def _checks(results: Results) -> Iterator[Row]:

@@ -11,10 +11,11 @@ from scipy.constants import g
 
 from assess.amplification.floor_motion import Unamplified
 from assess.codes.check import Check
-from assess.codes.context import Building, Suite
+from assess.codes.context import Building
 from assess.codes.families import ITALIAN, uses_histories
 from assess.codes.italian.confidence import LEVELS
 from assess.codes.registry import PROCEDURES, CodeOptions
+from assess.codes.suite import Suite
 from assess.codes.verdict import Action, Question
 from assess.errors import ProcedureError
 from assess.mechanisms.mechanism import Mechanism

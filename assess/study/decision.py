@@ -91,7 +91,7 @@ def _checked(
             levels=study.levels,
             besides=further_levels(study, spectrum, mechanism),
             site_pga=spectrum.pga,
-            with_scan=True,
+            with_scan=study.scan,
             threads=jobs,
         )
     context = context_of(study, spectrum, mechanism, rocked, case.base, motions)

@@ -10,12 +10,13 @@ import numpy as np
 from scipy.constants import g
 
 from assess.amplification.floor_motion import BaseMotion
-from assess.dynamics.history import trace
+from assess.dynamics.history import Peaks, trace
 from assess.results import HistoryResult, Trace
 from assess.study.history_levels import LevelPeaks, branch_of, level_solver, suites_of, with_restitution_factor
 from assess.study.history_scan import scan_levels
 from assess.study.motions import ScaledRecord
 from assess.study.rocking_case import RockingCase, RockingHistories
+from spectra.arrays import FloatArray, IntArray
 
 
 def run_histories(
@@ -63,20 +64,23 @@ def run_levels(
     besides: Sequence[float],
     site_pga: float,
     threads: int,
+    with_twins: bool = True,
 ) -> RockingHistories:
-    """Run one mechanism as `run_histories` does, without the scan."""
-    peaks = level_solver(case, motions, site_pga=site_pga, threads=threads)((*levels, *besides))
+    """Run one mechanism as `run_histories` does, without the scan, and if so asked each record alone."""
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+    peaks = solve((*levels, *besides), "all" if with_twins else "none")
     histories = tuple(
-        tuple(_history(peaks, int(job), carried, level) for job, carried in zip(peaks.worse[i], case.base, strict=True))
+        tuple(_history(peaks, jobs, carried, level) for jobs, carried in zip(peaks.worse[i], case.base, strict=True))
         for i, level in enumerate(levels)
     )
     suites = suites_of(peaks)
     return RockingHistories(histories, suites[: len(levels)], suites[len(levels) :])
 
 
-def _history(peaks: LevelPeaks, job: int, carried: BaseMotion, level: float) -> HistoryResult:
-    """Return the result of one job, run at a level [m/s2]."""
-    found, scale = peaks.found, float(peaks.scale[job])
+def _history(peaks: LevelPeaks, runs: IntArray, carried: BaseMotion, level: float) -> HistoryResult:
+    """Return the result of the runs of a record at a level [m/s2], of which the first is the record as it is."""
+    job, found = int(runs[0]), peaks.found
+    scale = float(peaks.scale[job])
     overturned = bool(found.overturned[job])
     return HistoryResult(
         record=carried.record.id,
@@ -93,7 +97,18 @@ def _history(peaks: LevelPeaks, job: int, carried: BaseMotion, level: float) -> 
         trace=None,
         branch=branch_of(float(found.max_rotation[job])),
         rebound=float(peaks.rebound[job]),
+        twin_ratios=_standing(found.max_ratio, found, runs),
+        twin_times_s=_standing(found.time_of_max, found, runs),
+        twin_impacts=tuple(found.impacts[runs].tolist()) if runs.size > 1 else (),
     )
+
+
+def _standing(values: FloatArray, found: Peaks, runs: IntArray) -> tuple[float | None, ...]:
+    """Return values of the runs of a record, None where the body overturned; none where it was run alone."""
+    if runs.size == 1:
+        return ()
+    pairs = zip(values[runs].tolist(), found.overturned[runs].tolist(), strict=True)
+    return tuple(None if over else value for value, over in pairs)
 
 
 def with_governing_trace(

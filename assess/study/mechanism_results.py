@@ -9,6 +9,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.check import Check
+from assess.codes.standing_figures import FIGURES, standing_figures
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
 from assess.mechanisms.directions import Directions
@@ -153,18 +154,30 @@ def direction_sweep(found: Directions) -> DirectionSweep:
 
 def suite_statistics(histories: Sequence[HistoryResult]) -> SuiteResult:
     """Return the statistics of all records at one level."""
-    standing = [history.max_rotation_ratio for history in histories if history.max_rotation_ratio is not None]
-    overturned = len(histories) - len(standing)
-    ranked = [*sorted(standing), *[None] * overturned]
+    own = _statistics([history.max_rotation_ratio for history in histories])
+    twins = [_statistics(run) for run in zip(*(history.twin_ratios for history in histories), strict=True)]
+    stand = [
+        standing_figures(value, [run[place] for run in twins]) for place, value in enumerate(own) if value is not None
+    ]
+    mean, largest, median, p84 = own
     return SuiteResult(
         level_pga_g=histories[0].level_pga_g,
         n=len(histories),
-        overturned=overturned,
-        mean_ratio=None if overturned else float(np.mean(standing)),
-        max_ratio=max(standing, default=None),
-        median_ratio=ranked[ceil(0.5 * len(ranked)) - 1],
-        p84_ratio=ranked[ceil(0.84 * len(ranked)) - 1],
+        overturned=sum(1 for history in histories if history.overturned),
+        mean_ratio=mean,
+        max_ratio=largest,
+        median_ratio=median,
+        p84_ratio=p84,
+        figures=max(1, min(stand, default=FIGURES)),
     )
+
+
+def _statistics(ratios: Sequence[float | None]) -> tuple[float | None, float | None, float | None, float | None]:
+    """Return mean, largest of those standing, median and 84 % of ratios; None, an overturned record, is the largest."""
+    standing = [ratio for ratio in ratios if ratio is not None]
+    ranked = [*sorted(standing), *[None] * (len(ratios) - len(standing))]
+    mean = float(np.mean(standing)) if len(standing) == len(ratios) else None
+    return mean, max(standing, default=None), ranked[ceil(0.5 * len(ranked)) - 1], ranked[ceil(0.84 * len(ranked)) - 1]
 
 
 def comparison_rows(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:

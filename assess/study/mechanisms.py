@@ -18,6 +18,7 @@ from assess.study.context import context_of
 from assess.study.histories import run_histories, with_governing_trace
 from assess.study.mechanism_results import mechanism_result
 from assess.study.motions import ScaledRecord
+from assess.study.numerical_spread import still_below
 from assess.study.progress import Progress
 from assess.study.rocking_case import RockingCase, RockingHistories, vibrates
 from assess.study.study import Amplified, Study
@@ -52,7 +53,7 @@ def assess_mechanisms(
         In the order of the study.
     """
     cases = {m.name: rocking_case(study, m, motions) for m in study.mechanisms}
-    with_scan = any(map(uses_histories, study.procedures))
+    with_scan = study.scan and any(map(uses_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     threads = max(1, workers // max(1, len(cases)))
 
@@ -82,7 +83,8 @@ def assess_mechanisms(
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
     """Return what the histories of a mechanism are run for."""
     base, name = motions_at_base(study.amplified[mechanism.name], motions), mechanism.name
-    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
+    still = still_below(mechanism)
+    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds, still)
 
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:

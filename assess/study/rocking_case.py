@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from assess.amplification.floor_motion import BaseMotion
-from assess.codes.context import Suite
+from assess.codes.suite import Suite
 from assess.oscillator import Oscillator, elastic_frequency
 from assess.results import HistoryResult
 from assess.short_repr import ShortRepr
@@ -17,6 +17,7 @@ class RockingCase(ShortRepr):
     """One oscillator, the equation its histories solve, and every ground motion as it acts at its base.
 
     rebounds : factors on its restitution, its own value (1) first; the worst of them counts
+    still_below : ratio |rotation| / phi_ov below which the twins of a record are not run in a scan [-]
     """
 
     name: str
@@ -24,6 +25,7 @@ class RockingCase(ShortRepr):
     equation: Equation
     base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
+    still_below: float = 0.0
 
 
 @dataclass(frozen=True, repr=False)

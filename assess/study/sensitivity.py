@@ -1,8 +1,9 @@
 """How the answers of each mechanism change with numbers that are not well known, each varied alone.
 
 A case is the mechanism alone with one number at its low or its high value. It goes through the procedures that decide,
-at all levels, with its histories under all records, but without the scan over rising PGA: procedures by histories have
-no PGA at capacity here.
+at all levels, with its histories under all records as they are, but without the scan over rising PGA: procedures by
+histories have no PGA at capacity and no numerical spread here. What is compared is demand over capacity, which is that
+of the records as they are in a run, too.
 """
 
 from __future__ import annotations
@@ -120,6 +121,14 @@ def check_case(study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ..
     rocked = RockingHistories((), ())
     if levels and motions:
         further = further_levels(study, spectrum, mechanism)
-        rocked = run_levels(case, motions, levels=levels, besides=further, site_pga=spectrum.pga, threads=jobs)
+        rocked = run_levels(
+            case,
+            motions,
+            levels=levels,
+            besides=further,
+            site_pga=spectrum.pga,
+            threads=jobs,
+            with_twins=False,
+        )
     context = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, case.base, motions)
     return checks_of(study, case.oscillator, replace(context, levels=study.levels))

@@ -124,6 +124,7 @@ class Study:
     pulses : of the overturning envelopes; None if none are requested
     fragility : what `assess fragility` asks
     report : what the report states besides the analysis
+    scan : whether histories are run at rising PGA for the capacity
     sampling : how its uncertain numbers are sampled; None if that is not requested
     """
 
@@ -160,6 +161,7 @@ class Study:
     variables: tuple[Variable | Unvaried, ...] = ()
     fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
     report: ReportMatter = NO_MATTER
+    scan: bool = True
     sampling: Sampling | None = None
 
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from assess.messages.message import Message
+from assess.codes.standing_figures import FIGURES, standing_figures
+from assess.messages.message import Message, Quantity
 from assess.results import HistoryResult, MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.chapters import sweep_tables
-from reports.chapters.cells import LEVEL, OVERTURNED, rocking_cell
+from reports.chapters.cells import LEVEL, OVERTURNED, rocking_cell, standing_cell
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table, nonempty
 from reports.figures import amplification, history
-from reports.language.texts import Paragraph, Term, Text, Verbatim, count, quantity, say, say_count
+from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, count, quantity, say, say_count
 from reports.titles import file_stem, mechanism_number, mechanism_title
 
 MARK = "B"
@@ -29,7 +30,24 @@ def sections(results: Results) -> list[Section]:
         "small change of the motion or the geometry can turn a large rotation into collapse or into rest. Judge by "
         "the suite, not by one history."
     )
-    return [Section(say("Time histories"), 0, (Prose((introduction,)),), starts_page=True, mark=MARK), *shown]
+    blocks = (Prose((introduction, *_numerical_spread(results))),)
+    return [Section(say("Time histories"), 0, blocks, starts_page=True, mark=MARK), *shown]
+
+
+def _numerical_spread(results: Results) -> list[Text]:
+    """Return what the runs of each record are for, and what they are not; nothing where records were run alone."""
+    if not any(history.twin_ratios for mechanism in results.mechanisms for history in mechanism.histories):
+        return []
+    return [
+        say(
+            "So each record is run nine times, as it is and with its PGA times 1 ± 10⁻ᵘ, u = 3, 4, 5, 6: less than "
+            "any instrument resolves. How far the nine runs differ is the numerical spread. Maxima are printed to the "
+            "digits that stand in all nine, at least one; the number of impacts only where all nine agree. An "
+            "answer passes only if the rule holds in 84 % of random draws of one run for each record. The scatter "
+            "from record to record is something else: it belongs to the suite, and the median and the 84 % column "
+            "show it."
+        )
+    ]
 
 
 def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
@@ -105,7 +123,8 @@ def suites(mechanism: MechanismResult, *, name: str) -> Table:
 def _statistics(suite: SuiteResult) -> tuple[Cell, ...]:
     ratios = (suite.mean_ratio, suite.median_ratio, suite.p84_ratio)
     fell = tuple(OVERTURNED if ratio is None and suite.overturned else ratio for ratio in ratios)
-    return (suite.level_pga_g, suite.n, suite.overturned, *fell, suite.max_ratio)
+    shown = (each if isinstance(each, Phrase) else standing_cell(each, suite.figures, 4) for each in fell)
+    return (suite.level_pga_g, suite.n, suite.overturned, *shown, standing_cell(suite.max_ratio, suite.figures, 4))
 
 
 def _governing(mechanism: MechanismResult, stem: str) -> list[Figure]:
@@ -114,15 +133,27 @@ def _governing(mechanism: MechanismResult, stem: str) -> list[Figure]:
     if found is None or not _moves(found[0]):
         return []
     one, trace = found
-    caption = say(
-        "The governing history: {record}, polarity {polarity}, at PGA {pga}; {end}; {impacts}. Above the acceleration, "
-        "below the rotation.",
-        record=Verbatim(one.record),
-        polarity=Verbatim(f"{one.polarity:+d}".replace("-", "−")),
-        pga=quantity(one.level_pga_g, "ground acceleration"),
-        end=_end(one),
-        impacts=say_count("{number} impact", "{number} impacts", one.impacts),
-    )
+    history_of, pga = Verbatim(one.record), quantity(one.level_pga_g, "ground acceleration")
+    polarity = Verbatim(f"{one.polarity:+d}".replace("-", "−"))
+    if _impacts(one) is None:
+        caption = say(
+            "The governing history: {record}, polarity {polarity}, at PGA {pga}; {end}. Above the acceleration, below "
+            "the rotation.",
+            record=history_of,
+            polarity=polarity,
+            pga=pga,
+            end=_end(one),
+        )
+    else:
+        caption = say(
+            "The governing history: {record}, polarity {polarity}, at PGA {pga}; {end}; {impacts}. Above the "
+            "acceleration, below the rotation.",
+            record=history_of,
+            polarity=polarity,
+            pga=pga,
+            end=_end(one),
+            impacts=say_count("{number} impact", "{number} impacts", one.impacts),
+        )
     draw = partial(history.draw, mechanism, one, trace, governing.allowable(mechanism, one.level_pga_g))
     return [Figure(f"{stem}-history", caption, draw)]
 
@@ -130,7 +161,19 @@ def _governing(mechanism: MechanismResult, stem: str) -> list[Figure]:
 def _end(one: HistoryResult) -> Text:
     if one.overturned:
         return say("it overturns")
-    return say("largest φ/φₒᵥ {ratio}", ratio=quantity(abs(one.max_rotation_ratio or 0.0)))
+    return say("largest φ/φₒᵥ {ratio}", ratio=quantity(abs(one.max_rotation_ratio or 0.0), figures=figures_of(one)))
+
+
+def figures_of(history: HistoryResult) -> int:
+    """Return to how many figures, one at least, the largest rotation of a history stands in its nine runs."""
+    if history.max_rotation_ratio is None or not history.twin_ratios:
+        return FIGURES
+    return max(1, standing_figures(history.max_rotation_ratio, history.twin_ratios))
+
+
+def _impacts(history: HistoryResult) -> int | None:
+    """Return the number of impacts; None where the nine runs do not agree on it."""
+    return history.impacts if len(set(history.twin_impacts)) < 2 else None
 
 
 def _moves(history: HistoryResult) -> bool:
@@ -172,16 +215,42 @@ def histories(mechanism: MechanismResult, *, name: str) -> Table:
         Column(say("Largest φ/φₒᵥ"), "ratio"),
         Column(say("At"), "time"),
         Column(say("Impacts")),
-        Column(say("Overturns at"), "time"),
+        Column(say("Overturns in")),
     )
-    caption = say("The largest response to each record, in the worse polarity.")
+    caption = say(
+        "The largest response to each record, in the worse polarity, to the digits that stand in its runs. The last "
+        "column says in how many of them the mechanism overturns, or when it does if in all."
+    )
     return Table(name, caption, columns, tuple(map(_history, mechanism.histories)), small=True)
 
 
 def _history(history: HistoryResult) -> tuple[Cell, ...]:
     fell = history.overturned
-    rotation = OVERTURNED if fell else rocking_cell(history.max_rotation_rad)
-    ratio = OVERTURNED if fell else rocking_cell(history.max_rotation_ratio)
+    rotation = OVERTURNED if fell else _maximum(history, history.max_rotation_rad, "rotation")
+    ratio = OVERTURNED if fell else _maximum(history, history.max_rotation_ratio, "ratio")
     scaling = (history.scale_factor, history.amplification)
-    times = (history.time_of_max_s, history.impacts, history.overturning_time_s)
+    times = (_time(history, history.time_of_max_s), _impacts(history), _fallen(history))
     return (Verbatim(history.record), history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)
+
+
+def _maximum(history: HistoryResult, value: float | None, dimension: str) -> Cell:
+    """Return the maximum of a history that stays standing, to the figures that stand."""
+    figures = figures_of(history)
+    return rocking_cell(value) if not value or figures >= FIGURES else Quantity(value, dimension, figures)
+
+
+def _time(history: HistoryResult, value: float | None) -> Cell:
+    """Return the time of the maximum to the figures that stand; None where not even one does."""
+    if value is None or not history.twin_times_s:
+        return value
+    figures = standing_figures(value, history.twin_times_s)
+    return None if figures == 0 else value if figures >= FIGURES else Quantity(value, "time", figures)
+
+
+def _fallen(history: HistoryResult) -> Cell:
+    """Return in how many of its runs a history overturns; the time where all do."""
+    fallen, runs = sum(1 for each in history.twin_ratios if each is None), len(history.twin_ratios)
+    if fallen == runs:
+        end = history.overturning_time_s
+        return None if end is None else quantity(end, "time", max(1, FIGURES - 1))
+    return say("{fallen} of {runs} runs", fallen=count(fallen), runs=count(runs)) if fallen else None

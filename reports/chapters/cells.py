@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from math import isclose
 
 from assess.codes.check import Check, Reason
+from assess.codes.standing_figures import interval_figures, ratio_figures
 from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
 from reports.document import Cell, Column, Graded
-from reports.language.texts import Phrase, say
+from reports.language.texts import Phrase, Text, say
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
@@ -72,7 +73,7 @@ def value_cell(value: float | None, unit: str, *, figures: int = 4) -> Cell:
 
 def demand_cell(check: Check) -> Cell:
     """Return the demand of a check with its unit, or why there is none."""
-    return unbounded_text(check) or value_cell(check.demand, check.unit)
+    return unbounded_text(check) or value_cell(check.demand, check.unit, figures=ratio_figures(check))
 
 
 def capacity_cell(check: Check) -> Cell:
@@ -104,8 +105,27 @@ def demand_or_rest(check: Check, demand: Cell) -> Cell:
 
 
 def ratio_cell(check: Check) -> Cell:
-    """Return demand over capacity, or why there is no finite one."""
-    return unbounded_text(check) or check.ratio
+    """Return demand over capacity, to the figures that stand, or why there is no finite one."""
+    return unbounded_text(check) or standing_cell(check.ratio, ratio_figures(check, most=FIGURES), FIGURES)
+
+
+def standing_cell(value: float | None, figures: int, most: int) -> Cell:
+    """Return a number of a column of `most` figures, written with fewer where fewer stand."""
+    return value if value is None or figures >= most else Quantity(value, "ratio", figures)
+
+
+def capacity_pga_cell(check: Check) -> Cell:
+    """Return the PGA at capacity [g]; where numerical spread leaves a range, from 84 to 16 % of the draws."""
+    low = None if check.numerical is None else check.numerical.capacity_low_pga_g
+    if check.capacity_pga_g is None or low is None or low <= check.capacity_pga_g:
+        return check.capacity_pga_g
+    return interval(check.capacity_pga_g, low)
+
+
+def interval(low: float, high: float) -> Text:
+    """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart."""
+    ends = (Quantity(each, "ground acceleration", interval_figures(low, high)) for each in (low, high))
+    return say("{low} to {high}", **dict(zip(("low", "high"), ends, strict=True)))
 
 
 def clause(check: Check) -> str:

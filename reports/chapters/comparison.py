@@ -7,7 +7,9 @@ from functools import partial
 from math import ceil
 
 from assess.codes.check import Check
+from assess.codes.standing_figures import ratio_figures
 from assess.codes.verdict import MechanismVerdict
+from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import annex_envelopes, comparison_words
@@ -19,6 +21,7 @@ from reports.chapters.cells import (
     NO_LASTING,
     NO_ROCKING,
     OUTCOMES,
+    capacity_pga_cell,
     rotation_cell,
     unbounded_text,
 )
@@ -132,7 +135,7 @@ def _row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]
         for level, check in zip(levels, worst, strict=True)
     )
     title = None if known is None else procedure_title(known.procedure)
-    capacity = None if known is None else known.capacity_pga_g
+    capacity = None if known is None else capacity_pga_cell(known)
     return (numbered_title(results, mechanism.name), title, *cells, capacity, None if found is None else found.margin)
 
 
@@ -157,11 +160,12 @@ def _own_cell(check: Check | None, found: MechanismVerdict) -> Graded:
     return Graded(found.outcome.value, OUTCOMES[found.outcome.value] if text is None else text)
 
 
-def _ratio(check: Check | None) -> Phrase | float | None:
+def _ratio(check: Check | None) -> Phrase | Quantity | float | None:
     """Return demand over capacity, or why there is none."""
     if check is None:
         return None
     at_rest = rotation_cell(check) in (NO_ROCKING, NO_LASTING)
     if check.ratio is None or (at_rest and not check.ratio):
         return unbounded_text(check) or (NO_ROCKING if at_rest else OUTCOMES[check.verdict.value])
-    return check.ratio
+    figures = ratio_figures(check, most=FIGURES)
+    return check.ratio if figures >= FIGURES else quantity(check.ratio, "ratio", figures)

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.codes.basis import IndexKind
-from assess.codes.check import Check, Outcome
+from assess.codes.check import NEEDED, Check, Outcome
+from assess.codes.standing_figures import ratio_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import premises
-from reports.chapters.cells import FIGURES, clause
+from reports.chapters.cells import FIGURES, clause, interval
 from reports.chapters.index_text import index_text, is_lowered, outcome_text, state_text, target_text
 from reports.document import Facts
-from reports.language.texts import Term, Text, listing, names, quantity, say
+from reports.language.texts import Term, Text, count, listing, names, quantity, say
 from reports.titles import procedure_title
 
 
@@ -29,10 +30,14 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     for answer in own.answers:
         yield _governing(governing.at_site(results, mechanism), answer)
         yield from _floor(governing_check(governing.at_site(results, mechanism), answer))
+        yield from _spread(governing_check(governing.at_site(results, mechanism), answer))
     yield from _lowered(own, found)
     yield from _remedy(own, found)
     if own.at_the_limit:
-        yield say("The answer is at the limit: within 5 % of it, or within what the tolerance of the survey changes.")
+        yield say(
+            "The answer is at the limit: within 5 % of it, or within what the tolerance of the survey or the numerical "
+            "spread of histories changes."
+        )
     if own.conditions:
         yield say("The answer depends on the conditions listed with the verdict.")
 
@@ -99,15 +104,16 @@ def _governing(checks: tuple[Check, ...], answer: Answer) -> Text:
             reason=check.reason,
             clause=by,
         )
+    figures = ratio_figures(check, most=FIGURES)
     return say(
         "{method} governs at {state}: {quantity} {demand} against an allowable {allowable}, a ratio of {ratio} "
         "({clause}).",
         method=method,
         state=state,
         quantity=Term(check.quantity),
-        demand=_measured(check.demand, check.unit),
-        allowable=_measured(check.capacity, check.unit),
-        ratio=quantity(check.ratio, "ratio", FIGURES),
+        demand=quantity(check.demand, DIMENSIONS.get(check.unit, "ratio"), figures),
+        allowable=quantity(check.capacity, DIMENSIONS.get(check.unit, "ratio"), FIGURES),
+        ratio=quantity(check.ratio, "ratio", figures),
         clause=by,
     )
 
@@ -129,8 +135,18 @@ def _floor(check: Check | None) -> Iterator[Text]:
     )
 
 
-def _measured(value: float, unit: str) -> Quantity:
-    return quantity(value, DIMENSIONS.get(unit, "ratio"), FIGURES)
+def _spread(check: Check | None) -> Iterator[Text]:
+    """Yield in how many draws among the runs of histories the rule holds; that is no scatter of earthquakes."""
+    if check is None or check.numerical is None or check.verdict not in (Outcome.PASS, Outcome.FAIL):
+        return
+    yield say(
+        "Numerical spread: the rule holds in {share} of {draws} draws among the {runs} runs of each record; a pass "
+        "needs {least}. The scatter from record to record is something else, and belongs to the suite.",
+        share=quantity(100.0 * check.numerical.holds, "percent", FIGURES),
+        draws=count(check.numerical.draws),
+        runs=count(check.numerical.runs),
+        least=quantity(100.0 * NEEDED, "percent", 2),
+    )
 
 
 def _unanswered(answer: Answer) -> Text:
@@ -158,6 +174,14 @@ def _remedy(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:
     if own.outcome == Decision.INCOMPLETE:
         if own.missing:
             yield say("An answer needs {keys}.", keys=names(each.key for each in own.missing))
+    elif own.outcome == Decision.PASS and own.margin is not None and own.margin_most is not None:
+        held_to = interval(own.margin * found.action.pga_g, own.margin_most * found.action.pga_g)
+        yield say(
+            "It holds up to a peak ground acceleration of {pga}, the numerical spread of the histories; the lower end "
+            "counts, {margin} times the site’s own.",
+            pga=held_to,
+            margin=quantity(own.margin, "ratio", FIGURES),
+        )
     elif own.outcome == Decision.PASS and own.margin is not None and held is not None:
         yield say(
             "It holds up to a peak ground acceleration of {pga}, {margin} times the site’s own.",

@@ -27,7 +27,7 @@ def outcome_text(outcome: Decision, *, near: bool = False) -> Text:
 
 def index_text(index: Index) -> Text:
     """Return an index with its name and its grade: "ζ_E = 0.83", "45 %NBS, grade C"."""
-    value = quantity(index.value, figures=3)
+    value = quantity(index.value, figures=index.figures)
     if index.name != SHARE:
         return say("{index} = {value}", index=symbol(index.name), value=value)
     if not index.grade:

@@ -19,6 +19,7 @@ from reports.chapters.cells import (
     RATIO,
     ROLES,
     capacity_cell,
+    capacity_pga_cell,
     demand_cell,
     demand_or_rest,
     outcome_cell,
@@ -124,6 +125,6 @@ def _row(check: Check, among: tuple[Check, ...], answers: tuple[Answer, ...]) ->
         demand_or_rest(check, demand_cell(check)),
         capacity_cell(check),
         ratio_cell(check),
-        check.capacity_pga_g,
+        capacity_pga_cell(check),
         outcome_cell(check, answers),
     )

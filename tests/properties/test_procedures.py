@@ -15,8 +15,9 @@ from assess.codes.applicability import apply_procedure
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Reason
-from assess.codes.context import Building, Context, Suite, Wall
+from assess.codes.context import Building, Context, Wall
 from assess.codes.registry import PROCEDURES, CodeOptions, procedure
+from assess.codes.suite import Suite
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force

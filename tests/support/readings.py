@@ -73,6 +73,38 @@ def farthest(sheet: Sheet) -> float | None:
     return None if all(each is None for each in sheet.suite) else inf
 
 
+def draws_that_hold(sheet: Sheet, pga: float) -> float:
+    """Of 500 seeded draws among the runs of each record, in how many the rule holds at a PGA [m/s2]."""
+    suite = min(sheet.subject.context.suites, key=lambda each: abs(each.pga - pga))
+    draws = np.random.default_rng(1).integers(0, 9, size=(len(suite.ratio), 500))
+    each = np.array([suite.runs.ratio[run % len(suite.runs.ratio), n] for n, run in enumerate(draws)])
+    return float(hold(sheet, each).sum())
+
+
+def hold(sheet: Sheet, ratio: np.ndarray) -> np.ndarray:
+    """Whether the rule holds for records [records, draws]: the mean in rotation, or in displacement against d_LS."""
+    branch, stand = sheet.subject.branch, np.isfinite(ratio)
+    turned = np.where(stand, ratio, 0.0) * branch.overturning
+    if sheet.subject.check.procedure.startswith("asce"):
+        return stand.all(axis=0) & (turned.mean(axis=0) / branch.unstable <= 0.5)
+    moved = sheet.spline("excitation").antiderivative()
+    moved, limit = moved(turned) - moved(0.0), sheet.known[f"d_{sheet.subject.check.limit_state}"]
+    within = (moved <= sheet.moved(branch.unstable)).all(axis=0)
+    return stand.all(axis=0) & within & (moved.mean(axis=0) / sheet.mass / sheet.e <= limit)
+
+
+def scanned(sheet: Sheet) -> float | None:
+    """The last PGA before the first at which too few draws hold [g]; the suites of the levels are the scan, too."""
+    needed = {"PGA_84": 0.84, "PGA_50": 0.5, "PGA_16": 0.16}[sheet.step.symbol]
+    last = None
+    for suite in sheet.subject.context.incremental:
+        own = np.array([[inf if each is None else each] for each in suite.ratio])
+        if draws_that_hold(sheet, suite.pga) / 500 < needed or (needed > 0.8 and not hold(sheet, own).all()):
+            return last
+        last = suite.pga / g
+    return None
+
+
 def permissible(sheet: Sheet) -> float:
     """The wall stands in the upper of two storeys: its own row, or the strictest."""
     column = int(sheet.known["S_X1"] > 0.24) + int(sheet.known["S_X1"] > 0.37)
@@ -246,6 +278,9 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "Σ max |φ(t)| / φ_u / n": lambda s: None if None in s.suite else inf,
     "largest d* / d0*": farthest,
     "d* / d_LS": lambda s: None if None in s.suite else inf,
+    "number of draws": lambda s: 500.0,
+    "count of draws": lambda s: draws_that_hold(s, s.pga),
+    "last PGA of the scan before the first that fails": scanned,
     # the forces at the hinges
     "equilibrium of each block at a_r": force,
     "|T| = μ N, over the amplification": slides_from,

@@ -13,9 +13,10 @@ from scipy.constants import g
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
-from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit, Suite
+from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit
 from assess.codes.ntc2018.clauses import free_period
 from assess.codes.registry import CodeOptions, procedure
+from assess.codes.suite import Runs, Suite
 from assess.codes.worst_branch import branch_of
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
@@ -36,9 +37,17 @@ from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum
 
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
+RUNS = np.array([1.0, 1.4, 0.9, 1.2, 0.7, 1.0, 1.1, 1.0, 0.95])  # of each record, over the ratio of the first
+
+
+def suite(level: float, *ratios: float | None) -> Suite:
+    """Records with their twins, those of one that overturns overturn as well."""
+    ratio = RUNS[:, None] * np.array([inf if each is None else each for each in ratios])
+    return Suite(level, ratios, "positive", twins=Runs(ratio, np.zeros(ratio.shape, dtype=bool)))
+
+
 SUITES = tuple(
-    Suite(level, (0.01, 0.02, share, 0.2, 0.3, 0.1, 0.15), "positive")
-    for level, share in zip(LEVELS, (0.1, 0.9, None), strict=True)
+    suite(level, 0.01, 0.02, share, 0.2, 0.3, 0.1, 0.15) for level, share in zip(LEVELS, (0.1, 0.9, None), strict=True)
 )
 HOUSE = Building(height=8.0, storeys=2, period=0.24, damping=0.05)
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
@@ -90,7 +99,7 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
     slender = facing(single_block("slender", part(0.0, 4.0, 0.45)))
     high = facing(single_block("high", part(4.0, 4.0, 0.3), restitution=(0.0, 0.0)))
     tall = facing(single_block("tall", part(0.0, 200.0, 7.5)))
-    fallen = tuple(replace(suite, ratio=(None,) * 7) for suite in SUITES)
+    fallen = tuple(replace(each, ratio=(None,) * 7, twins=None) for each in SUITES)
     bare = replace(context_of(slender, None), building=None, suites=fallen, incremental=())
     yield slender, bare
     yield slender, replace(bare, elevation=0.2, hinges=tuple(replace(each, friction=None) for each in bare.hinges))

@@ -7,6 +7,7 @@ from textwrap import wrap
 
 from assess.cli.tables.text_table import on_one_line, text_table
 from assess.cli.tables.uncertainty import uncertainty_lines
+from assess.codes.standing_figures import interval_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.codes.verdict_text import (
     action_text,
@@ -64,10 +65,18 @@ def _table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
 
 
 def _cells(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, ...]:
-    holds = "" if one.margin is None else f"{figures(one.margin * found.action.pga_g)} g = {figures(one.margin)} x"
+    holds = "" if one.margin is None else _holds(one.margin, one.margin_most, found.action.pga_g)
     outcome = answer.outcome if len(one.answers) > 1 else one.outcome
     said = _emphasise(outcome_text(outcome, near=answer.at_the_limit))
     return (said, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), holds)
+
+
+def _holds(margin: float, most: float | None, pga_g: float) -> str:
+    """Write up to which PGA a mechanism holds: of histories whose numerical spread leaves a range, both ends."""
+    if most is None:
+        return f"{figures(margin * pga_g)} g = {figures(margin)} x"
+    shown = interval_figures(margin * pga_g, most * pga_g)
+    return f"{figures(margin * pga_g, shown)} to {figures(most * pga_g, shown)} g"
 
 
 def _emphasise(outcome: str) -> str:

@@ -8,14 +8,17 @@ from math import inf, isclose
 
 from assess.codes.basis import Basis, IndexKind, LimitState
 from assess.codes.check import Check, Outcome
+from assess.codes.numerical_spread import is_between
+from assess.codes.standing_figures import ratio_figures, standing_figures
 from assess.codes.verdict.methods import Rank, missing_action, requested_ranks
 from assess.codes.verdict.missing_keys import missing_keys
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question
-from assess.codes.verdict.target import whole
+from assess.codes.verdict.target import FULL, whole
 from assess.messages.message import Message, Term, message
 from assess.short_repr import ShortRepr
 
+FIGURES = 3  # of an index
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
 GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
 """Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
@@ -23,11 +26,15 @@ GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
 
 @dataclass(frozen=True, repr=False)
 class Index(ShortRepr):
-    """The measure of an answer: its name, its value (%NBS in per cent), and its grade if there are grades."""
+    """The measure of an answer: its name, its value (%NBS in per cent), and its grade if there are grades.
+
+    figures : to how many significant figures the value stands, where it comes from histories
+    """
 
     name: str
     value: float
     grade: str = ""
+    figures: int = 3
 
 
 @dataclass(frozen=True, repr=False)
@@ -163,11 +170,20 @@ def index_of(check: Check, basis: Basis) -> Index | None:
     Index or None
     """
     if basis.index == IndexKind.ZETA_E:
-        return None if check.safety_index is None else Index(basis.index, check.safety_index)
+        index = check.safety_index
+        return None if index is None else Index(basis.index, index, figures=_figures(check))
     if basis.index == IndexKind.NBS:
         share = check.score.get(IndexKind.NBS)
         return None if share is None else Index(basis.index, share, grade(share))
-    return None if check.ratio is None else Index(basis.index, check.ratio)
+    return None if check.ratio is None else Index(basis.index, check.ratio, figures=ratio_figures(check, most=FIGURES))
+
+
+def _figures(check: Check) -> int:
+    """Return to how many figures, one at least, the PGA at capacity stands up to that of 16 % of the draws."""
+    low = None if check.numerical is None else check.numerical.capacity_low_pga_g
+    if low is None or check.capacity_pga_g is None:
+        return FIGURES
+    return max(1, standing_figures(check.capacity_pga_g, (low,), most=FIGURES))
 
 
 def grade(share: float) -> str:
@@ -194,11 +210,21 @@ def _answered(
 
 
 def is_near(check: Check, index: Index | None, target: float | None, tolerance: float) -> bool:
-    """Return whether an answer is at the limit, within 5 % or within what the survey's tolerance changes."""
+    """Return whether an answer is at the limit: within 5 %, or what the survey or the numerical spread changes."""
     width = max(LEAST_WIDTH, tolerance)
     if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
-        return abs(index.value / target - 1.0) <= width
-    return check.ratio is not None and abs(check.ratio - 1.0) <= width
+        return abs(index.value / target - 1.0) <= width or _within_spread(check, index, target)
+    return is_between(check) or (check.ratio is not None and abs(check.ratio - 1.0) <= width)
+
+
+def _within_spread(check: Check, index: Index, target: float) -> bool:
+    """Return whether an index misses its target where 16 % of the draws do not: an index is the PGA at capacity."""
+    if target == FULL and is_between(check):
+        return True
+    if check.numerical is None or not check.capacity_pga_g or index.value >= target:
+        return False
+    low = check.numerical.capacity_low_pga_g
+    return low is None or index.value * low / check.capacity_pga_g >= target
 
 
 def _declared(found: Found, lacking: Missing | None) -> Found:

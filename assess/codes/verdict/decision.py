@@ -25,6 +25,7 @@ class MechanismVerdict(ShortRepr):
     """The verdict of one mechanism.
 
     margin : PGA at capacity over the action's, None where it is not known
+    margin_most : the same up to which 16 % of the draws among runs of histories hold; None where that is no more
     provisional : of an incomplete one, what it would be with the safe value of what is missing; else None
     """
 
@@ -36,6 +37,7 @@ class MechanismVerdict(ShortRepr):
     conditions: tuple[Message, ...] = ()
     missing: tuple[Missing, ...] = ()
     provisional: Decision | None = None
+    margin_most: float | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,6 +135,7 @@ def _of_mechanism(one: MechanismChecks, measure: _Measure) -> MechanismVerdict:
         mechanism=one.name,
         outcome=outcome,
         margin=_margin([check for it in found for check in it.checks]),
+        margin_most=_margin_most([check for it in found for check in it.checks]),
         at_the_limit=_near_limit(outcome, [it.answer.at_the_limit for it in found if it.answer.outcome == outcome]),
         answers=tuple(it.answer for it in found),
         conditions=() if outcome == Decision.FAIL else _unique((*_conditions(one, found), *_of_class(asked, measure))),
@@ -185,6 +188,16 @@ def _margin(checks: Sequence[Check]) -> float | None:
     margins = [_margin_of(check) for check in checks]
     known = [margin for margin in margins if margin is not None]
     return min(known) if known and len(known) == len(margins) else None
+
+
+def _margin_most(checks: Sequence[Check]) -> float | None:
+    """Return the margin of the same check up to which 16 % of its draws hold; None where that is no more."""
+    margin = _margin(checks)
+    check = next((check for check in checks if margin is not None and _margin_of(check) == margin), None)
+    if check is None or check.numerical is None or not margin or not check.capacity_pga_g:
+        return None
+    low = check.numerical.capacity_low_pga_g
+    return margin * low / check.capacity_pga_g if low is not None and low > check.capacity_pga_g else None
 
 
 def _margin_of(check: Check) -> float | None:

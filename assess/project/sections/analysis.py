@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Field, StrictInt, model_validator
+from pydantic import AfterValidator, Field, StrictBool, StrictInt, model_validator
 
 from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
 from assess.project.quantities import (
@@ -107,6 +107,9 @@ class Analysis(Section):
     """code procedures to apply; if absent all that apply at the site"""
     equation: Literal["exact", "linearised"] | None = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
+    scan: StrictBool = True
+    """whether histories are run at rising PGA, up to a hundred levels, for their PGA at capacity; false: at the levels
+    asked only, for thousands of walls: procedures by histories have no PGA at capacity then, nor the Italian a ζ_E"""
     pulses: Pulses | None = None
     """overturning envelopes: { shape, frequency = { from, to, count }, amplitude = { from, to, count } }"""
     sweep: Sweeps = ()

@@ -7,7 +7,8 @@ from scipy.constants import g
 
 from assess.codes.asce43_05 import history, sliding, spectrum
 from assess.codes.asce43_05.clauses import Options
-from assess.codes.context import Context, Suite
+from assess.codes.context import Context
+from assess.codes.suite import Suite
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra import ntc
 

@@ -13,7 +13,8 @@ from assess.codes.applicability import apply_procedure
 from assess.codes.asce43_05 import history, spectrum
 from assess.codes.asce43_05.clauses import Options
 from assess.codes.check import Reason
-from assess.codes.context import Context, Suite
+from assess.codes.context import Context
+from assess.codes.suite import Suite
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum

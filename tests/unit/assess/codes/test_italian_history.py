@@ -11,11 +11,12 @@ from scipy.constants import g
 
 from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
-from assess.codes.context import Context, LocalLimit, Suite
+from assess.codes.context import Context, LocalLimit
 from assess.codes.dmi2008 import history as dmi2008
 from assess.codes.italian.edition import Options
 from assess.codes.italian.history import required_pga
 from assess.codes.ntc2018 import history as ntc2018
+from assess.codes.suite import Suite
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
 

@@ -1,0 +1,187 @@
+"""The share of draws in which a rule holds, against all combinations of runs; what it decides; digits that stand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from itertools import product
+from math import inf, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.constants import g
+
+from assess.codes.asce43_05 import history as asce43
+from assess.codes.asce43_05.clauses import Options as AsceOptions
+from assess.codes.check import Outcome, Reason
+from assess.codes.context import Context
+from assess.codes.italian.edition import Options
+from assess.codes.ntc2018 import history as ntc2018
+from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between
+from assess.codes.standing_figures import standing_figures
+from assess.codes.suite import Runs, Suite
+from assess.codes.verdict.answer import Index, is_near
+from assess.mechanisms.equivalent_block import equivalent_block
+from spectra.asce7 import design_spectrum
+
+BLOCK = equivalent_block("w", p=1.6, uplift=0.1, radius=3.0).oscillator
+SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
+ASCE = partial(asce43.assess, options=AsceOptions())
+NTC = partial(ntc2018.assess, options=Options())
+LEVEL = 0.2 * g
+
+
+def suite(runs, pga: float = LEVEL) -> Suite:
+    """Of runs [9][records], the records as they are first."""
+    ratio = np.array(runs, dtype=float)
+    own = tuple(None if each == inf else float(each) for each in ratio[0])
+    return Suite(pga, own, "positive", (), Runs(ratio, np.zeros(ratio.shape, dtype=bool)))
+
+
+def check(assess, *runs, scan=()):
+    known = {"ntc2018": "LC3"}  # FC is 1
+    at = Context(SPECTRUM, (LEVEL,), 0.0, 0.0, None, suites=(suite(runs),), incremental=scan, crushing=True,
+                 knowledge=known)  # fmt: skip
+    (found,) = assess(BLOCK, at)
+    return found
+
+
+def spread(values, seed: int, records: int, overturned: float = 0.0):
+    """Nine runs of each record around a value, some of them overturned."""
+    random = np.random.default_rng(seed)
+    runs = np.clip(values + 0.4 * random.normal(size=(9, records)), 0.0, None)
+    return np.where(random.random((9, records)) < overturned, inf, runs)
+
+
+@pytest.mark.parametrize(("value", "overturned"), [(0.5, 0.0), (0.35, 0.02), (0.3, 0.1), (0.55, 0.0)])
+def test_the_share_is_that_of_all_combinations_of_runs(value, overturned):
+    """Five records: the mean of each of 9^5 combinations against one half (ASCE 43-05)."""
+    runs = spread(value, 5, 5, overturned)
+    exact = np.mean([sum(each) / 5 <= 0.5 for each in product(*runs.T)])
+    assert 0.05 < exact < 0.95
+    assert check(ASCE, *runs).numerical.holds == pytest.approx(exact, abs=4 * sqrt(exact * (1 - exact) / DRAWS))
+
+
+def test_the_share_of_the_largest_is_a_product():
+    """Fewer than seven records: the largest displacement counts, so the shares of the records multiply (NTC 7.3.5)."""
+    runs = np.full((9, 4), 0.1)
+    runs[:2, 0], runs[4, 1], runs[5, 2] = 0.7, inf, 0.9
+    exact = (7 / 9) * (8 / 9) * (8 / 9)
+    found = check(NTC, *runs).numerical
+    assert found.holds == pytest.approx(exact, abs=4 * sqrt(exact * (1 - exact) / DRAWS))
+    assert (found.runs, found.draws) == (9, 500)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    seed=st.integers(0, 10**6), value=st.floats(0.1, 0.6), over=st.floats(0.0, 0.1), assess=st.sampled_from([ASCE, NTC])
+)
+def test_nothing_passes_below_the_share_or_against_the_records_as_they_are(seed, value, over, assess):
+    runs = spread(value, seed, 7, over)
+    found, alone = check(assess, *runs), check(assess, *[runs[0]] * 9)
+    assert (found.ratio, found.demand, found.capacity) == (alone.ratio, alone.demand, alone.capacity)
+    assert alone.numerical.holds in (0.0, 1.0)
+    assert (found.verdict == Outcome.PASS) == (found.numerical.holds >= 0.84 and alone.verdict == Outcome.PASS)
+    low, high = (inf if each is None else each for each in (found.numerical.ratio_low, found.numerical.ratio_high))
+    assert low <= high
+
+
+def test_a_pass_that_few_draws_confirm_is_a_fail_at_the_limit():
+    runs = np.full((9, 7), 0.2)
+    runs[1:4, :2] = inf
+    found = check(ASCE, *runs)
+    assert (found.verdict, found.reason.key) == (Outcome.FAIL, Reason.NUMERICAL_SPREAD)
+    assert found.ratio == pytest.approx(0.4)
+    assert is_between(found)
+    assert is_near(found, Index("D/C", found.ratio), 1.0, 0.0)
+    assert found.numerical.ratio_high is None
+
+
+def test_the_records_as_they_are_fail_though_most_draws_hold():
+    """The one run of a record that overturns is that of the record itself."""
+    runs = np.full((9, 7), 0.2)
+    runs[0, 0] = inf
+    found = check(ASCE, *runs)
+    assert found.numerical.holds >= 0.84
+    assert (found.verdict, found.reason.key) == (Outcome.FAIL, Reason.RECORDS_OVERTURN)
+    assert "spread-would-pass" in [each.key for each in found.remarks]
+    assert is_near(found, None, 1.0, 0.0)
+
+
+def test_what_fails_in_all_draws_is_not_at_the_limit():
+    found = check(ASCE, *np.full((9, 7), 0.9))
+    assert (found.verdict, found.numerical.holds, is_near(found, None, 1.0, 0.0)) == (Outcome.FAIL, 0.0, False)
+
+
+def test_every_level_has_the_same_draw_and_more_records_do_not_change_it():
+    assert (draw_runs(7, 9) == draw_runs(7, 9)).all()
+    assert (draw_runs(9, 9)[:, :7] == draw_runs(7, 9)).all()
+    assert draw_runs(7, 9).shape == (500, 7)
+    assert set(draw_runs(7, 9).ravel()) == set(range(9))
+    values = np.arange(63.0).reshape(9, 7)
+    assert (draw_values(values)[3] == [values[run, n] for n, run in enumerate(draw_runs(7, 9)[3])]).all()
+
+
+def scan():
+    """p is 1, about 8/9, about 7/9 (below 0.84), 1, about 4/9, 1/9 and 0, at 0.1 to 0.7 g: the one record by itself."""
+    suites = []
+    for place, falls in enumerate((0, 1, 2, 0, 5, 8, 9)):
+        runs = np.full((9, 7), 0.1)
+        runs[9 - falls :, 0] = inf
+        suites.append(suite(runs, (place + 1) * 0.1 * g))
+    return tuple(suites)
+
+
+def test_capacities_are_the_last_levels_before_too_few_draws_hold():
+    found = check(ASCE, *np.full((9, 7), 0.1), scan=scan())
+    assert found.capacity_pga_g == pytest.approx(0.2)
+    assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
+    assert found.numerical.capacity_low_pga_g == pytest.approx(0.5)
+    assert found.verdict == Outcome.PASS  # at 0.2 g
+
+
+def test_a_level_that_the_records_as_they_are_fail_ends_the_capacity():
+    runs = np.full((9, 7), 0.1)
+    runs[0, 0] = inf
+    found = check(ASCE, *np.full((9, 7), 0.1), scan=(scan()[0], suite(runs, 0.15 * g), *scan()[1:]))
+    assert found.capacity_pga_g == pytest.approx(0.1)
+    assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
+
+
+def test_an_index_is_at_the_limit_where_more_draws_would_reach_the_target():
+    """Italian targets below one compare zeta_E: 0.2 g of 0.2 g, where half of the draws hold to 0.4 g."""
+    found = check(NTC, *np.full((9, 7), 0.1), scan=scan())
+    index = Index("ζ_E", found.safety_index)
+    assert found.safety_index == pytest.approx(1.0)
+    assert not is_near(found, index, 0.8, 0.0)
+    assert is_near(found, index, 2.0, 0.0)
+    assert not is_near(found, index, 3.0, 0.0)
+
+
+def test_without_twins_there_is_no_spread():
+    bare = replace(suite(np.full((9, 7), 0.2)), twins=None)
+    (found,) = ASCE(BLOCK, Context(SPECTRUM, (LEVEL,), 0.0, 0.0, None, suites=(bare,)))
+    assert (found.numerical, found.verdict, is_between(found)) == (None, Outcome.PASS, False)
+
+
+@pytest.mark.parametrize(
+    ("value", "others", "figures"),
+    [
+        (0.1249, (0.1249,), 4),
+        (0.1249, (0.12492,), 4),
+        (0.1249, (0.1251,), 3),
+        (0.1249, (0.116, 0.138), 1),
+        (0.1249, (0.120, 0.1249), 2),
+        (0.52, (0.9,), 0),
+        (52.1, (52.13, 52.14), 3),
+        (0.3, (None, 0.3), 0),
+        (0.0, (0.0,), 4),
+        (0.0, (0.1,), 0),
+    ],
+)
+def test_figures_are_those_within_which_all_runs_are(value, others, figures):
+    assert standing_figures(value, others) == figures
+    for other in others if figures else ():
+        assert abs(float(f"{value:.{figures}g}") - other) <= 10.0 ** (np.floor(np.log10(value or 1)) - figures + 1)

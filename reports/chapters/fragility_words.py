@@ -60,6 +60,7 @@ def summary(mechanism: MechanismFragility) -> Iterator[Text]:
     curve, risk = main_curve(mechanism), main_risk(mechanism)
     if curve is not None:
         yield how_strong(curve)
+        yield from _extrapolated(curve)
     if risk is not None:
         yield how_likely(risk)
         if risk.target_rate is not None:
@@ -89,6 +90,19 @@ def how_strong(curve: FragilityCurve) -> Text:
         state=state_text(curve.state),
         **words,
     )
+
+
+def _extrapolated(curve: FragilityCurve) -> Iterator[Text]:
+    """Say where the median of a curve lies beyond the runs."""
+    if curve.lognormal is None or not curve.empirical:
+        return
+    last = curve.empirical[-1]
+    if curve.lognormal.median > last.intensity:
+        yield say(
+            "The runs end at {most}, where {share} of the records reach it: what is said of 50 of 100 is extrapolated.",
+            most=intensity(last.intensity, curve.measure),
+            share=percent(last.share),
+        )
 
 
 def _counted(curve: FragilityCurve) -> Text:

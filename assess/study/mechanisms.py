@@ -53,21 +53,12 @@ def assess_mechanisms(
         In the order of the study.
     """
     cases = {m.name: rocking_case(study, m, motions) for m in study.mechanisms}
-    with_scan = study.scan and any(map(uses_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     threads = max(1, workers // max(1, len(cases)))
 
     def assess(mechanism: Mechanism) -> MechanismResult:
         case = cases[mechanism.name]
-        rocked = run_histories(
-            case,
-            motions,
-            levels=study.levels,
-            besides=further_levels(study, spectrum, mechanism),
-            site_pga=spectrum.pga,
-            with_scan=with_scan,
-            threads=threads,
-        )
+        rocked = mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
         return assess_mechanism(study, spectrum, motions, mechanism, case, rocked)
 
     longest = sorted(study.mechanisms, key=lambda m: not vibrates(cases[m.name].oscillator))
@@ -78,6 +69,27 @@ def assess_mechanisms(
             done[found.name] = found
             progress("rocking histories", len(done), len(longest))
     return tuple(done[m.name] for m in study.mechanisms)
+
+
+def mechanism_histories(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    case: RockingCase,
+    *,
+    threads: int,
+) -> RockingHistories:
+    """Run the time histories of a mechanism at all levels of the study, with the scan where a procedure uses it."""
+    return run_histories(
+        case,
+        motions,
+        levels=study.levels,
+        besides=further_levels(study, spectrum, mechanism),
+        site_pga=spectrum.pga,
+        with_scan=study.scan and any(map(uses_histories, study.procedures)),
+        threads=threads,
+    )
 
 
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:

@@ -18,7 +18,6 @@ from assess.study.context import context_of
 from assess.study.histories import run_histories, with_governing_trace
 from assess.study.mechanism_results import mechanism_result
 from assess.study.motions import ScaledRecord
-from assess.study.numerical_spread import still_below
 from assess.study.progress import Progress
 from assess.study.rocking_case import RockingCase, RockingHistories, vibrates
 from assess.study.study import Amplified, Study
@@ -95,8 +94,7 @@ def mechanism_histories(
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
     """Return what the histories of a mechanism are run for."""
     base, name = motions_at_base(study.amplified[mechanism.name], motions), mechanism.name
-    still = still_below(mechanism)
-    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds, still)
+    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
 
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:

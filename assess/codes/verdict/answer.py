@@ -9,7 +9,8 @@ from math import inf, isclose
 from assess.codes.basis import Basis, IndexKind, LimitState
 from assess.codes.check import Check, Outcome
 from assess.codes.incremental import failure_below
-from assess.codes.numerical_spread import is_between, ratio_figures, standing_figures
+from assess.codes.numerical_spread import is_between
+from assess.codes.standing_figures import ratio_figures, standing_figures
 from assess.codes.verdict.methods import Rank, missing_action, requested_ranks
 from assess.codes.verdict.missing_keys import missing_keys
 from assess.codes.verdict.outcome import Decision, worst

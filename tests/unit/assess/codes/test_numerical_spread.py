@@ -21,7 +21,8 @@ from assess.codes.context import Context
 from assess.codes.incremental import fails_below
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import history as ntc2018
-from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between, standing_figures
+from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between
+from assess.codes.standing_figures import standing_figures
 from assess.codes.suite import Runs, Suite
 from assess.codes.verdict import Decision
 from assess.codes.verdict.answer import Index, decide, index_of, is_near

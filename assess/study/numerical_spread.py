@@ -1,8 +1,8 @@
 """The twins of a record: the same motion with the PGA times 1 + 10^-u and 1 - 10^-u, u = 3, 4, 5, 6, at every level.
 
 Twins differ by less than any accelerograph resolves. Where a history is not chaotic they give the same digits; where it
-is, they say how far its maximum can be trusted. That a record hardly rocks does not keep its twins small: one of 0.05 of
-the rotation that overturns has twins of 0.01 and 0.33.
+is, they say how far its maximum can be trusted. That a record hardly rocks does not keep its twins small: of one that
+reached 0.05 of the rotation that overturns, twins have reached 0.01 and 0.33.
 """
 
 from __future__ import annotations

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from assess.results.fragility import (
     FragilityCurve,
+    Gap,
     LognormalResult,
     MeasureResult,
     MechanismFragility,
@@ -41,6 +42,16 @@ RATES: Mapping[str, Phrase] = {
     "empirical": say("from the shares counted"),
     "lognormal": say("from the lognormal"),
     "first": say("bound, from the first intensity"),
+}
+GAPS: Mapping[Gap, Phrase] = {
+    "motion": say(
+        "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
+        "modal filter"
+    ),
+    "runs": say("the hazard has stronger motions than those that were run; run to a larger intensity"),
+    "hazard": say(
+        "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
+    ),
 }
 
 
@@ -122,15 +133,11 @@ def how_likely(risk: RiskResult) -> Text:
 def beside_target(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
     target = rate(risk.target_rate or 0.0)
-    if risk.outcome == "incomplete":
-        return say(
-            "Whether this is within the target of {target} is not known: stronger or more frequent motions than the "
-            "hazard lists may add to it; give a hazard of more return periods.",
-            target=target,
-        )
-    if risk.outcome == "pass":
+    if risk.outcome == "fail":
+        return say("This is more than the target of {target}.", target=target)
+    if risk.gap is None:
         return say("This is within the target of {target}.", target=target)
-    return say("This is more than the target of {target}.", target=target)
+    return say("Whether this is within the target of {target} is not known: {why}.", target=target, why=GAPS[risk.gap])
 
 
 def rate(value: float) -> Text:

@@ -234,6 +234,11 @@ def test_restitutions_beyond_one_are_cut_off_and_told(folder: Path) -> None:
     results = assessed(folder, samples=16, mechanisms=mechanisms)
     (note,) = [each for each in found(results).notes if each.key == "uncertainty-cut-off"]
     assert note.where == "mechanisms.wall.restitution"
+    b = sqrt(log(1.0 + 0.04**2))
+    z = (
+        log(1.0 / 0.97) / b + b / 2.0
+    )  # of 1; the mean of a lognormal that is cut there is ndtr(z - b) / ndtr(z) of its own
+    assert note.values["mean"].value == pytest.approx(float(ndtr(z - b) / ndtr(z)), rel=1e-5)
 
 
 def test_table_summary_and_differences(folder: Path) -> None:

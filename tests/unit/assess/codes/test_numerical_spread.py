@@ -9,7 +9,7 @@ from math import inf, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.constants import g
 
@@ -77,7 +77,6 @@ def test_the_share_of_the_largest_is_a_product():
     assert (found.runs, found.draws) == (9, 500)
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     seed=st.integers(0, 10**6), value=st.floats(0.1, 0.6), over=st.floats(0.0, 0.1), assess=st.sampled_from([ASCE, NTC])
 )

@@ -23,8 +23,8 @@ COUNTS = (
         "intensity that reaches it counts a record as overturned from there on, and is a bound."
     ),
     say(
-        "Masses, strengths and dimensions are mean values and the confidence factor is 1; safety factors would count "
-        "twice what the dispersion holds."
+        "Masses, strengths and dimensions are those of the project, which should be means, and the confidence factor "
+        "is 1; cautious values and safety factors would count twice what the dispersion holds."
     ),
 )
 DIMENSIONLESS = Verbatim(

@@ -33,6 +33,7 @@ UNITS: Mapping[str, tuple[Literal["pga", "sa", "pgv"], Literal["g", "m/s"], floa
 YEARS = {"1/year", "1/yr", "1/y", "1/a", "year^-1"}
 PERIODS = {"year", "years", "yr", "a"}
 EARTH_RADIUS = 6371.0  # km
+FARTHEST = 100.0  # km from the site to the nearest of a file
 EXAMPLE = "pga [g], annual_rate [1/year]"
 IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
 
@@ -176,6 +177,11 @@ def _site(
         return rows[0], (lon[0], lat[0]), None
     distances = _distance(np.array(lon), np.array(lat), longitude, latitude)
     at = int(np.argmin(distances))
+    if not distances[at] <= FARTHEST:
+        raise HazardError(
+            f"its nearest site, longitude {lon[at]:g}, latitude {lat[at]:g}, is {distances[at]:.0f} km from longitude "
+            f"{longitude:g}, latitude {latitude:g}; give the hazard of your site, at most {FARTHEST:g} km away"
+        )
     return rows[at], (lon[at], lat[at]), float(distances[at])
 
 

@@ -1,7 +1,8 @@
 """The annual rate of a state: fragility with the hazard of the site.
 
 The share of records that reach the state at each intensity is what counts; the lognormal is beside it, and the curve
-of first exceedance bounds it.
+of first exceedance bounds it. A cloud has shares at a few intensities only, one for ten records, so that the curve of
+its regression counts.
 """
 
 from __future__ import annotations
@@ -52,10 +53,12 @@ def same_measure(one: MeasureResult, other: MeasureResult) -> bool:
 def _of_curve(
     curve: FragilityCurve, hazard: HazardCurve, question: FragilityQuestion, epistemic: float | None
 ) -> Iterator[RiskResult]:
-    at = np.array([point.intensity for point in curve.empirical])
-    empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
-    found = rate(empirical.probability, hazard, breaks=at)
-    yield _risk(curve, "empirical", found, hazard, question, _notes(curve, found, hazard, empirical.probability))
+    if curve.method != "cloud":
+        at = np.array([point.intensity for point in curve.empirical])
+        empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
+        found = rate(empirical.probability, hazard, breaks=at)
+        notes = (*_notes(curve, found, hazard, empirical.probability), *_end(curve, hazard))
+        yield _risk(curve, "empirical", found, hazard, question, notes)
     fitted: tuple[tuple[CurveName, LognormalResult | None], ...] = (
         ("lognormal", curve.lognormal),
         ("first", curve.first),
@@ -65,7 +68,8 @@ def _of_curve(
             continue
         drawn = Lognormal(one.median, one.dispersion)
         found = rate(drawn.probability, hazard)
-        risk = _risk(curve, name, found, hazard, question, ())
+        notes = _notes(curve, found, hazard, drawn.probability) if curve.method == "cloud" else ()
+        risk = _risk(curve, name, found, hazard, question, notes)
         if epistemic:
             wide = Lognormal(one.median, hypot(one.dispersion, epistemic))
             risk = replace(risk, with_epistemic=rate(wide.probability, hazard).annual_rate)
@@ -96,7 +100,7 @@ def _risk(
 
 
 def _notes(curve: FragilityCurve, found: Rate, hazard: HazardCurve, probability: Probability) -> tuple[Message, ...]:
-    """Tell where the hazard or the curve ends too soon for the rate."""
+    """Tell where the hazard ends too soon for the rate."""
     first, last = float(hazard.intensity[0]), float(hazard.intensity[-1])
     starts, ends = (float(probability(np.array([at]))[0]) for at in (first, last))
     dimension, said = curve.measure.dimension, []
@@ -107,10 +111,15 @@ def _notes(curve: FragilityCurve, found: Rate, hazard: HazardCurve, probability:
     if found.below > NOTABLE * found.annual_rate:
         at = Quantity(first, dimension, 3)
         said.append(warning("fragility-hazard-starts", intensity=at, share=Quantity(starts, "ratio", 2)))
-    top = curve.empirical[-1]
-    if top.intensity < last and top.share < 1.0:
-        said.append(note("fragility-curve-ends", intensity=Quantity(top.intensity, dimension, 3)))
     return tuple(said)
+
+
+def _end(curve: FragilityCurve, hazard: HazardCurve) -> tuple[Message, ...]:
+    """Tell where the shares that were counted end below the hazard."""
+    top = curve.empirical[-1]
+    if top.intensity >= float(hazard.intensity[-1]) or top.share >= 1.0:
+        return ()
+    return (note("fragility-curve-ends", intensity=Quantity(top.intensity, curve.measure.dimension, 3)),)
 
 
 def without_measure(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> tuple[Message, ...]:

@@ -141,7 +141,7 @@ def test_hash_follows_template_row_and_every_file_named(tmp_path: Path) -> None:
     assert len({first[0], folder[0], pattern[0], changed[0]}) == 4
 
 
-@pytest.mark.parametrize("text", ["/", ".", "..", "~", "*", "a\0b", "x" * 5000, "\ud800"])
+@pytest.mark.parametrize("text", ["/", ".", "..", "~", "*", "a\0b", "x" * 300, "x" * 5000, "\ud800"])
 def test_hostile_cell_names_no_file(tmp_path: Path, text: str) -> None:
     cell = text.encode("utf-8", "surrogatepass") if text == "\ud800" else text.encode()
     if text == "\ud800":

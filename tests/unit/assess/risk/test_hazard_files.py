@@ -145,3 +145,10 @@ def test_plain_columns_that_cannot_be_read(tmp_path, text, words):
 def test_missing_file_is_one_line(tmp_path):
     with pytest.raises(HazardError, match="the file cannot be read"):
         read_hazard(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize(("longitude", "latitude"), [(42.3, 13.5), (100.0, 10.0), (500.0, 42.0)])
+def test_a_site_far_from_all_of_the_file_is_refused(tmp_path, longitude, latitude):
+    """Longitude and latitude are easily exchanged."""
+    with pytest.raises(HazardError, match=r"nearest site, longitude .* km from longitude"):
+        read_hazard(write(tmp_path, NEW), longitude=longitude, latitude=latitude)

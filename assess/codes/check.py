@@ -11,6 +11,7 @@ from assess.messages.message import Message, Severity, Term, Value, message
 from assess.short_repr import ShortRepr
 
 __all__ = [
+    "NEEDED",
     "Bound",
     "Check",
     "Family",
@@ -33,6 +34,8 @@ Reading = Literal["letter", "thesis"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base", "missing"]
 Unbounded = Literal["", "overturned", "beyond the spectrum"]
+NEEDED = 0.84
+"""Share of the draws among the runs of histories in which a rule must hold for a pass."""
 
 
 class Outcome(StrEnum):

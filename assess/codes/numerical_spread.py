@@ -1,4 +1,4 @@
-"""The numerical spread of answers by histories, and the digits of a history that stand.
+"""The numerical spread of answers by histories.
 
 Of each record one of its nine runs is drawn, 500 times, by the same seeded draws at all levels: p is the share of the
 draws in which the rule of the code holds. A pass needs p >= 0.84. The rule must also hold for the records as they are,
@@ -9,21 +9,20 @@ Numerical spread is not the scatter from record to record: it would remain if th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import floor, inf, isinf, log10
+from math import isinf
 
 import numpy as np
 
-from assess.codes.check import Check, NumericalSpread, Outcome, Reason, Step, reason_message, step
+from assess.codes.check import NEEDED, Check, NumericalSpread, Outcome, Reason, Step, reason_message, step
 from assess.codes.incremental import pga_before_failure
 from assess.codes.suite import Suite
 from assess.messages.message import Message, Quantity, message
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 DRAWS, SEED = 500, 1
-NEEDED, HALF, LOW = 0.84, 0.5, 0.16
-FIGURES = 4
+HALF, LOW = 0.5, 0.16
 CLAUSE, SCAN = "numerical spread", "last PGA of the scan before the first that fails"
 
 Measure = Callable[[Suite], tuple[FloatArray, BoolArray]]
@@ -161,50 +160,3 @@ def spread_steps(spread: NumericalSpread | None, capacity_pga_g: float | None) -
         step("PGA_50", "PGA up to which p is at least 0.5", CLAUSE, SCAN, spread.capacity_half_pga_g, "g"),
         step("PGA_16", "PGA up to which p is at least 0.16", CLAUSE, SCAN, spread.capacity_low_pga_g, "g"),
     )  # fmt: skip
-
-
-def ratio_figures(check: Check, *, most: int = FIGURES) -> int:
-    """Return to how many figures, one at least, demand over capacity stands between 16 and 84 % of the draws.
-
-    Parameters
-    ----------
-    check : of any procedure; all figures stand where it has no numerical spread
-    most : figures to be shown at most
-    """
-    if check.numerical is None or check.ratio is None:
-        return most
-    return max(1, standing_figures(check.ratio, (check.numerical.ratio_low, check.numerical.ratio_high), most=most))
-
-
-def interval_figures(low: float, high: float, *, most: int = 3) -> int:
-    """Return to how many figures the two ends of an interval are written, so that they differ.
-
-    Parameters
-    ----------
-    low, high : its ends, positive
-    most : figures where they hardly differ
-    """
-    if high <= low:
-        return most
-    return max(1, min(most, floor(log10(high)) - floor(log10(high - low)) + 1))
-
-
-def standing_figures(value: float, others: Iterable[float | None], *, most: int = FIGURES) -> int:
-    """Return to how many significant figures a number stands: all its runs are within half a unit of the last one.
-
-    Parameters
-    ----------
-    value : the number that is shown
-    others : the same of the other runs; None where they have none, as where the body overturned
-    most : figures where the runs agree
-
-    Returns
-    -------
-    int
-        0 where not even the first figure stands.
-    """
-    far = max((inf if other is None else abs(other - value) for other in others), default=0.0)
-    if far == 0.0 or value == 0.0 or isinf(far):
-        return most if far == 0.0 else 0
-    place = floor(log10(abs(value)))
-    return next((figures for figures in range(most, 0, -1) if far <= 0.5 * 10.0 ** (place - figures + 1)), 0)

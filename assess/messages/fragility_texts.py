@@ -30,12 +30,21 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     '{measure}; use method = "ida" to compare measures',
     # exports
     "fragility-left-out": "{mechanism}, {measure}: {why}",
+    "fragility-state-left-out": "{mechanism}, {measure}, {state}: {why}",
     # risk
     "fragility-no-hazard-measure": "the hazard is in {measure}, which is not among the measures of the fragility: no "
     "rate; add it to [analysis.fragility] measures",
+    "fragility-hazard-far": "the nearest site of the file is {distance} from that of the project",
     "fragility-hazard-ends": "the hazard ends at {intensity}, where the share of records that reach the state is "
     "{share}: rarer, stronger motions may add at most {beyond} a year",
     "fragility-hazard-starts": "the hazard begins at {intensity}, where already {share} of records reach the state: "
     "more frequent motions add to the rate",
-    "fragility-curve-ends": "records are run up to {intensity}, and the share found there is held above it",
+    "fragility-runs-end": "records are run up to {intensity}, where the share that reaches the state is {share}; "
+    "stronger motions of the hazard may add at most {lacking} a year; run to a larger intensity, or give stronger "
+    "records",
+    "fragility-scalar-motion": "above the ground, where one factor on the motion of the ground leaves out resonance "
+    "with the building: rates may be too small, and no target is shown to be met; use amplification = {{ method = "
+    '"modal-filter" }}',
+    "fragility-ground-motion": "above the ground, but shaken by the motion of the ground unamplified: rates may be too "
+    'small, and no target is shown to be met; give amplification = {{ method = "modal-filter" }}',
 }

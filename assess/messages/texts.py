@@ -122,7 +122,7 @@ TEXTS: Mapping[str, str] = {
     "is the same",
     "uncertainty-idle": "{keys}: no influence on any answer",
     "uncertainty-cut-off": "a share of {share} of its distribution lies beyond what is possible; values are "
-    "drawn from the rest",
+    "drawn from the rest, whose mean is {mean} times the one given",
     # folders of results
     "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "
     "place",

@@ -9,8 +9,8 @@ from scipy.constants import g
 from assess.codes.context import Hazard
 from assess.errors import locate_errors
 from assess.project import sections
-from assess.results.fragility import HazardResult, MeasureResult, StateResult
-from assess.risk.hazard_files import SiteHazard, read_hazard
+from assess.results.fragility import HazardResult, StateResult
+from assess.risk.hazard_files import read_hazard
 from assess.study.fragility.measures import measure
 from assess.study.fragility.question import FragilityQuestion
 from records.paths import relative_path
@@ -59,14 +59,9 @@ def _hazard(risk: sections.Risk, site: Hazard | None, folder: Path) -> HazardRes
         with locate_errors("analysis.risk.curve"):
             found = read_hazard(risk.curve, longitude=longitude, latitude=latitude)
         intensity, annual_rate = (tuple(each.tolist()) for each in (found.curve.intensity, found.curve.annual_rate))
-        return HazardResult(_measure(found), relative_path(risk.curve, folder), intensity, annual_rate)
+        own = measure(found.measure, () if found.period is None else (found.period,))
+        return HazardResult(own, relative_path(risk.curve, folder), intensity, annual_rate, found.distance)
     if site is None:
         return None
     rates = tuple(1.0 / years for years in site.return_period)
     return HazardResult(measure("pga"), "site.spectrum.hazard", tuple(pga / g for pga in site.pga), rates)
-
-
-def _measure(found: SiteHazard) -> MeasureResult:
-    """Return the measure of a hazard; a file that does not say has accelerations of the ground, or its velocity."""
-    key = found.measure or ("pgv" if found.unit == "m/s" else "pga")
-    return measure(key, () if found.period is None else (found.period,))

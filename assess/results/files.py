@@ -13,6 +13,8 @@ from assess.results.run import Results
 NAMES = ("results.json", "envelopes.json")
 """Files of results, as `assess run` and `assess envelope` write them."""
 
+FRAGILITY = "fragility.json"
+
 LARGEST = 500_000_000
 """Bytes of a file of results; one of eight mechanisms and seven records has some three million."""
 
@@ -45,8 +47,12 @@ def _text(path: Path) -> str:
 def find_results(path: Path) -> Path:
     """Find the results file that `path` names: itself, or the one in the folder, or in its only NAME-results folder.
 
-    Raises ResultsError if there is none, or more than one.
+    Raises ResultsError if there is none, or more than one, or if it is that of `assess fragility`.
     """
+    if path.name == FRAGILITY:
+        raise ResultsError(
+            f"{path}: of `assess fragility`, whose curves are not compared; compare its tables, or two results.json"
+        )
     if not path.is_dir():
         return path
     here = [file for name in NAMES if (file := path / name).is_file()]

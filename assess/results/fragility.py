@@ -6,7 +6,7 @@ Intensities stand in the unit of the measure's dimension: accelerations in g, ve
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import exp
+from math import exp, inf
 from statistics import NormalDist
 from typing import Literal
 
@@ -20,6 +20,7 @@ FRAGILITY_VERSION = 1
 Method = Literal["ida", "stripes", "cloud"]
 StateName = Literal["rocking", "rotation", "overturning"]
 CurveName = Literal["empirical", "lognormal", "first"]
+Gap = Literal["motion", "runs", "hazard"]
 LARGE_SCALE = 4.0
 """Scale factor above which the runs are drawn hollow and counted."""
 FIVE_PERCENT = NormalDist().inv_cdf(0.05)
@@ -169,12 +170,14 @@ class HazardResult(ShortRepr):
     """The hazard of the site in one measure.
 
     source : a file, or the key of the project; intensity [n] rising; annual_rate [n] of exceedance, falling [1/year]
+    distance_km : from the site of the file to that of the project; None where it is not known
     """
 
     measure: MeasureResult
     source: str
     intensity: Floats
     annual_rate: Floats
+    distance_km: float | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -185,6 +188,10 @@ class RiskResult(ShortRepr):
     beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
     below : what motions below the first row of the hazard add if it goes on with its first slope; None where that has
         no end [1/year]
+    above_runs : what motions within the rows of the hazard that are stronger than any run add if every one of them
+        reaches the state [1/year]
+    motion_known : False where the mechanism is above the ground and its base moves as the ground, or as that times a
+        number: such a rate can exceed a target, and cannot be within it
     target_rate : that the project sets [1/year]; None where it sets none
     with_epistemic : the rate with the epistemic dispersion added to that of the records, by the root of squares
         [1/year]; of lognormal curves where one is given
@@ -202,17 +209,29 @@ class RiskResult(ShortRepr):
     notes: tuple[Message, ...] = ()
     with_epistemic: float | None = None
     below: float | None = 0.0
+    above_runs: float = 0.0
+    motion_known: bool = True
 
     @property
     def outcome(self) -> Literal["pass", "fail", "incomplete"] | None:
-        """Whether the rate is within its target, also with what the hazard leaves out; None without a target."""
+        """Whether the rate is within its target, also with what hazard and runs leave out; None without a target."""
         if self.target_rate is None:
             return None
         if self.annual_rate > self.target_rate:
             return "fail"
-        if self.below is None or self.annual_rate + self.beyond + self.below > self.target_rate:
-            return "incomplete"
-        return "pass"
+        return "pass" if self.gap is None else "incomplete"
+
+    @property
+    def gap(self) -> Gap | None:
+        """What is missing to tell that the rate is within its target; None where nothing is, or without a target."""
+        if self.target_rate is None:
+            return None
+        if not self.motion_known:
+            return "motion"
+        if self.annual_rate + self.above_runs > self.target_rate:
+            return "runs"
+        left_out = inf if self.below is None else self.above_runs + self.beyond + self.below
+        return "hazard" if self.annual_rate + left_out > self.target_rate else None
 
 
 @dataclass(frozen=True, repr=False)

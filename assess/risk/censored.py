@@ -10,45 +10,10 @@ stand again at a higher intensity.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.special import log_ndtr
 
 from assess.risk.likelihood import Likelihood, maximise_likelihood
-from assess.risk.lognormal import Lognormal, Unbounded
 from spectra.arrays import FloatArray, IntArray
-
-
-def fit_first(stands: ArrayLike, reaches: ArrayLike) -> Lognormal | None:
-    """Return the lognormal of first exceedance of greatest likelihood; None where the records do not bound one.
-
-    Parameters
-    ----------
-    stands : largest intensity below the first exceedance at which each record was run; 0 where it reaches the state at
-        its least one [records]
-    reaches : intensity of the first exceedance; inf where it stands at its largest scale; equal to `stands` where it is
-        known exactly [records]
-    """
-    lower, upper = (np.asarray(each, dtype=np.float64) for each in (stands, reaches))
-    median, dispersion = fit_firsts(lower, upper, np.ones((1, lower.size)))
-    return None if np.isnan(median[0]) else Lognormal(float(median[0]), float(dispersion[0]))
-
-
-def first_unbounded_reason(stands: ArrayLike, reaches: ArrayLike) -> Unbounded | None:
-    """Return why first exceedances do not bound a lognormal; None where they do.
-
-    Parameters
-    ----------
-    stands : as `fit_first` takes it [records]
-    reaches : as `fit_first` takes it [records]
-    """
-    lower, upper = (np.asarray(each, dtype=np.float64) for each in (stands, reaches))
-    if np.isinf(upper).all():
-        return Unbounded.NONE_REACH
-    if not lower.any():
-        return Unbounded.ALL_REACH
-    if lower.max() <= upper.min():
-        return Unbounded.SEPARATED
-    return Unbounded.FALLING if fit_first(lower, upper) is None else None
 
 
 def fit_firsts(stands: FloatArray, reaches: FloatArray, counts: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -56,8 +21,10 @@ def fit_firsts(stands: FloatArray, reaches: FloatArray, counts: FloatArray) -> t
 
     Parameters
     ----------
-    stands : as `fit_first` takes it [records]
-    reaches : as `fit_first` takes it [records]
+    stands : largest intensity below the first exceedance at which each record was run; 0 where it reaches the state at
+        its least one [records]
+    reaches : intensity of the first exceedance; inf where it stands at its largest scale; equal to `stands` where it is
+        known exactly [records]
     counts : how often each record is drawn [draws, records]
     """
     with np.errstate(divide="ignore"):

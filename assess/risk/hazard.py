@@ -21,7 +21,6 @@ Probability = Callable[[FloatArray], FloatArray]
 ACCURACY = 1e-6  # relative change of the rate at which panels are halved no more
 HALVINGS = 10
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(6)
-TAIL = 40.0  # powers of e that the rate falls by beyond the last row
 DEPTH = 30  # powers of e below the first row
 
 
@@ -55,7 +54,6 @@ class Rate(ShortRepr):
     annual_rate : within the rows [1/year]
     contribution [n-1] : its parts between neighbouring rows [1/year]
     beyond : what motions above the last row add if every one reaches the state, a bound: the last row's rate [1/year]
-    tail : what they add if the hazard goes on with the slope of its last interval [1/year]
     below : what motions below the first row add if the hazard goes on with the slope of its first interval, which is
         more than true where the hazard flattens towards small motions; inf where the state is too likely there [1/year]
     """
@@ -63,31 +61,12 @@ class Rate(ShortRepr):
     annual_rate: float
     contribution: FloatArray
     beyond: float
-    tail: float
     below: float
 
     @property
     def shares(self) -> FloatArray:
         """Parts of the rate between neighbouring rows [n-1] [-]; zeros where the rate is zero."""
         return self.contribution / self.annual_rate if self.annual_rate > 0.0 else np.zeros_like(self.contribution)
-
-
-def hazard_of_return_periods(intensity: ArrayLike, return_period: ArrayLike) -> HazardCurve:
-    """Return the hazard of rows of return periods, as codes tabulate it: the rate is 1 / T_R.
-
-    NTC 2018 defines T_R = -V_R / ln(1 - P_VR) (3.2.1), so that 1 / T_R is the rate of Poisson's process itself, and
-    -ln(1 - 1 / T_R), which takes 1 / T_R for a probability in one year, would be wrong.
-
-    Parameters
-    ----------
-    intensity : of each row, in any order, positive [n]
-    return_period : of each row [n] [years]
-    """
-    im, T_R = (np.asarray(each, dtype=np.float64) for each in (intensity, return_period))
-    if not (T_R > 0.0).all():
-        raise HazardError(f"hazard: return period {T_R[~(T_R > 0.0)][0]:g} years; return periods are positive")
-    order = np.argsort(T_R, kind="stable")
-    return HazardCurve(im[order], 1.0 / T_R[order])
 
 
 def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = ()) -> Rate:
@@ -110,7 +89,6 @@ def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (
         float(contribution.sum()),
         contribution,
         float(hazard.annual_rate[-1]),
-        _tail(probability, u[-1], v[-1], slopes[-1], kinks),
         _below(probability, u[0], v[0], slopes[0], kinks),
     )
 
@@ -124,17 +102,6 @@ def probability_of(annual_rate: float, *, years: float = 50.0) -> float:
     years : of exposure
     """
     return float(-np.expm1(-annual_rate * years))
-
-
-def rate_of(probability: float, *, years: float = 50.0) -> float:
-    """Return the annual rate with which a probability in some years is reached: -ln(1 - probability) / years.
-
-    Parameters
-    ----------
-    probability : below 1
-    years : of exposure
-    """
-    return float(-np.log1p(-probability) / years)
 
 
 def _check(intensity: FloatArray, annual_rate: FloatArray) -> None:
@@ -179,17 +146,6 @@ def _gauss(
     density = k[:, None, None] * np.exp(v_0[:, None, None] - k[:, None, None] * (u - u_0[:, None, None]))
     inside = probability(np.exp(u).ravel()).reshape(u.shape) * density
     return np.asarray((inside @ WEIGHTS).sum(axis=1) * 0.5 * width[:, 0])
-
-
-def _tail(probability: Probability, u: float, v: float, k: float, kinks: FloatArray) -> float:
-    """Return the rate above the last row, the last slope going on; without slope the bound."""
-    if k <= 0.0:
-        return float(np.exp(v))
-    corners = np.unique(
-        np.concatenate([u + np.linspace(0.0, TAIL / k, 41), kinks[(kinks > u) & (kinks < u + TAIL / k)]])
-    )
-    same = np.ones(corners.size - 1)
-    return float(_integrate(probability, corners, u * same, v * same, k * same).sum())
 
 
 def _below(probability: Probability, u: float, v: float, k: float, kinks: FloatArray) -> float:

@@ -24,16 +24,16 @@ from spectra.arrays import FloatArray
 from spectra.columns import ACCELERATION_UNITS, ColumnError, decode, factor_of, read_columns
 
 VELOCITY_UNITS = {"m/s": 1.0, "cm/s": 0.01, "mm/s": 1e-3}
-UNITS: Mapping[str, tuple[Literal["pga", "sa", "pgv"], Literal["g", "m/s"], float]] = {
-    "PGA": ("pga", "g", 1.0),
-    "SA": ("sa", "g", 1.0),
-    "PGV": ("pgv", "m/s", 0.01),
-}
-"""Measure and unit of OpenQuake's names, and what converts its unit to ours."""
+IN_G = {name: factor / g for name, factor in ACCELERATION_UNITS.items()}
+Measure = Literal["pga", "sa", "pgv"]
+FACTORS: Mapping[str, tuple[Measure, float]] = {"PGA": ("pga", 1.0), "SA": ("sa", 1.0), "PGV": ("pgv", 0.01)}
+"""Measure of OpenQuake's names, and what converts its unit to g or m/s."""
+PLAIN: Mapping[str, tuple[Measure, Mapping[str, float]]] = {"pga": ("pga", IN_G), "pgv": ("pgv", VELOCITY_UNITS)}
+"""Measure and units of the first column of a plain file, by how its label begins."""
 YEARS = {"1/year", "1/yr", "1/y", "1/a", "year^-1"}
 PERIODS = {"year", "years", "yr", "a"}
 EARTH_RADIUS = 6371.0  # km
-FARTHEST = 100.0  # km from the site to the nearest of a file
+FARTHEST = 50.0  # km from the nearest site of a file to the one asked for
 EXAMPLE = "pga [g], annual_rate [1/year]"
 IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
 
@@ -42,25 +42,15 @@ IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
 class SiteHazard(ShortRepr):
     """A hazard curve with what its file says of it.
 
-    curve : intensity in `unit`
-    measure : "pga", "sa", "pgv"; None where a plain file does not say
-    period : of "sa" [s]
-    unit : "g", "m/s", or "-" of a ratio
-    longitude, latitude : of the row [deg]; distance : from the site asked for [km]; None where not given
-    years : investigation time of OpenQuake
-    certain, never : columns left out, as their probability of exceedance is 1 (a rate that is not known) or 0
+    curve : PGA and SA in g, PGV in m/s
+    measure : "pga", "sa", "pgv"; period : of "sa" [s]
+    distance : of the site of the file from the one asked for [km]; None where none is asked for
     """
 
     curve: HazardCurve
-    unit: Literal["g", "m/s", "-"]
-    measure: Literal["pga", "sa", "pgv"] | None = None
+    measure: Measure
     period: float | None = None
-    longitude: float | None = None
-    latitude: float | None = None
     distance: float | None = None
-    years: float | None = None
-    certain: int = 0
-    never: int = 0
 
 
 def read_hazard(path: Path, *, longitude: float | None = None, latitude: float | None = None) -> SiteHazard:
@@ -90,36 +80,30 @@ def _plain(path: Path) -> SiteHazard:
     label, unit = columns.header[0], columns.units[0]
     if unit is None:
         raise HazardError(f"the header gives no unit for the intensity; write it like: {EXAMPLE}")
-    name, to_unit = _unit(unit)
-    values, rates = to_unit * columns.values[:, 0], columns.values[:, 1]
+    start = label.strip().lower()[:3]
+    if start not in PLAIN:
+        raise HazardError(
+            f'its first column is "{label.strip()}", neither pga nor pgv; write the header like: {EXAMPLE}; give '
+            "spectral accelerations as OpenQuake does"
+        )
+    measure, units = PLAIN[start]
+    values, rates = factor_of(unit, known=units) * columns.values[:, 0], columns.values[:, 1]
     if (columns.units[1] or "").replace(" ", "").lower() in PERIODS:
         with np.errstate(divide="ignore"):
             rates = 1.0 / rates
     elif (columns.units[1] or "1/year").replace(" ", "").lower() not in YEARS:
         raise HazardError(f'unit "{columns.units[1]}" of the second column is not known; write it like: {EXAMPLE}')
     order = np.argsort(values, kind="stable")
-    start = label.strip().lower()[:3]
-    measure: Literal["pga", "pgv"] | None = "pga" if start == "pga" else "pgv" if start == "pgv" else None
-    return SiteHazard(HazardCurve(values[order], rates[order]), name, measure=measure)
-
-
-def _unit(text: str) -> tuple[Literal["g", "m/s", "-"], float]:
-    """Return the unit in which intensities of a plain file are held, and what converts them to it."""
-    if text == "-":
-        return "-", 1.0
-    try:
-        return "m/s", factor_of(text, known=VELOCITY_UNITS)
-    except ColumnError:
-        return "g", factor_of(text, known={**ACCELERATION_UNITS, **VELOCITY_UNITS, "-": 1.0}) / g
+    return SiteHazard(HazardCurve(values[order], rates[order]), measure)
 
 
 def _openquake(path: Path, lines: list[str], longitude: float | None, latitude: float | None) -> SiteHazard:
     comment = " ".join(line for line in lines if line.lstrip().startswith("#"))
     rows = list(csv.reader(line for line in lines if not line.lstrip().startswith("#")))
     header = [field.split(":")[0].strip() for field in rows[0]]
-    measure, unit, factor, period = _measure(path, comment)
+    measure, factor, period = _measure(path, comment)
     years = _years(comment)
-    row, place, distance = _site(header, rows[1:], longitude, latitude)
+    row, distance = _site(header, rows[1:], longitude, latitude)
     levels = [(at, _number(name[4:], name)) for at, name in enumerate(header) if name.startswith("poe-")]
     im = factor * np.array([level for _, level in levels])
     poe = np.array([_number(row[at], header[at]) for at, _ in levels])
@@ -128,13 +112,11 @@ def _openquake(path: Path, lines: list[str], longitude: float | None, latitude: 
     known = (poe > 0.0) & (poe < 1.0)
     if known.sum() < 2:
         raise HazardError("fewer than two probabilities of exceedance lie between 0 and 1; compute more levels")
-    curve = HazardCurve(im[known], -np.log1p(-poe[known]) / years)
-    certain, never = int((poe == 1.0).sum()), int((poe == 0.0).sum())
-    return SiteHazard(curve, unit, measure, period, *place, distance, years, certain, never)
+    return SiteHazard(HazardCurve(im[known], -np.log1p(-poe[known]) / years), measure, period, distance)
 
 
-def _measure(path: Path, comment: str) -> tuple[Literal["pga", "sa", "pgv"], Literal["g", "m/s"], float, float | None]:
-    """Return measure, unit, factor of the unit and period from the comment, else from the file's name."""
+def _measure(path: Path, comment: str) -> tuple[Measure, float, float | None]:
+    """Return measure, factor of its unit and period from the comment, else from the file's name."""
     found = re.search(r"\bimt=[\\\"' ]*" + IMT, comment) or re.search(rf"-{IMT}(?:_\d+)?\.csv$", path.name)
     if found is None:
         raise HazardError(
@@ -142,10 +124,10 @@ def _measure(path: Path, comment: str) -> tuple[Literal["pga", "sa", "pgv"], Lit
             "hazard_curve-mean-PGA_23.csv"
         )
     name, _, inside = found[1].partition("(")
-    if name not in UNITS or (name == "SA") != bool(inside):
+    if name not in FACTORS or (name == "SA") != bool(inside):
         raise HazardError(f'intensity measure "{found[1]}" cannot be used; export one of PGA, PGV, SA(period)')
-    measure, unit, factor = UNITS[name]
-    return measure, unit, factor, _number(inside.rstrip(")"), found[1]) if inside else None
+    measure, factor = FACTORS[name]
+    return measure, factor, _number(inside.rstrip(")"), found[1]) if inside else None
 
 
 def _years(comment: str) -> float:
@@ -161,28 +143,28 @@ def _years(comment: str) -> float:
 
 def _site(
     header: list[str], rows: list[list[str]], longitude: float | None, latitude: float | None
-) -> tuple[list[str], tuple[float | None, float | None], float | None]:
-    """Return the row of the site, its place and the distance to the one asked for [km]."""
+) -> tuple[list[str], float | None]:
+    """Return the row of the site, and its distance to the one asked for [km]."""
     wrong = next((at for at, row in enumerate(rows, start=1) if len(row) != len(header)), None)
     if wrong is not None or not rows:
         raise HazardError(f"site {wrong} has another number of columns than the header" if rows else "it has no site")
     if not {"lon", "lat"} <= set(header):
         if len(rows) > 1:
             raise HazardError(f"it has {len(rows)} sites and no columns lon and lat to choose from")
-        return rows[0], (None, None), None
+        return rows[0], None
     lon, lat = ([_number(row[header.index(name)], name) for row in rows] for name in ("lon", "lat"))
     if longitude is None or latitude is None:
         if len(rows) > 1:
             raise HazardError(f"it has {len(rows)} sites; give longitude and latitude of yours")
-        return rows[0], (lon[0], lat[0]), None
+        return rows[0], None
     distances = _distance(np.array(lon), np.array(lat), longitude, latitude)
     at = int(np.argmin(distances))
     if not distances[at] <= FARTHEST:
         raise HazardError(
-            f"its nearest site, longitude {lon[at]:g}, latitude {lat[at]:g}, is {distances[at]:.0f} km from longitude "
-            f"{longitude:g}, latitude {latitude:g}; give the hazard of your site, at most {FARTHEST:g} km away"
+            f"its nearest site is {distances[at]:.0f} km from longitude {longitude:g}, latitude {latitude:g}; give the "
+            "hazard of the site"
         )
-    return rows[at], (lon[at], lat[at]), float(distances[at])
+    return rows[at], float(distances[at])
 
 
 def _distance(lon: FloatArray, lat: FloatArray, longitude: float, latitude: float) -> FloatArray:

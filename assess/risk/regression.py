@@ -17,7 +17,6 @@ from scipy.special import expit, ndtr
 from scipy.stats import t as student
 
 from assess.risk.binomial import counts_overlap, ends, fit_binomial
-from assess.risk.lognormal import Lognormal
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
@@ -29,38 +28,6 @@ LEAST = 3  # records, or groups, that a slope with its spread needs
 
 
 @dataclass(frozen=True, repr=False)
-class Cloud(ShortRepr):
-    """The demand of records that make the mechanism rock, ln D = intercept + slope ln IM + sigma N(0, 1), and the rest.
-
-    intercept, slope, sigma : of the regression [-]
-    rocks, overturns : intercept and slope in ln IM of the logistic probability that a record which does not overturn it
-        makes it rock, and that a record overturns it
-    rocking, still, overturned : numbers of records
-    """
-
-    intercept: float
-    slope: float
-    sigma: float
-    rocks: tuple[float, float]
-    overturns: tuple[float, float]
-    rocking: int
-    still: int
-    overturned: int
-
-    def probability(self, intensity: ArrayLike, threshold: float) -> FloatArray:
-        """Return the probability that the demand exceeds the threshold at each intensity, any shape [-].
-
-        Parameters
-        ----------
-        intensity : positive
-        threshold : in the demand's unit; inf for overturning
-        """
-        at = np.log(np.asarray(intensity, dtype=np.float64))
-        row = np.array([[self.intercept, self.slope, self.sigma, *self.rocks, *self.overturns]])
-        return _probability(row, at.reshape(1, -1), threshold).reshape(at.shape)
-
-
-@dataclass(frozen=True, repr=False)
 class Slope(ShortRepr):
     """The slope of a straight line through points, with the two-sided p-value of a slope of zero; n : points."""
 
@@ -69,53 +36,23 @@ class Slope(ShortRepr):
     n: int
 
 
-def fit_cloud(intensity: ArrayLike, demand: ArrayLike) -> Cloud | None:
-    """Return the cloud; None where fewer than three records at two intensities rock without overturning.
+def equivalent_lognormals(
+    intensity: FloatArray, demand: FloatArray, counts: FloatArray, threshold: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return medians and dispersions [draws] of the lognormals equivalent to clouds; nan where there is none.
+
+    They have the cloud's median and half its logarithmic range from 16 to 84 %; there is none where the cloud does not
+    pass through these within a factor exp(7) of the records.
 
     Parameters
     ----------
     intensity : of each record, positive [records]
     demand : largest rotation, or its ratio to the one that overturns: 0 where it does not rock, inf where it overturns
         [records]
-    """
-    im, d = (np.asarray(each, dtype=np.float64) for each in (intensity, demand))
-    row = _fit_clouds(im, d, np.ones((1, im.size)))[0]
-    if not np.isfinite(row[:3]).all():
-        return None
-    over, still = int(np.isinf(d).sum()), int((d == 0.0).sum())
-    a, b, sigma, *rest = (float(each) for each in row)
-    return Cloud(a, b, sigma, (rest[0], rest[1]), (rest[2], rest[3]), d.size - over - still, still, over)
-
-
-def equivalent_lognormal(cloud: Cloud, threshold: float, *, intensity: ArrayLike) -> Lognormal | None:
-    """Return the lognormal with the cloud's median and half its logarithmic range from 16 to 84 %.
-
-    None where the cloud's probability does not pass through these within a factor exp(7) of the records.
-
-    Parameters
-    ----------
-    cloud : of the records
-    threshold : demand at which the state is reached; inf for overturning
-    intensity : of the records, around which the curve is sought [records]
-    """
-    row = np.array([[cloud.intercept, cloud.slope, cloud.sigma, *cloud.rocks, *cloud.overturns]])
-    median, dispersion = _equivalents(row, np.log(np.asarray(intensity, dtype=np.float64)), threshold)
-    return None if np.isnan(median[0]) else Lognormal(float(median[0]), float(dispersion[0]))
-
-
-def equivalent_lognormals(
-    intensity: FloatArray, demand: FloatArray, counts: FloatArray, threshold: float
-) -> tuple[FloatArray, FloatArray]:
-    """Return medians and dispersions [draws] of the lognormals equivalent to clouds; nan where there is none.
-
-    Parameters
-    ----------
-    intensity : as `fit_cloud` takes it [records]
-    demand : as `fit_cloud` takes it [records]
     counts : how often each record is drawn [draws, records]
     threshold : demand at which the state is reached; inf for overturning
     """
-    return _equivalents(_fit_clouds(intensity, demand, counts), np.log(intensity), threshold)
+    return _equivalents(fit_clouds(intensity, demand, counts), np.log(intensity), threshold)
 
 
 def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = None) -> Slope | None:
@@ -149,11 +86,22 @@ def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = N
     return Slope(slope, float(2.0 * student.sf(abs(slope) / error, freedom)) if error > 0.0 else 0.0, int(x.size))
 
 
-def _fit_clouds(im: FloatArray, d: FloatArray, counts: FloatArray) -> FloatArray:
-    """Return intercept, slope, sigma and both logistic curves of each draw [draws, 7]; nan where there is no line."""
-    x, over = np.log(im), np.isinf(d)
-    rocks = (d > 0.0) & ~over
-    line = _lines(x[rocks], np.log(d[rocks]), counts[:, rocks])
+def fit_clouds(intensity: FloatArray, demand: FloatArray, counts: FloatArray) -> FloatArray:
+    """Return the clouds of draws [draws, 7]; nan where fewer than three records at two intensities rock on.
+
+    A row is intercept, slope and sigma of ln D = a + b ln IM + sigma N(0, 1) of those that rock and do not overturn,
+    then intercept and slope in ln IM of the logistic probability that a record which does not overturn it makes it
+    rock, and those of the probability that a record overturns it.
+
+    Parameters
+    ----------
+    intensity : as `equivalent_lognormals` takes it [records]
+    demand : as `equivalent_lognormals` takes it [records]
+    counts : how often each record is drawn [draws, records]
+    """
+    x, over = np.log(intensity), np.isinf(demand)
+    rocks = (demand > 0.0) & ~over
+    line = _lines(x[rocks], np.log(demand[rocks]), counts[:, rocks])
     stood = counts[:, ~over]
     return np.hstack([line, _logistic(x[~over], stood * rocks[~over], stood), _logistic(x, counts * over, counts)])
 
@@ -186,8 +134,15 @@ def _logistic(x: FloatArray, reached: FloatArray, records: FloatArray) -> FloatA
     return np.asarray(np.where(none[:, None], [-np.inf, 0.0], theta))
 
 
-def _probability(row: FloatArray, u: FloatArray, threshold: float) -> FloatArray:
-    """Return probabilities at logarithms of intensity u [draws, m] of clouds [draws, 7]."""
+def cloud_probability(row: FloatArray, u: FloatArray, threshold: float) -> FloatArray:
+    """Return the probabilities that the demand exceeds a threshold [draws, m].
+
+    Parameters
+    ----------
+    row : clouds, as `fit_clouds` returns them [draws, 7]
+    u : logarithms of intensity [draws, m], or [1, m] for all draws
+    threshold : in the demand's unit; inf for overturning
+    """
     a, b, sigma, a_r, b_r, a_o, b_o = (each[:, None] for each in row.T)
     overturns, rocks = expit(a_o + b_o * u), expit(a_r + b_r * u)
     if np.isinf(threshold):
@@ -201,10 +156,10 @@ def _equivalents(row: FloatArray, u: FloatArray, threshold: float) -> tuple[Floa
     """Return medians and dispersions of the lognormals with the 16, 50 and 84 % of clouds [draws]."""
     start = np.full((len(row), len(LEVELS)), u.min() - REACH)
     low, high = start, np.full_like(start, u.max() + REACH)
-    inside = (_probability(row, low, threshold) < LEVELS) & (_probability(row, high, threshold) > LEVELS)
+    inside = (cloud_probability(row, low, threshold) < LEVELS) & (cloud_probability(row, high, threshold) > LEVELS)
     for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
-        below = _probability(row, middle, threshold) < LEVELS
+        below = cloud_probability(row, middle, threshold) < LEVELS
         low, high = np.where(below, middle, low), np.where(below, high, middle)
     good = inside.all(axis=1) & (high[:, 2] > high[:, 0])
     return np.where(good, np.exp(high[:, 1]), np.nan), np.where(good, 0.5 * (high[:, 2] - high[:, 0]), np.nan)

@@ -15,6 +15,9 @@ from assess.results.uncertainty import Distribution
 from assess.study.study import Sampled
 from spectra.arrays import FloatArray
 
+PARTS = 4096
+"""Equally likely values that a mean is taken over."""
+
 
 def values_at(number: Sampled, probability: ArrayLike) -> FloatArray:
     """Return the values of a number that it does not exceed with these probabilities.
@@ -37,6 +40,12 @@ def values_at(number: Sampled, probability: ArrayLike) -> FloatArray:
 def share_cut_off(number: Sampled) -> float:
     """Return the probability that a number would lie beyond its physical limits, if it had none."""
     return sum(_beyond(number))
+
+
+def mean_kept(number: Sampled) -> float:
+    """Return the mean of the values that a number takes within its physical limits, over the mean that is given."""
+    middles = (np.arange(PARTS) + 0.5) / PARTS
+    return float(values_at(number, middles).mean() / number.given.mean)
 
 
 def _beyond(number: Sampled) -> tuple[float, float]:

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.check import Check
-from assess.codes.numerical_spread import FIGURES, standing_figures
+from assess.codes.standing_figures import FIGURES, standing_figures
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
 from assess.mechanisms.directions import Directions

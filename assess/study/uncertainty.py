@@ -18,7 +18,7 @@ from assess.errors import AssessError
 from assess.messages.message import Message, Quantity, note
 from assess.results import MechanismResult
 from assess.results.uncertainty import UncertainAnswer, UncertaintyResult
-from assess.study.distributions import share_cut_off, values_at
+from assess.study.distributions import mean_kept, share_cut_off, values_at
 from assess.study.motions import ScaledRecord
 from assess.study.progress import Progress
 from assess.study.sample_answers import (
@@ -229,7 +229,8 @@ def cut_off(numbers: Sequence[Sampled]) -> Iterator[Message]:
     for number in numbers:
         share = share_cut_off(number)
         if share > TOLD:
-            yield note("uncertainty-cut-off", number.given.key, share=Quantity(share, "ratio", 2))
+            mean = Quantity(mean_kept(number), "ratio", 3)
+            yield note("uncertainty-cut-off", number.given.key, share=Quantity(share, "ratio", 2), mean=mean)
 
 
 def idle(sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]) -> Iterator[Message]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from assess.codes.numerical_spread import FIGURES, standing_figures
+from assess.codes.standing_figures import FIGURES, standing_figures
 from assess.messages.message import Message, Quantity
 from assess.results import HistoryResult, MechanismResult, Results, SuiteResult
 from reports import governing

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import isclose
 
 from assess.codes.check import Check, Reason
-from assess.codes.numerical_spread import interval_figures, ratio_figures
+from assess.codes.standing_figures import interval_figures, ratio_figures
 from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document

@@ -7,7 +7,7 @@ from functools import partial
 from math import ceil
 
 from assess.codes.check import Check
-from assess.codes.numerical_spread import ratio_figures
+from assess.codes.standing_figures import ratio_figures
 from assess.codes.verdict import MechanismVerdict
 from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results

@@ -38,8 +38,9 @@ RATE = Column(say("Annual rate"), "annual rate", FIGURES)
 PROBABILITY = Column(say("In 50 years"), "percent", FIGURES)
 TARGET = Column(say("Target rate"), "annual rate", FIGURES)
 BEYOND = Column(say("Beyond the hazard"), "annual rate", FIGURES)
+ABOVE_RUNS = Column(say("Above the runs"), "annual rate", FIGURES)
 WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", FIGURES)
-RISK = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND)
+RISK = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND, ABOVE_RUNS)
 SIGNIFICANT = 0.05
 MOST = 6
 """Islands on a page; the tables of the spreadsheet have all."""
@@ -71,7 +72,11 @@ def overview(results: FragilityResults) -> Table:
 OUTCOMES = {
     "pass": Graded("pass", say("within the target")),
     "fail": Graded("fail", say("more than the target")),
-    "incomplete": Graded("incomplete", say("not known: the hazard ends too soon")),
+}
+GAPS = {
+    "motion": Graded("incomplete", say("not known: ground motion at a height")),
+    "runs": Graded("incomplete", say("not known: the runs end too soon")),
+    "hazard": Graded("incomplete", say("not known: the hazard ends too soon")),
 }
 
 
@@ -83,7 +88,14 @@ def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Itera
     yield None if risk is None else risk.annual_rate
     yield None if risk is None else PERCENT * risk.probability_50_years
     yield None if risk is None else risk.target_rate
-    yield None if risk is None or risk.outcome is None else OUTCOMES[risk.outcome]
+    yield None if risk is None or risk.outcome is None else _graded(risk)
+
+
+def _graded(risk: RiskResult) -> Graded:
+    """Return the outcome of a rate beside its target, with what is missing."""
+    if risk.outcome == "incomplete" and risk.gap is not None:
+        return GAPS[risk.gap]
+    return OUTCOMES[risk.outcome or "pass"]
 
 
 def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
@@ -214,7 +226,8 @@ def risks(mechanism: MechanismFragility, name: str) -> Table:
     muted = frozenset(place for place, risk in enumerate(mechanism.risks) if risk.curve == "first")
     caption = say(
         "Annual rates and probabilities in 50 years. Beyond the hazard: what the rate can lack, if every motion "
-        "stronger than the last row of the hazard reaches the state."
+        "stronger than the last row of the hazard reaches the state. Above the runs: the same of motions within the "
+        "hazard that are stronger than any run."
     )
     return Table(name, caption, columns, rows, muted, small=True)
 
@@ -229,6 +242,7 @@ def risk_cells(risk: RiskResult) -> tuple[Cell, ...]:
         PERCENT * risk.probability_50_years,
         risk.target_rate,
         risk.beyond,
+        risk.above_runs,
         risk.with_epistemic,
     )
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from assess.results.fragility import (
     FragilityCurve,
+    Gap,
     LognormalResult,
     MeasureResult,
     MechanismFragility,
@@ -42,6 +43,16 @@ RATES: Mapping[str, Phrase] = {
     "lognormal": say("from the lognormal"),
     "first": say("bound, from the first intensity"),
 }
+GAPS: Mapping[Gap, Phrase] = {
+    "motion": say(
+        "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
+        "modal filter"
+    ),
+    "runs": say("the hazard has stronger motions than those that were run; run to a larger intensity"),
+    "hazard": say(
+        "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
+    ),
+}
 
 
 def summary(mechanism: MechanismFragility) -> Iterator[Text]:
@@ -49,6 +60,7 @@ def summary(mechanism: MechanismFragility) -> Iterator[Text]:
     curve, risk = main_curve(mechanism), main_risk(mechanism)
     if curve is not None:
         yield how_strong(curve)
+        yield from _extrapolated(curve)
     if risk is not None:
         yield how_likely(risk)
         if risk.target_rate is not None:
@@ -78,6 +90,19 @@ def how_strong(curve: FragilityCurve) -> Text:
         state=state_text(curve.state),
         **words,
     )
+
+
+def _extrapolated(curve: FragilityCurve) -> Iterator[Text]:
+    """Say where the median of a curve lies beyond the runs."""
+    if curve.lognormal is None or not curve.empirical:
+        return
+    last = curve.empirical[-1]
+    if curve.lognormal.median > last.intensity:
+        yield say(
+            "The runs end at {most}, where {share} of the records reach it: what is said of 50 of 100 is extrapolated.",
+            most=intensity(last.intensity, curve.measure),
+            share=percent(last.share),
+        )
 
 
 def _counted(curve: FragilityCurve) -> Text:
@@ -122,15 +147,11 @@ def how_likely(risk: RiskResult) -> Text:
 def beside_target(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
     target = rate(risk.target_rate or 0.0)
-    if risk.outcome == "incomplete":
-        return say(
-            "Whether this is within the target of {target} is not known: stronger or more frequent motions than the "
-            "hazard lists may add to it; give a hazard of more return periods.",
-            target=target,
-        )
-    if risk.outcome == "pass":
+    if risk.outcome == "fail":
+        return say("This is more than the target of {target}.", target=target)
+    if risk.gap is None:
         return say("This is within the target of {target}.", target=target)
-    return say("This is more than the target of {target}.", target=target)
+    return say("Whether this is within the target of {target} is not known: {why}.", target=target, why=GAPS[risk.gap])
 
 
 def rate(value: float) -> Text:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.codes.basis import IndexKind
-from assess.codes.check import Check, Outcome
-from assess.codes.numerical_spread import NEEDED, ratio_figures
+from assess.codes.check import NEEDED, Check, Outcome
+from assess.codes.standing_figures import ratio_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
 from assess.results import MechanismResult, Results

@@ -131,7 +131,9 @@ def _records() -> Iterator[Case]:
     for name, data in _waveforms().items():
         yield _record(name, data, "--unit", "mm/s2")
     for folder in sorted(PUBLIC.iterdir()) if PUBLIC.is_dir() else ():
-        small = [path for path in sorted(folder.glob("*")) if path.stat().st_size < LARGEST and path.suffix != ".gz"]
+        small = [
+            path for path in sorted(folder.glob("[!.]*")) if path.stat().st_size < LARGEST and path.suffix != ".gz"
+        ]
         for path in small[:: max(len(small) // OF_EACH, 1)][:OF_EACH]:
             stated = ("--unit", "g", "--step", "0.01") if folder.name == "plain" else ()
             yield _record(path.name, path.read_bytes(), *stated)

@@ -32,6 +32,7 @@ USES: dict[str, Sequence[tuple[str, ...]]] = {
     "run": [("{project}", "-o", "{out}")],
     "envelope": [("{project}",)],
     "fragility": [("{project}",)],
+    "batch": [("{portfolio}", "-o", "{out}-batch", "--rows-only")],
     "diff": [("{results}", "{results}")],
     "records list": RECORDS,
     "records convert": [(*files, "-o", "{out}.csv") for files in (*RECORDS, ("{at2}", "{east}", "--azimuth", "30"))],
@@ -102,10 +103,12 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     (root / "bare.txt").write_text("\n".join(f"{a:.9f}" for a in shake))
     (root / "target.csv").write_text("period [s],acceleration [g]\n0,0.1\n0.1,0.25\n0.5,0.25\n4,0.02\n")
     (root / "walls.toml").write_text(PROJECT)
+    (root / "portfolio" / "one").mkdir(parents=True)
+    (root / "portfolio" / "one" / "project.toml").write_text(PROJECT)
     with pytest.raises(SystemExit):
         main(["envelope", str(root / "walls.toml"), "-o", str(root / "results"), "--jobs", "1"])
     paths = {"at2": "n.AT2", "east": "e.AT2", "bare": "bare.txt", "folder": "motions", "target": "target.csv"}
-    more = {"project": "walls.toml", "results": "results/envelopes.json", "out": "out"}
+    more = {"project": "walls.toml", "results": "results/envelopes.json", "portfolio": "portfolio", "out": "out"}
     return {key: str(root / path) for key, path in (paths | more).items()}
 
 

@@ -7,7 +7,7 @@ from textwrap import wrap
 
 from assess.cli.tables.text_table import on_one_line, text_table
 from assess.cli.tables.uncertainty import uncertainty_lines
-from assess.codes.numerical_spread import interval_figures
+from assess.codes.standing_figures import interval_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.codes.verdict_text import (
     action_text,

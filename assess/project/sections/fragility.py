@@ -157,8 +157,9 @@ class Risk(Section):
     """rows [{ return_period | rate, pga }, …], of falling rate; those of [site.spectrum] if absent"""
     curve: InputFile | None = None
     """hazard curves of OpenQuake as CSV, like "hazard_curve-mean-PGA.csv", in place of hazard"""
-    site: tuple[Ratio, Ratio] | None = None
-    """[longitude, latitude] in degrees: which site of `curve`, the nearest; needed where it holds several"""
+    site: tuple[Annotated[Ratio, Field(ge=-180, le=360)], Annotated[Ratio, Field(ge=-90, le=90)]] | None = None
+    """[longitude, latitude] in degrees: which site of `curve`, the nearest, at most 50 km away; needed where it holds
+    several"""
     target: PositiveRatio | None = None
     """annual rate that the risk is compared with, like 2e-4"""
 

@@ -28,7 +28,7 @@ from assess.short_repr import ShortRepr
 from assess.study.fragility.comparison import Origins, compare, origins_of
 from assess.study.fragility.curves import Intensities, fragility_curve
 from assess.study.fragility.measures import Rocker, at_base, default_measures, intensities
-from assess.study.fragility.messages import mechanism_notes, study_warnings
+from assess.study.fragility.messages import base_motion_known, mechanism_notes, study_warnings
 from assess.study.fragility.proportional import convert, factor_between
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.fragility.risk import risks
@@ -194,7 +194,7 @@ def mechanism_fragility(
         runs=tuple(record_runs(shaken, place, record, origins) for place, record in enumerate(records)),
         curves=tuple(curves),
         comparison=tuple(compare(runs, one, curve, origins) for one, curve in zip(cycle(by), curves, strict=False)),
-        risks=tuple(risks(curves, question, epistemic=epistemic)),
+        risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=base_motion_known(study, mechanism))),
         epistemic=epistemic,
         epistemic_sources=dict(question.epistemic) or None,
         measures=tuple(one.measure for one in shaken.by),

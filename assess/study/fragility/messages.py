@@ -13,7 +13,7 @@ from assess.results.fragility import LARGE_SCALE
 from assess.study.coarse_records import MOST_NAMES, coarse_record_messages
 from assess.study.envelope_run import envelope_cases
 from assess.study.fragility.question import FragilityQuestion
-from assess.study.fragility.risk import measure_name, without_measure
+from assess.study.fragility.risk import hazard_messages, measure_name
 from assess.study.fragility.runs import Runs
 from assess.study.motions import ScaledRecord
 from assess.study.rocking_case import vibrates
@@ -43,7 +43,7 @@ def study_warnings(study: Study, records: Sequence[Record], question: FragilityQ
         *envelope_messages(study),
         *_of_records(records),
         *_of_measures(records, study, question),
-        *without_measure(question.measures, question.hazard),
+        *hazard_messages(question.measures, question.hazard),
         *coarse_record_messages(envelope_cases(study, {}), plain),
     )
 
@@ -98,11 +98,17 @@ def mechanism_notes(study: Study, mechanism: Mechanism, runs: Runs, question: Fr
 
 def _of_mechanism(study: Study, mechanism: Mechanism, runs: Runs, question: FragilityQuestion) -> Iterator[Message]:
     where = f"mechanisms.{mechanism.name}"
-    if study.grounded[mechanism.name].above and study.amplified[mechanism.name].method == "none":
-        yield warning("ground-motion", where)
+    if not base_motion_known(study, mechanism):
+        alone = study.amplified[mechanism.name].method == "none"
+        yield warning("fragility-ground-motion" if alone else "fragility-scalar-motion", where)
     if vibrates(mechanism.variants.deciding) and any(state.name == "rocking" for state in question.states):
         yield note("fragility-no-threshold", where)
     large = runs.scale[runs.run & (np.nan_to_num(runs.scale) > LARGE_SCALE)]
     if large.size:
         largest = Quantity(float(large.max()), "ratio", 3)
         yield warning("fragility-hollow", where, runs=whole_number(large.size), largest=largest)
+
+
+def base_motion_known(study: Study, mechanism: Mechanism) -> bool:
+    """Return whether the records reach the base of a mechanism as it moves: on the ground, or through the building."""
+    return not study.grounded[mechanism.name].above or study.amplified[mechanism.name].method == "modal-filter"

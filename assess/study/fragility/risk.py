@@ -1,8 +1,8 @@
 """The annual rate of a state: fragility with the hazard of the site.
 
 The share of records that reach the state at each intensity is what counts; the lognormal is beside it, and the curve
-of first exceedance bounds it. A cloud has shares at a few intensities only, one for ten records, so that the curve of
-its regression counts.
+of first exceedance bounds it. A cloud has a share for every ten records only, so that the curve of its regression
+counts.
 """
 
 from __future__ import annotations
@@ -13,19 +13,22 @@ from math import hypot, isclose, isfinite
 
 import numpy as np
 
-from assess.messages.message import Message, Quantity, note, warning
+from assess.messages.message import Message, Quantity, warning
 from assess.results.fragility import CurveName, FragilityCurve, HazardResult, LognormalResult, MeasureResult, RiskResult
 from assess.risk.empirical import Empirical
-from assess.risk.hazard import HazardCurve, Probability, Rate, probability_of, rate
+from assess.risk.hazard import HazardCurve, Probability, probability_of, rate
 from assess.risk.lognormal import Lognormal
 from assess.study.fragility.question import FragilityQuestion
+from spectra.arrays import FloatArray
 
 NOTABLE = 0.05
 """Share of the rate from which what may be missing of it is told."""
+FAR = 10.0
+"""Distance of the hazard from the site from which it is told [km]."""
 
 
 def risks(
-    curves: Sequence[FragilityCurve], question: FragilityQuestion, *, epistemic: float | None
+    curves: Sequence[FragilityCurve], question: FragilityQuestion, *, epistemic: float | None, motion_known: bool
 ) -> Iterator[RiskResult]:
     """Yield the rate of each state by each curve in the measure of the hazard.
 
@@ -34,13 +37,15 @@ def risks(
     curves : of one mechanism
     question : its hazard and target
     epistemic : dispersion that is added for comparison [-]
+    motion_known : whether the records are those of the base of the mechanism
     """
     if question.hazard is None:
         return
     hazard = HazardCurve(np.array(question.hazard.intensity), np.array(question.hazard.annual_rate))
     for curve in curves:
         if same_measure(curve.measure, question.hazard.measure) and curve.empirical:
-            yield from _of_curve(curve, hazard, question, epistemic)
+            for found in _of_curve(curve, hazard, question, epistemic):
+                yield replace(found, motion_known=motion_known)
 
 
 def same_measure(one: MeasureResult, other: MeasureResult) -> bool:
@@ -56,9 +61,8 @@ def _of_curve(
     if curve.method != "cloud":
         at = np.array([point.intensity for point in curve.empirical])
         empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
-        found = rate(empirical.probability, hazard, breaks=at)
-        notes = (*_notes(curve, found, hazard, empirical.probability), *_end(curve, hazard))
-        yield _risk(curve, "empirical", found, hazard, question, notes)
+        risk = _risk(curve, "empirical", empirical.probability, hazard, question, breaks=at)
+        yield replace(risk, notes=_notes(curve, risk, hazard, empirical.probability))
     fitted: tuple[tuple[CurveName, LognormalResult | None], ...] = (
         ("lognormal", curve.lognormal),
         ("first", curve.first),
@@ -66,10 +70,11 @@ def _of_curve(
     for name, one in fitted:
         if one is None:
             continue
-        drawn = Lognormal(one.median, one.dispersion)
-        found = rate(drawn.probability, hazard)
-        notes = _notes(curve, found, hazard, drawn.probability) if curve.method == "cloud" else ()
-        risk = _risk(curve, name, found, hazard, question, notes)
+        drawn = Lognormal(one.median, one.dispersion).probability
+        risk = _risk(curve, name, drawn, hazard, question)
+        if curve.method == "cloud":  # its last point is a group of records, not the end of the runs
+            risk = replace(risk, above_runs=0.0)
+            risk = replace(risk, notes=_notes(curve, risk, hazard, drawn))
         if epistemic:
             wide = Lognormal(one.median, hypot(one.dispersion, epistemic))
             risk = replace(risk, with_epistemic=rate(wide.probability, hazard).annual_rate)
@@ -79,11 +84,12 @@ def _of_curve(
 def _risk(
     curve: FragilityCurve,
     name: CurveName,
-    found: Rate,
+    probability: Probability,
     hazard: HazardCurve,
     question: FragilityQuestion,
-    notes: tuple[Message, ...],
+    breaks: Sequence[float] | FloatArray = (),
 ) -> RiskResult:
+    found = rate(probability, hazard, breaks=breaks)
     return RiskResult(
         measure=curve.measure,
         state=curve.state,
@@ -95,38 +101,50 @@ def _risk(
         beyond=found.beyond,
         below=found.below if isfinite(found.below) else None,
         target_rate=question.target_rate,
-        notes=notes,
+        above_runs=_above_runs(curve, probability, hazard),
     )
 
 
-def _notes(curve: FragilityCurve, found: Rate, hazard: HazardCurve, probability: Probability) -> tuple[Message, ...]:
-    """Tell where the hazard ends too soon for the rate."""
-    first, last = float(hazard.intensity[0]), float(hazard.intensity[-1])
-    starts, ends = (float(probability(np.array([at]))[0]) for at in (first, last))
+def _above_runs(curve: FragilityCurve, probability: Probability, hazard: HazardCurve) -> float:
+    """Return what the rate lacks if all motions above the largest intensity that was run reach the state [1/year]."""
+    top = curve.empirical[-1].intensity
+    if top >= hazard.intensity[-1]:
+        return 0.0
+
+    def lacking(at: FloatArray) -> FloatArray:
+        return np.where(at > top, 1.0 - probability(at), 0.0)
+
+    return rate(lacking, hazard, breaks=(top,)).annual_rate
+
+
+def _notes(
+    curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
+) -> tuple[Message, ...]:
+    """Tell where the hazard or the runs end too soon for the rate."""
+    first, last, top = float(hazard.intensity[0]), float(hazard.intensity[-1]), curve.empirical[-1]
+    starts, ends = (Quantity(float(probability(np.array([at]))[0]), "ratio", 2) for at in (first, last))
     dimension, said = curve.measure.dimension, []
-    if found.beyond > NOTABLE * found.annual_rate:
-        beyond = Quantity(found.beyond, "ratio", 2)
-        at = Quantity(last, dimension, 3)
-        said.append(warning("fragility-hazard-ends", intensity=at, share=Quantity(ends, "ratio", 2), beyond=beyond))
-    if found.below > NOTABLE * found.annual_rate:
-        at = Quantity(first, dimension, 3)
-        said.append(warning("fragility-hazard-starts", intensity=at, share=Quantity(starts, "ratio", 2)))
+    if risk.beyond > NOTABLE * risk.annual_rate:
+        beyond = Quantity(risk.beyond, "ratio", 2)
+        said.append(warning("fragility-hazard-ends", intensity=Quantity(last, dimension, 3), share=ends, beyond=beyond))
+    if risk.below is None or risk.below > NOTABLE * risk.annual_rate:
+        said.append(warning("fragility-hazard-starts", intensity=Quantity(first, dimension, 3), share=starts))
+    if risk.above_runs > NOTABLE * risk.annual_rate:
+        at, share = Quantity(top.intensity, dimension, 3), Quantity(top.share, "ratio", 2)
+        lacking = Quantity(risk.above_runs, "ratio", 2)
+        said.append(warning("fragility-runs-end", intensity=at, share=share, lacking=lacking))
     return tuple(said)
 
 
-def _end(curve: FragilityCurve, hazard: HazardCurve) -> tuple[Message, ...]:
-    """Tell where the shares that were counted end below the hazard."""
-    top = curve.empirical[-1]
-    if top.intensity >= float(hazard.intensity[-1]) or top.share >= 1.0:
-        return ()
-    return (note("fragility-curve-ends", intensity=Quantity(top.intensity, curve.measure.dimension, 3)),)
-
-
-def without_measure(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> tuple[Message, ...]:
-    """Return a warning if the hazard is in a measure that is not asked."""
-    if hazard is None or any(same_measure(each, hazard.measure) for each in measures):
-        return ()
-    return (warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_name(hazard.measure)),)
+def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:
+    """Yield a warning if the hazard is in a measure that is not asked, and if it is of a place far from the site."""
+    if hazard is None:
+        return
+    if not any(same_measure(each, hazard.measure) for each in measures):
+        yield warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_name(hazard.measure))
+    if hazard.distance_km is not None and hazard.distance_km > FAR:
+        distance = Quantity(1000.0 * hazard.distance_km, "distance", 2)
+        yield warning("fragility-hazard-far", "analysis.risk.curve", distance=distance)
 
 
 def measure_name(measure: MeasureResult) -> str:

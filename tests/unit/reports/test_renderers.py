@@ -42,7 +42,7 @@ DATA = {
     "assess.codes.check",
     "assess.codes.checklists",
     "assess.codes.families",
-    "assess.codes.numerical_spread",
+    "assess.codes.standing_figures",
     "assess.codes.verdict",
     "assess.codes.verdict.outcome",
     "assess.codes.verdict_text",

@@ -119,3 +119,10 @@ def test_texts_that_are_cut_show_where_they_part() -> None:
     told = changes_text([Change("project", "", "notes", f"{4 * alike}lime", f"{4 * alike}cement")])
     assert "…over again, lime" in told
     assert "…over again, cement" in told
+
+
+def test_fragility_is_not_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "fragility.json").write_text("{}")
+    assert ended("diff", tmp_path / "fragility.json", tmp_path / "fragility.json") == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "compare its tables, or two results.json" in line

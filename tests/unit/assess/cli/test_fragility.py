@@ -108,6 +108,7 @@ def test_files_and_exports(project: Path, tmp_path: Path, capsys: pytest.Capture
         (None, {"hazard": [{"pga": "0.1 g", "rate": 0.01}, {"pga": "0.05 g", "rate": 0.001}]}, "rows rise in pga"),
         (None, {"hazard": [{"pga": "0.1 g"}, {"pga": "0.2 g", "rate": 0.001}]}, "either return_period or rate"),
         (None, {"curve": "records/r0.csv"}, "analysis.risk.curve"),
+        (None, {"curve": "records/r0.csv", "site": [10, 200]}, "analysis.risk.site[2]: 200: must be 90 or less"),
     ],
 )
 def test_bad_input_is_one_clear_line(
@@ -147,3 +148,5 @@ def test_openquake_hazard_is_an_input(tmp_path: Path, capsys: pytest.CaptureFixt
     assert hazard["intensity"] == [0.05, 0.2, 0.8]
     assert hazard["annual_rate"] == pytest.approx([0.00713350, 0.00102587, 2.00100e-05], rel=1e-5)  # -ln(1 - poe) / 50
     assert "hazard_curve-mean-PGA_1.csv" in {each["path"] for each in found["inputs"]}
+    assert hazard["distance_km"] == pytest.approx(13.9, abs=0.1)
+    assert "fragility-hazard-far" in {each["key"] for each in found["warnings"]}

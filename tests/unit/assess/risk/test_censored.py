@@ -7,8 +7,8 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import CensoredData, norm
 
-from assess.risk.censored import first_unbounded_reason, fit_first, fit_firsts
-from assess.risk.lognormal import Unbounded
+from assess.risk.censored import fit_firsts
+from assess.risk.lognormal import Lognormal
 
 
 def sample(seed, records=40):
@@ -21,6 +21,12 @@ def test_exact_values_give_mean_and_standard_deviation_of_logarithms():
     np.testing.assert_allclose(
         [np.log(fit.median), fit.dispersion], [np.log(level).mean(), np.log(level).std()], rtol=1e-9
     )
+
+
+def fit_first(stands, reaches):
+    """The lognormal of all records, each counted once."""
+    (median,), (dispersion,) = fit_firsts(np.asarray(stands), np.asarray(reaches), np.ones((1, len(stands))))
+    return Lognormal(median, dispersion)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -56,19 +62,18 @@ def test_fine_intervals_tend_to_exact_values():
 
 
 @pytest.mark.parametrize(
-    ("stands", "reaches", "reason"),
+    ("stands", "reaches", "bounded"),
     [
-        ([0.5, 0.5, 0.5], [np.inf] * 3, Unbounded.NONE_REACH),
-        ([0.0, 0.0, 0.0], [0.1, 0.1, 0.2], Unbounded.ALL_REACH),
-        ([0.1, 0.1, 0.1], [0.2, 0.2, 0.2], Unbounded.SEPARATED),
-        ([0.3, 0.3, 0.3], [np.inf, 0.4, 0.4], Unbounded.SEPARATED),
-        ([0.1, 0.2, 0.3], [0.2, 0.3, 0.4], None),
-        ([0.2, 0.3, 0.3], [0.2, np.inf, np.inf], None),
+        ([0.5, 0.5, 0.5], [np.inf] * 3, False),
+        ([0.0, 0.0, 0.0], [0.1, 0.1, 0.2], False),
+        ([0.1, 0.1, 0.1], [0.2, 0.2, 0.2], False),
+        ([0.3, 0.3, 0.3], [np.inf, 0.4, 0.4], False),
+        ([0.1, 0.2, 0.3], [0.2, 0.3, 0.4], True),
+        ([0.2, 0.3, 0.3], [0.2, np.inf, np.inf], True),
     ],
 )
-def test_what_records_do_not_bound_is_no_curve(stands, reaches, reason):
-    assert first_unbounded_reason(stands, reaches) == reason
-    assert (fit_first(stands, reaches) is None) == (reason is not None)
+def test_what_records_do_not_bound_is_no_curve(stands, reaches, bounded):
+    assert np.isfinite(fit_first(stands, reaches).median) == bounded
 
 
 def test_counts_are_records_repeated():

@@ -7,7 +7,7 @@ import pytest
 
 from assess.errors import HazardError
 from assess.risk.empirical import Empirical
-from assess.risk.hazard import HazardCurve, hazard_of_return_periods, probability_of, rate, rate_of
+from assess.risk.hazard import HazardCurve, probability_of, rate
 from assess.risk.lognormal import Lognormal
 
 
@@ -40,7 +40,6 @@ def test_motions_outside_the_rows_are_bounds_beside_the_rate():
     closed = k_0 * 0.4**-k * np.exp(0.5 * (k * 0.45) ** 2)
     assert inside.beyond == pytest.approx(k_0 * 0.5**-k)
     assert inside.annual_rate < closed < inside.annual_rate + inside.below + inside.beyond
-    assert inside.annual_rate + inside.tail + inside.below == pytest.approx(closed, rel=1e-5)
 
 
 def test_state_that_is_likely_below_the_first_row_has_no_bound_there():
@@ -53,7 +52,6 @@ def test_certain_state_has_the_rate_of_the_first_row():
     hazard = HazardCurve([0.1, 0.3, 1.0], [1e-2, 1e-3, 1e-4])
     found = rate(np.ones_like, hazard)
     assert found.annual_rate + found.beyond == pytest.approx(1e-2, rel=1e-12)
-    assert found.tail == pytest.approx(found.beyond, rel=1e-6)
 
 
 def test_empirical_curve_is_integrated_between_its_points():
@@ -77,13 +75,10 @@ def test_steep_curve_in_a_wide_interval():
     assert found.annual_rate + found.beyond == pytest.approx(closed, rel=1e-6)
 
 
-def test_return_periods_are_reciprocal_rates():
+def test_probability_in_50_years_is_poissons():
     """NTC: 475 years are 10 % in 50 years under Poisson's process with the rate 1 / 475."""
-    hazard = hazard_of_return_periods([0.25, 0.10, 0.15], [975.0, 101.0, 475.0])
-    np.testing.assert_allclose(hazard.intensity, [0.10, 0.15, 0.25])
-    assert probability_of(float(hazard.annual_rate[1])) == pytest.approx(0.10, abs=2e-4)
-    assert rate_of(0.1) == pytest.approx(1 / 474.56, rel=1e-5)
-    assert rate_of(probability_of(3e-9)) == pytest.approx(3e-9, rel=1e-9)
+    assert probability_of(1 / 474.56) == pytest.approx(0.10, rel=1e-5)
+    assert probability_of(3e-9) == pytest.approx(1.5e-7, rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -101,11 +96,6 @@ def test_return_periods_are_reciprocal_rates():
 def test_rows_that_are_no_hazard_are_refused(intensity, annual_rate, words):
     with pytest.raises(HazardError, match=words):
         HazardCurve(intensity, annual_rate)
-
-
-def test_return_period_of_zero_is_refused():
-    with pytest.raises(HazardError, match="return period 0 years"):
-        hazard_of_return_periods([0.1, 0.2], [0.0, 475.0])
 
 
 def test_rows_are_copies_that_cannot_change():

@@ -310,3 +310,47 @@ def test_a_target_is_met_only_with_what_the_hazard_leaves_out(folder: Path) -> N
         )  # fmt: skip
         assert risk.beyond == pytest.approx(1e-4)
         assert risk.outcome == outcome
+
+
+def test_motions_stronger_than_any_run_keep_a_target_open(folder: Path) -> None:
+    """Run up to where nothing overturns, a rate of zero says nothing of the stronger motions of the hazard."""
+    at = np.geomspace(1e-3, 50.0, 300)
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
+    for factor, outcome, gap in ((0.5, "incomplete", "runs"), (2.0, "pass", None)):
+        target = factor * 1e-6 * 0.2**-2.0  # of the rate with which the largest intensity run is exceeded
+        found = noise_results(folder, hazard=hazard, target_rate=target, largest=0.2, samples=5).mechanisms[0]
+        (risk,) = (each for each in found.risks if (each.state.name, each.curve) == ("overturning", "empirical"))
+        assert risk.annual_rate == 0.0
+        assert risk.above_runs == pytest.approx(1e-6 * (0.2**-2.0 - 50.0**-2.0), rel=1e-5)
+        assert (risk.outcome, risk.gap) == (outcome, gap)
+        assert "fragility-runs-end" in {note.key for note in risk.notes}
+
+
+@pytest.mark.parametrize(
+    ("amplification", "told"),
+    [
+        ({"method": "none"}, "fragility-ground-motion"),
+        ({"method": "srss", "natural_frequency": "2.5 Hz", "effective_height": "6 m", "height": "6 m"},
+         "fragility-scalar-motion"),
+        ({"method": "modal-filter", "natural_frequency": "2.5 Hz", "effective_height": "6 m", "height": "6 m"}, None),
+    ],
+)  # fmt: skip
+def test_the_motion_of_the_ground_meets_no_target_upstairs(folder: Path, amplification: dict, told: str | None) -> None:
+    text = tables_toml(
+        site={"spectrum": NTC}, building={"height": "9 m", "storeys": 3},
+        materials={"brick": {"density": 1800}},
+        bodies={"wall": {"material": "brick",
+                         "box": {"thickness": 0.6, "length": 3.0, "height": 4.0, "base": [0, 0, 5]}}},
+        mechanisms={"wall": {"kind": "single-block", "blocks": ["wall"], "amplification": amplification}},
+        records={"synthetic": {"count": 1, "duration": 8}},
+    )  # fmt: skip
+    at = np.geomspace(1e-3, 50.0, 300)
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
+    asked = FragilityQuestion(samples=5, draws=100, hazard=hazard, target_rate=0.5, largest_factor=100.0)
+    study = replace(study_of(folder, text), records=NOISES, artificial=None, fragility=asked)
+    found = run_fragility(study, jobs=1).mechanisms[0]
+    (risk,) = (each for each in found.risks if (each.state.name, each.curve) == ("overturning", "empirical"))
+    assert (risk.outcome, risk.gap) == (("pass", None) if told is None else ("incomplete", "motion"))
+    assert {each.key for each in found.notes} & {"fragility-ground-motion", "fragility-scalar-motion"} == (
+        set() if told is None else {told}
+    )

@@ -25,8 +25,8 @@ COUNTS = (
 )
 CLOUD = (say("Rates are computed from the lognormal: a cloud has too few points to integrate."),)
 MEANS = say(
-    "Masses, strengths and dimensions are mean values and the confidence factor is 1; safety factors would count "
-    "twice what the dispersion holds."
+    "Masses, strengths and dimensions are those of the project, which should be means, and the confidence factor "
+    "is 1; cautious values and safety factors would count twice what the dispersion holds."
 )
 DIMENSIONLESS = Verbatim(
     "Dimitrakopoulos, E. G. and Paraskeva, T. S. (2015). Dimensionless fragility curves for rocking response to "

@@ -59,8 +59,11 @@ def _leaves(value: Any) -> Iterator[str]:
 def _files(text: str, folder: Path, *, of_records: bool) -> list[Path]:
     """Return the files that a text names; only [records] has patterns and folders."""
     path = folder / text
-    if path.is_file():
-        return [path]
+    try:
+        if path.is_file():
+            return [path]
+    except OSError:  # too long for a name, or in a folder that may not be read
+        return []
     if not of_records:
         return []
     if path.is_dir():

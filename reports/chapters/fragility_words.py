@@ -34,8 +34,8 @@ METHODS: Mapping[Method, Phrase] = {
         "At each intensity the records are scaled to it and run in both polarities; the worse counts."
     ),
     "cloud": say(
-        "Each record is run as it is, in both polarities; the worse counts. The share at an intensity is that of the "
-        "records whose intensity is near it."
+        "Each record is run as it is, in both polarities; the worse counts. A point is the share of some ten records "
+        "of similar intensity; the lognormal is the one equivalent to the regression of the rotations on the intensity."
     ),
 }  # fmt: skip
 RATES: Mapping[str, Phrase] = {

@@ -184,6 +184,18 @@ def test_a_cloud_runs_each_record_once(folder: Path) -> None:
     assert curve(found).first is None
 
 
+def test_the_rate_of_a_cloud_is_that_of_its_lognormal(folder: Path) -> None:
+    """Its few shares, held where no record is, would make frequent weak motions overturn the block."""
+    plain = noise_results(folder, method="cloud", factor=0.8).mechanisms[0]
+    fitted = next(each for each in plain.curves if each.state.name == "overturning" and each.lognormal is not None)
+    at = np.geomspace(0.001, 30.0, 60)
+    hazard = HazardResult(fitted.measure, "rows", tuple(at), tuple(1e-4 * at**-2.0))
+    found = noise_results(folder, method="cloud", factor=0.8, hazard=hazard).mechanisms[0]
+    (risk,) = (each for each in found.risks if each.state.name == "overturning")
+    exact = 1e-4 * fitted.lognormal.median**-2.0 * exp(2.0 * fitted.lognormal.dispersion**2)
+    assert (risk.curve, risk.annual_rate) == ("lognormal", pytest.approx(exact, rel=1e-3))
+
+
 def test_records_that_stand_at_their_largest_scale_are_censored(folder: Path) -> None:
     """They stay among the records, and the first exceedance moves little where they are many."""
     few = noise_results(folder, factor=0.5, largest_factor=1.3)

@@ -6,7 +6,7 @@ import json
 import re
 from collections.abc import Collection, Sequence
 
-from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Missing, Verdict
+from assess.codes.verdict import Action, Decision, Index, Missing, Verdict
 from assess.codes.verdict.question import SOURCES
 from assess.messages.message import Message, Severity
 
@@ -71,21 +71,6 @@ def action_text(action: Action) -> str:
     known += ["each limit state by the hazard of the site"] if action.over_periods else []
     known += [f"return period {action.return_period_years:.0f} years"] if action.return_period_years else []
     return ", ".join(known)
-
-
-def margin_text(one: MechanismVerdict, action: Action) -> str:
-    """Return the PGA up to which a mechanism passes, as "0.18 g = 2.7 x the site's"; empty where it is not known.
-
-    Parameters
-    ----------
-    one : verdict of the mechanism
-    action : of the site
-
-    Returns
-    -------
-    str
-    """
-    return "" if one.margin is None else f"{figures(one.margin * action.pga_g)} g = {figures(one.margin)} x the site's"
 
 
 def relevant_warnings(warnings: Sequence[Message]) -> tuple[Message, ...]:

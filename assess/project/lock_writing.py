@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 from scipy.constants import g
 
+from assess.errors import OutputError
 from assess.outputs.single import replace_file
 from assess.project.file_digests import file_sha256
 from assess.project.suite_lock import (
+    HEAD,
     LockedArtificial,
     LockedChoice,
     LockedRecord,
@@ -82,9 +84,22 @@ def suite_text(
 
 
 def write_lock(path: Path, text: str) -> None:
-    """Write a lock, whole or not at all; only a lock as it was written before is replaced."""
+    """Write a lock, whole or not at all; only a lock as it was written before is replaced.
+
+    Raises
+    ------
+    OutputError : the file that is there is another, or a lock that was edited
+    """
+    if path.is_file() and not is_replaceable(path) and path.read_bytes() != text.encode():
+        raise OutputError(f"{path}: {_found(path)}; move it away, and a new one is written")
     with replace_file(path, command=COMMAND, is_replaceable=is_replaceable) as made:
         made.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _found(path: Path) -> str:
+    """Return what a file is that is not a lock as it was written."""
+    start = path.read_bytes().startswith(HEAD.encode())
+    return "the lock was edited since it was written" if start else "not written by `assess records select --lock`"
 
 
 def _locked(

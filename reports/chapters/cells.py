@@ -111,7 +111,7 @@ def ratio_cell(check: Check) -> Cell:
 
 def standing_cell(value: float | None, figures: int, most: int) -> Cell:
     """Return a number of a column of `most` figures, written with fewer where fewer stand."""
-    return value if value is None or figures >= most else Quantity(value, "ratio", figures)
+    return value if value is None or figures == most else Quantity(value, "ratio", figures)
 
 
 def capacity_pga_cell(check: Check) -> Cell:
@@ -119,12 +119,13 @@ def capacity_pga_cell(check: Check) -> Cell:
     low = None if check.numerical is None else check.numerical.capacity_low_pga_g
     if check.capacity_pga_g is None or low is None or low <= check.capacity_pga_g:
         return check.capacity_pga_g
-    return interval(check.capacity_pga_g, low)
+    return interval(check.capacity_pga_g, low, limit=check.level_pga_g)
 
 
-def interval(low: float, high: float) -> Text:
-    """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart."""
-    ends = (Quantity(each, "ground acceleration", interval_figures(low, high)) for each in (low, high))
+def interval(low: float, high: float, *, limit: float) -> Text:
+    """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart, and from the site's own."""
+    figures = interval_figures(low, high, limit=limit)
+    ends = (Quantity(each, "ground acceleration", figures) for each in (low, high))
     return say("{low} to {high}", **dict(zip(("low", "high"), ends, strict=True)))
 
 

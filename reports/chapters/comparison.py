@@ -25,6 +25,7 @@ from reports.chapters.cells import (
     rotation_cell,
     unbounded_text,
 )
+from reports.chapters.index_text import margin_cell
 from reports.document import Block, Cell, Column, Figure, Graded, Prose, Section, Table
 from reports.figures import comparison as figure
 from reports.language.texts import Phrase, Text, quantity, say
@@ -136,7 +137,8 @@ def _row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]
     )
     title = None if known is None else procedure_title(known.procedure)
     capacity = None if known is None else capacity_pga_cell(known)
-    return (numbered_title(results, mechanism.name), title, *cells, capacity, None if found is None else found.margin)
+    margin = None if found is None else margin_cell(found)
+    return (numbered_title(results, mechanism.name), title, *cells, capacity, margin)
 
 
 def _accepted(results: Results, mechanism: MechanismResult, level: float) -> tuple[Check, ...]:
@@ -168,4 +170,4 @@ def _ratio(check: Check | None) -> Phrase | Quantity | float | None:
     if check.ratio is None or (at_rest and not check.ratio):
         return unbounded_text(check) or (NO_ROCKING if at_rest else OUTCOMES[check.verdict.value])
     figures = ratio_figures(check, most=FIGURES)
-    return check.ratio if figures >= FIGURES else quantity(check.ratio, "ratio", figures)
+    return check.ratio if figures == FIGURES else quantity(check.ratio, "ratio", figures)

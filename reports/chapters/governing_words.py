@@ -6,14 +6,21 @@ from collections.abc import Iterator
 
 from assess.codes.basis import IndexKind
 from assess.codes.check import NEEDED, Check, Outcome
-from assess.codes.standing_figures import ratio_figures
+from assess.codes.standing_figures import margin_figures, ratio_figures, side_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
-from assess.messages.message import DIMENSIONS, Quantity
+from assess.messages.message import DIMENSIONS
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import premises
-from reports.chapters.cells import FIGURES, clause, interval
-from reports.chapters.index_text import index_text, is_lowered, outcome_text, state_text, target_text
+from reports.chapters.cells import FIGURES, clause
+from reports.chapters.index_text import (
+    held_text,
+    index_text,
+    is_lowered,
+    outcome_text,
+    state_text,
+    target_text,
+)
 from reports.document import Facts
 from reports.language.texts import Term, Text, count, listing, names, quantity, say
 from reports.titles import procedure_title
@@ -178,40 +185,40 @@ def _unanswered(answer: Answer) -> Text:
 
 def _remedy(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:
     """Yield the margin of a pass, the factor that a failure lacks, or what is missing."""
-    held = None if own.margin is None else _ground(own.margin * found.action.pga_g)
+    held = None if own.margin is None else held_text(own, own.margin, found.action)
     if own.outcome == Decision.INCOMPLETE:
         if own.missing:
             yield say("An answer needs {keys}.", keys=names(each.key for each in own.missing))
-    elif own.outcome == Decision.PASS and own.margin is not None and own.margin_most is not None:
-        held_to = interval(own.margin * found.action.pga_g, own.margin_most * found.action.pga_g)
+    elif own.outcome == Decision.PASS and own.margin is not None and held is not None and own.margin_most is not None:
         yield say(
             "It holds up to a peak ground acceleration of {pga}, the numerical spread of the histories; the lower end "
             "counts, {margin} times the site’s own.",
-            pga=held_to,
-            margin=quantity(own.margin, "ratio", FIGURES),
+            pga=held,
+            margin=quantity(own.margin, "ratio", margin_figures(own.margin, own.margin_most)),
         )
     elif own.outcome == Decision.PASS and own.margin is not None and held is not None:
         yield say(
             "It holds up to a peak ground acceleration of {pga}, {margin} times the site’s own.",
             pga=held,
-            margin=quantity(own.margin, "ratio", FIGURES),
+            margin=quantity(own.margin, "ratio", margin_figures(own.margin, own.margin_most)),
         )
     elif own.outcome == Decision.FAIL:
         yield from _lacking(own, found, held)
 
 
-def _lacking(own: MechanismVerdict, found: Verdict, held: Quantity | None) -> Iterator[Text]:
+def _lacking(own: MechanismVerdict, found: Verdict, held: Text | None) -> Iterator[Text]:
     """Yield by how much a mechanism that fails would have to resist more."""
     factor = lacking_factor(own, found)
     if factor is None:
         return
+    shown = quantity(factor, "ratio", lacking_figures(own, factor))
     if held is None:
-        yield say("To pass, its resistance must be {factor} times as large.", factor=quantity(factor, "ratio", FIGURES))
+        yield say("To pass, its resistance must be {factor} times as large.", factor=shown)
     else:
         yield say(
             "It holds up to a peak ground acceleration of {pga}; to pass, this must be {factor} times as large.",
             pga=held,
-            factor=quantity(factor, "ratio", FIGURES),
+            factor=shown,
         )
 
 
@@ -230,5 +237,8 @@ def lacking_factor(own: MechanismVerdict, found: Verdict) -> float | None:
     return max((answer.ratio for answer in failing if answer.ratio is not None), default=None)
 
 
-def _ground(pga_g: float) -> Quantity:
-    return quantity(pga_g, "ground acceleration", FIGURES)
+def lacking_figures(own: MechanismVerdict, factor: float) -> int:
+    """Return to how many figures that factor stands, as the indices and the margin that it comes from."""
+    stand = [each.index.figures for each in own.answers if each.outcome == Decision.FAIL and each.index is not None]
+    stand += [margin_figures(own.margin, own.margin_most)] if own.margin else []
+    return side_figures(factor, min(FIGURES, *stand))

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.codes.bases import BASES
+from assess.codes.standing_figures import margin_figures
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Verdict
+from reports.chapters.cells import interval
+from reports.document import Cell
 from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 SYMBOLS: Mapping[str, str] = {"zeta_E": "ζ_E"}
@@ -88,5 +91,24 @@ def margin_text(one: MechanismVerdict, action: Action) -> Text | None:
     """Return up to which PGA a mechanism passes: "0.18 g, 2.7 × the site’s"; None where it is not known."""
     if one.margin is None:
         return None
-    pga = quantity(one.margin * action.pga_g, "ground acceleration", 3)
-    return say("{pga}, {margin} × the site’s", pga=pga, margin=quantity(one.margin, figures=3))
+    margin = quantity(one.margin, figures=margin_figures(one.margin, one.margin_most))
+    return say("{pga}, {margin} × the site’s", pga=held_text(one, one.margin, action), margin=margin)
+
+
+def held_text(one: MechanismVerdict, margin: float, action: Action) -> Text:
+    """Return the PGA up to which a mechanism holds; both ends of what the numerical spread of histories leaves.
+
+    Parameters
+    ----------
+    one : verdict of the mechanism
+    margin : its own, which is known
+    action : of the site
+    """
+    if one.margin_most is not None:
+        return interval(margin * action.pga_g, one.margin_most * action.pga_g, limit=action.pga_g)
+    return quantity(margin * action.pga_g, "ground acceleration", margin_figures(margin, None))
+
+
+def margin_cell(one: MechanismVerdict) -> Cell:
+    """Return the factor on the site's own action up to which a mechanism holds, to the figures that stand."""
+    return None if one.margin is None else quantity(one.margin, figures=margin_figures(one.margin, one.margin_most))

@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.results import Results, SensitivityResult
 from reports.chapters import checklist, missing_inputs
-from reports.chapters.governing_words import lacking_factor
-from reports.chapters.index_text import is_lowered, symbol
+from reports.chapters.governing_words import lacking_factor, lacking_figures
+from reports.chapters.index_text import held_text, is_lowered, symbol
 from reports.chapters.mechanism_list import mechanism_list
 from reports.chapters.sensitivity_ranking import SIDES, flips, is_negligible, span
 from reports.chapters.varied_values import answer_text, input_name, value_text
 from reports.document import Block, Cell, Column, Items, Prose, Section, Table, nonempty
-from reports.language.texts import Text, listing, say
+from reports.language.texts import Text, listing, quantity, say
 from reports.titles import numbered_title
 
 
@@ -72,10 +72,11 @@ def _failing(results: Results, found: Verdict) -> list[Block]:
 
 
 def _lacking_row(results: Results, one: MechanismVerdict, found: Verdict) -> tuple[Cell, ...]:
-    held = None if one.margin is None else one.margin * found.action.pga_g
+    held = None if one.margin is None else held_text(one, one.margin, found.action)
     factor = lacking_factor(one, found)
-    reached = None if held is None or factor is None else held * factor
-    return (numbered_title(results, one.mechanism), held, reached, factor)
+    reached = None if one.margin is None or factor is None else one.margin * found.action.pga_g * factor
+    shown = None if factor is None else quantity(factor, "ratio", lacking_figures(one, factor))
+    return (numbered_title(results, one.mechanism), held, reached, shown)
 
 
 def survey(results: Results, found: Verdict) -> Iterator[Text]:

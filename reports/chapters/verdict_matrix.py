@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from assess.codes.check import Check, Outcome
+from assess.codes.standing_figures import ratio_figures
 from assess.codes.verdict import MechanismVerdict, Verdict
 from assess.results import MechanismResult, Results
 from reports import governing
@@ -135,7 +136,7 @@ def ratio_text(check: Check) -> Text:
         return say("no rocking")
     if check.ratio < LEAST:
         return say("below {least}", least=quantity(LEAST))
-    return quantity(check.ratio, figures=3)
+    return quantity(check.ratio, figures=ratio_figures(check, most=3))
 
 
 def largest(results: Results, mechanism: MechanismResult, folded: Sequence[Method]) -> Cell:
@@ -154,5 +155,5 @@ def _index_cell(one: MechanismVerdict) -> Cell:
     if not found:
         return None
     least = min(found, key=lambda index: index.value)
-    value = quantity(least.value, figures=3)
+    value = quantity(least.value, figures=least.figures)
     return say("{value}, grade {grade}", value=value, grade=Verbatim(least.grade)) if least.grade else value

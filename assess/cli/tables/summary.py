@@ -7,7 +7,7 @@ from textwrap import wrap
 
 from assess.cli.tables.text_table import on_one_line, text_table
 from assess.cli.tables.uncertainty import uncertainty_lines
-from assess.codes.standing_figures import interval_figures
+from assess.codes.standing_figures import interval_figures, margin_figures
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.codes.verdict_text import (
     action_text,
@@ -83,8 +83,9 @@ def _cells(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, 
 def _holds(margin: float, most: float | None, pga_g: float) -> str:
     """Write up to which PGA a mechanism holds: of histories whose numerical spread leaves a range, both ends."""
     if most is None:
-        return f"{figures(margin * pga_g)} g = {figures(margin)} x"
-    shown = interval_figures(margin * pga_g, most * pga_g)
+        shown = margin_figures(margin, None)
+        return f"{figures(margin * pga_g, shown)} g = {figures(margin, shown)} x"
+    shown = interval_figures(margin * pga_g, most * pga_g, limit=pga_g)
     return f"{figures(margin * pga_g, shown)} to {figures(most * pga_g, shown)} g"
 
 

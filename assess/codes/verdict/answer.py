@@ -10,7 +10,7 @@ from assess.codes.basis import Basis, IndexKind, LimitState
 from assess.codes.check import Check, Outcome
 from assess.codes.incremental import failure_below
 from assess.codes.numerical_spread import is_between
-from assess.codes.standing_figures import ratio_figures, standing_figures
+from assess.codes.standing_figures import ratio_figures, side_figures, standing_figures
 from assess.codes.verdict.methods import Rank, missing_action, requested_ranks
 from assess.codes.verdict.missing_keys import missing_keys
 from assess.codes.verdict.outcome import Decision, worst
@@ -189,6 +189,13 @@ def _figures(check: Check) -> int:
     return max(1, standing_figures(check.capacity_pga_g, (low,), most=FIGURES))
 
 
+def _beside(index: Index | None, target: float | None) -> Index | None:
+    """Return an index with as many figures as show it on its side of the target."""
+    if index is None or target is None:
+        return index
+    return replace(index, figures=side_figures(index.value, index.figures, limit=target))
+
+
 def grade(share: float) -> str:
     """Return the grade of a share of the new building standard [%] (NZSEE 2017, Table A3.1)."""
     return "A+" if share > 100.0 else next(name for least, name in GRADES if share >= least)
@@ -206,7 +213,7 @@ def _answered(
     """Return the answer by the governing check: of those with this outcome the one with the largest ratio."""
     telling = [check for check, each in zip(checks, said, strict=True) if each == outcome]
     check = max(telling, key=lambda each: inf if each.ratio is None else each.ratio)
-    index = index_of(check, basis)
+    index = _beside(index_of(check, basis), target)
     near, below = is_near(check, index, target, one.tolerance), failure_below(check)
     reason = below if below is not None and outcome == Decision.FAIL else check.reason
     answer = Answer(state.name, outcome, check.procedure, check.ratio, index, reason, near)
@@ -285,7 +292,7 @@ def _unanswered(
         return Found(Answer(state.name, Decision.INCOMPLETE, "", None, None, reason), (), missing)
     check = silent[0]
     said = _together(_provisional(each, basis, target) for each in _of_rank(check, silent, ranks))
-    index = index_of(check, basis)
+    index = _beside(index_of(check, basis), target)
     answer = Answer(
         state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=said
     )

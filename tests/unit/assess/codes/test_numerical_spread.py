@@ -22,7 +22,7 @@ from assess.codes.incremental import fails_below
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import history as ntc2018
 from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between
-from assess.codes.standing_figures import standing_figures
+from assess.codes.standing_figures import interval_figures, margin_figures, side_figures, standing_figures
 from assess.codes.suite import Runs, Suite
 from assess.codes.verdict import Decision
 from assess.codes.verdict.answer import Index, decide, index_of, is_near
@@ -205,3 +205,27 @@ def test_figures_are_those_within_which_all_runs_are(value, others, figures):
     assert standing_figures(value, others) == figures
     for other in others if figures else ():
         assert abs(float(f"{value:.{figures}g}") - other) <= 10.0 ** (np.floor(np.log10(value or 1)) - figures + 1)
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "shown"),
+    [
+        (0.96, 1.0, "0.96"),  # one figure would be its limit
+        (1.04, 1.0, "1.04"),
+        (0.9996, 1.0, "0.9996"),
+        (0.94, 1.0, "0.9"),
+        (1.0, 1.0, "1"),
+        (0.596, 0.6, "0.596"),
+        (0.52, 0.55, "0.5"),
+    ],
+)
+def test_a_number_keeps_its_side_of_the_limit(value, limit, shown):
+    assert f"{value:.{side_figures(value, 1, limit=limit)}g}" == shown
+
+
+def test_ends_of_an_interval_keep_their_sides_of_the_action():
+    assert interval_figures(0.247, 0.28) == 2
+    assert interval_figures(0.247, 0.28, limit=0.25) == 3
+    assert margin_figures(1.196, 1.387) == 2
+    assert margin_figures(0.98, 1.387) == 2  # one figure stands, and would be 1
+    assert margin_figures(1.196, None) == 3

@@ -99,9 +99,12 @@ def test_the_lock_is_the_same_bytes_and_replaces_only_one_as_it_was_written(fold
     assert is_sealed(first)
     assert lock(folder, LOCKED).read_text() == first
     assert lock(folder, LOCKED.replace("count = 3", "count = 4")).read_text().count("[[records]]") == 4
-    for text in (path.read_text().replace("scale_factor = ", "scale_factor = 1"), "mine"):
+    edited = path.read_text().replace("scale_factor = ", "scale_factor = 1")
+    for text, said in ((edited, "the lock was edited since it was written"), ("mine", "not written by")):
         path.write_text(text)
-        with pytest.raises(OutputError, match="holds something else"):
+        with pytest.raises(
+            OutputError, match=rf"records\.lock\.toml: {said}.*; move it away, and a new one is written$"
+        ):
             lock(folder, LOCKED)
         assert path.read_text() == text
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.check import Check, NumericalSpread, Outcome, Reason, reason_message
 from assess.codes.verdict import Index
 from assess.results import Results
-from reports.chapters import verdict_matrix
+from reports.chapters import comparison, recommendations, verdict_matrix
+from reports.chapters.index_text import margin_text
 from reports.document import Graded, Table
 from tests.support.letters import letters, rows
 
@@ -90,3 +91,41 @@ def test_words_stand_for_answers_without_a_number(results: Results) -> None:
     assert cell_of(fallen) == "overturns"
     beyond = replace(fallen, reason=reason_message(Reason.BEYOND_SPECTRUM))
     assert cell_of(beyond) == "beyond the spectrum"
+
+
+def spread_by(results: Results, ratio: float, margin: float) -> Results:
+    """The results with histories that decide the second mechanism, of which one figure of the ratio stands."""
+    assert results.verdict is not None
+    pga = results.verdict.action.pga_g
+    spread = NumericalSpread(9, 500, 1, 1.0, 0.8 * ratio, ratio, margin * pga, 1.16 * margin * pga)
+    first, second = results.mechanisms
+    deciding = results.verdict.mechanisms[1].answers[0].procedure
+    checks = tuple(
+        replace(each, ratio=ratio, demand=0.1, rotation_ratio=0.3, numerical=spread, capacity_pga_g=margin * pga)
+        if each.procedure == deciding
+        else each
+        for each in second.checks
+    )
+    own = replace(results.verdict.mechanisms[1], margin=margin, margin_most=1.16 * margin)
+    found = replace(results.verdict, mechanisms=(results.verdict.mechanisms[0], own))
+    return replace(results, mechanisms=(first, replace(second, checks=checks)), verdict=found)
+
+
+def test_histories_have_no_more_digits_than_stand(results: Results, judged_at: JudgedAt) -> None:
+    judged = judged_at(results, 0.45)
+    for ratio, margin, shown in ((0.4591, 1.196, ("0.5", "1.2")), (0.9613, 0.983, ("0.96", "0.98"))):
+        spread = spread_by(judged, ratio, margin)
+        row = rows(matrix(spread))[1]
+        assert shown[0] in row
+        assert row[2].endswith(f"{shown[1]} × the site’s")
+        assert " to " in row[2]
+        assert spread.verdict is not None
+        text = margin_text(spread.verdict.mechanisms[1], spread.verdict.action)
+        assert text is not None
+        assert letters(text) == row[2]
+        compared = rows(comparison.table(spread))[1]
+        assert compared[-1] == shown[1]
+        (lacking,) = (b for b in recommendations.sections(spread)[0].blocks if isinstance(b, Table))
+        held, factor = rows(lacking)[-1][1], rows(lacking)[-1][3]
+        assert held == row[2].partition(",")[0]
+        assert len(factor.replace(".", "").lstrip("0")) <= 2

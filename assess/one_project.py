@@ -5,15 +5,25 @@ What is heavy is imported when a project is assessed: the process that gives out
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
+from assess.errors import AssessError, OutputError, ProjectError
 from assess.portfolio.row import Row
 from assess.portfolio.tasks import Job
+from records.errors import RecordError
+from spectra.errors import SpectrumError
 
 if TYPE_CHECKING:
     from assess.portfolio.projects import Task
+    from assess.portfolio.template import Column
     from assess.project.schema import Project
     from assess.results import Results
+
+PROBES = ("1", "0.01", "100")
+"""Numbers of which one at least is within the range of any key, in a unit of its dimension."""
 
 
 def assess_project(job: Job) -> Row:
@@ -23,6 +33,11 @@ def assess_project(job: Job) -> Row:
     ------
     AssessError, RecordError or SpectrumError : something the user can mend
     """
+    with _located(job.task):
+        return _assess(job)
+
+
+def _assess(job: Job) -> Row:
     from assess.outputs.manifest import RESULTS
     from assess.portfolio.verdict_row import row_of_verdict
     from assess.project.build import build, build_to_decide
@@ -35,6 +50,46 @@ def assess_project(job: Job) -> Row:
     results = run(build(project), jobs=1)
     report = _write(job, results)
     return row_of_verdict(job, results.verdict, report=report, results=f"{job.folder.name}/{RESULTS}")
+
+
+@contextmanager
+def _located(task: Task) -> Iterator[None]:
+    """Locate the errors of a project of a table in the table."""
+    from assess.portfolio.projects import row_fault
+
+    try:
+        yield
+    except OutputError:
+        raise
+    except (AssessError, RecordError, SpectrumError) as error:
+        if task.content is None:
+            raise
+        raise ProjectError(row_fault(task, str(error))) from None
+
+
+def unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
+    """Return why the unit of a table's column cannot stand at its key of the template; "" if it can.
+
+    Parameters
+    ----------
+    path : of the template
+    tables : of the template
+    column : with a unit
+    """
+    from assess.portfolio.template import key_text, keys_of, with_row
+    from assess.project.schema import load_tree
+
+    told, first = f"{path}: {key_text(keys_of(tables)[column.key])}: ", ""
+    for number in PROBES:
+        try:
+            load_tree(with_row(tables, {column.key: (number, column.unit)}), path, sha256="")
+        except ProjectError as error:
+            if not str(error).startswith(told):
+                return ""
+            first = first or str(error).removeprefix(told).removeprefix(f'"{number} {column.unit}": ')
+        else:
+            return ""
+    return first
 
 
 def load_task(task: Task) -> Project:

@@ -376,7 +376,7 @@ def batch(
     ------
     AssessError : the table or the template cannot be used, the folder cannot be written, or no scheduler answers
     """
-    from assess.one_project import assess_project
+    from assess.one_project import assess_project, unit_fault
     from assess.portfolio.batch import Order, run_batch
     from assess.portfolio.executors import dask, processes
     from assess.portfolio.projects import find_tasks
@@ -389,7 +389,7 @@ def batch(
     engine = processes(jobs or None) if scheduler is None else dask(scheduler)
     said("reading", 0, 1)
     return run_batch(
-        find_tasks(Path(source), None if template is None else Path(template)),
+        find_tasks(Path(source), None if template is None else Path(template), unit_fault),
         order,
         runner=assess_project,
         engine=engine,

@@ -7,7 +7,7 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 from assess.errors import ProjectError
 from assess.portfolio.named_files import FilesHash, files_hash
 from assess.portfolio.table import Line, read_table
-from assess.portfolio.template import TITLE, Column, columns_of, quote, read_template, with_row
+from assess.portfolio.template import TITLE, Column, columns_of, key_text, keys_of, quote, read_template, with_row
 from assess.short_repr import ShortRepr
 
 ID = "id"
@@ -49,7 +49,16 @@ class Task(ShortRepr):
     sha256: str
 
 
-def find_tasks(source: Path, template: Path | None = None) -> tuple[Task, ...]:
+UnitFault = Callable[[Path, Mapping[str, Any], Column], str]
+"""Says why the unit of a column cannot stand there, from the path and the tables of the template; "" if it can."""
+
+
+def no_unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
+    """Take any unit."""
+    return ""
+
+
+def find_tasks(source: Path, template: Path | None = None, unit_fault: UnitFault = no_unit_fault) -> tuple[Task, ...]:
     """Return the projects below a folder, or those that the rows of a table make of a template.
 
     Parameters
@@ -58,6 +67,8 @@ def find_tasks(source: Path, template: Path | None = None) -> tuple[Task, ...]:
         A folder, or a table as CSV.
     template : Path or None
         The project file whose values the table changes; None for a folder.
+    unit_fault : callable
+        Checks the unit in the head of a column.
 
     Raises
     ------
@@ -70,7 +81,7 @@ def find_tasks(source: Path, template: Path | None = None) -> tuple[Task, ...]:
         return _of_folder(source)
     if template is None:
         raise ProjectError(f"{source}: a table needs the project that its rows change; add --template FILE.toml")
-    return tuple(_of_table(source, template.absolute()))
+    return tuple(_of_table(source, template.absolute(), unit_fault))
 
 
 def project_tree(task: Task) -> dict[str, Any]:
@@ -85,6 +96,29 @@ def project_tree(task: Task) -> dict[str, Any]:
     if "fault" in row:
         raise ProjectError(str(row["fault"]))
     return with_row(read_template(task.path), {key: (text, unit) for key, text, unit in row["cells"]})
+
+
+def row_fault(task: Task, text: str) -> str:
+    """Return what is wrong with a project of a table by its line and column, instead of the template's name and key.
+
+    Parameters
+    ----------
+    task : Task
+        Of a row.
+    text : str
+        What is wrong, as it is said of the template.
+    """
+    row = json.loads(task.content or "{}")
+    name = "" if task.key == str(row["line"]) else f" ({quote(task.key)})"
+    where, said = f"{row['table']}: line {row['line']}{name}", text.removeprefix(f"{task.path}: ")
+    if "fault" in row:
+        return f"{where}: {said}"
+    places = keys_of(read_template(task.path))
+    for key, *_ in row["cells"]:
+        told = f"{key_text(places[key])}: "
+        if said.startswith(told):
+            return f"{where}: column {quote(key)}: {said.removeprefix(told)}"
+    return f"{where}: with {task.path.name}: {said}"
 
 
 def _of_folder(folder: Path) -> tuple[Task, ...]:
@@ -130,7 +164,7 @@ def _title(tables: Mapping[str, Any]) -> str:
     return title if isinstance(title, str) else ""
 
 
-def _of_table(source: Path, template: Path) -> Iterator[Task]:
+def _of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iterator[Task]:
     """Yield a task for each row of a table.
 
     Raises
@@ -144,6 +178,9 @@ def _of_table(source: Path, template: Path) -> Iterator[Task]:
         columns = columns_of(header, tables, skipped=(ID,))
     except ProjectError as error:
         raise ProjectError(f"{source}: {error}") from None
+    for column in columns:
+        if column and column.unit and (fault := unit_fault(template, tables, column)):
+            raise ProjectError(f"{source}: column {quote(f'{column.key} [{column.unit}]')}: {fault}")
     start, hash_of = hashlib.sha256(template.read_bytes()), files_hash()
     for line in lines:
         key = _key(line, header)
@@ -152,7 +189,7 @@ def _of_table(source: Path, template: Path) -> Iterator[Task]:
                 f"{source}: lines {seen[key]} and {line.number}: {quote(key)} twice; give each row its own id"
             )
         seen[key] = line.number
-        yield _of_line(line, key, columns, template, tables, start.copy(), hash_of)
+        yield _of_line(source, line, key, columns, template, tables, start.copy(), hash_of)
     if not seen:
         raise ProjectError(f"{source}: no row below the header; add one for each project")
 
@@ -172,6 +209,7 @@ def _key(line: Line, header: Sequence[str]) -> str:
 
 
 def _of_line(
+    source: Path,
     line: Line,
     key: str,
     columns: Sequence[Column | None],
@@ -184,15 +222,26 @@ def _of_line(
     cells = [
         (column.key, text, column.unit) for column, text in zip(columns, line.cells, strict=False) if column and text
     ]
-    content = json.dumps({"cells": cells}, ensure_ascii=False, separators=(",", ":"))
+    row: dict[str, Any] = {"cells": cells}
     title, named = next((text for name, text, _ in cells if name == TITLE), _title(tables)), tables
     try:
         named = with_row(tables, {name: (text, unit) for name, text, unit in cells})
-        if any(line.cells[len(columns) :]):
-            raise ProjectError(
-                f"{len(line.cells)} cells below {len(columns)} columns; put a text with separators in quotes"
-            )
+        _check_number(line, columns)
     except ProjectError as error:
-        content = json.dumps({"fault": f"line {line.number}: {error}"}, ensure_ascii=False)
-    start.update(content.encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode())
+        row = {"fault": str(error)}
+    start.update(_json(row).encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode())
+    content = _json({"table": str(source), "line": line.number, **row})
     return Task(key, title, template, content, start.hexdigest())
+
+
+def _json(row: Mapping[str, Any]) -> str:
+    return json.dumps(row, ensure_ascii=False, separators=(",", ":"))
+
+
+def _check_number(line: Line, columns: Sequence[Column | None]) -> None:
+    """Raise ProjectError unless a row has a cell, which may be empty, for each column, and no more."""
+    said = f"{len(line.cells)} cell{'' if len(line.cells) == 1 else 's'} below {len(columns)} columns"
+    if len(line.cells) < len(columns):
+        raise ProjectError(f"{said}; write the missing ones, or their separators where the template's values stay")
+    if any(line.cells[len(columns) :]):
+        raise ProjectError(f"{said}; put a text with separators in quotes")

@@ -76,6 +76,11 @@ def _places(value: Any, place: Place) -> Iterator[Place]:
         yield place
 
 
+def key_text(place: Place) -> str:
+    """Write a key as messages on a project do: items of a list in brackets, from 1."""
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in place).lstrip(".")
+
+
 def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]) -> list[Column | None]:
     """Return the columns of a table's header; None for those that are `skipped`.
 

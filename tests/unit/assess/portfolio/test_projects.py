@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from assess.errors import ProjectError
-from assess.portfolio.projects import Task, find_tasks, project_tree
+from assess.one_project import unit_fault
+from assess.portfolio.projects import Task, find_tasks, project_tree, row_fault
+from assess.portfolio.template import Column, read_template
 from assess.project.schema import Project, load, load_tree
 from tests.support.projects import block, project_toml
 
@@ -96,7 +98,8 @@ def test_template_that_is_no_project_is_one_line(tmp_path: Path, template: str) 
     [
         ('"0,45",a', "0.45"),
         ('"0,45 m",a', "a decimal comma; write 0.45 m"),
-        ("0.45,a,b", "line 3: 3 cells below 2 columns"),
+        ("0.45,a,b", "3 cells below 2 columns; put a text"),
+        ("0.45", "1 cell below 2 columns; write the missing"),
         ("thick,a", "thick"),
         ("-1,a", "greater than"),
         ("0.45 kg,a", "kg"),
@@ -110,8 +113,51 @@ def test_row_with_a_wrong_value_breaks_alone(tmp_path: Path, cells: str, reason:
     assert project(last).content.title == "c"
     with pytest.raises(ProjectError) as caught:
         project(broken)
-    assert reason in str(caught.value)
-    assert "\n" not in str(caught.value)
+    said = row_fault(broken, str(caught.value))
+    assert reason in said
+    assert said.startswith(f"{tmp_path / 'walls.csv'}: line 3: ")
+    assert "template.toml" not in said
+    assert (f'column "{THICKNESS}"' in said) is not ("below" in said or "decimal" in said)
+    assert "\n" not in said
+
+
+def test_fault_of_a_row_names_its_id_and_the_column_as_the_table_writes_it(tmp_path: Path) -> None:
+    column = "mechanisms.wall.loads.0.at.2"
+    (broken,) = table(tmp_path, f"id,{column}\nV01,high\n")
+    with pytest.raises(ProjectError, match=r"template\.toml: mechanisms\.wall\.loads\[1\]\.at\[3\]") as caught:
+        project(broken)
+    said = row_fault(broken, str(caught.value))
+    assert said.startswith(f'{tmp_path / "walls.csv"}: line 2 ("V01"): column "{column}": "high": ')
+    assert row_fault(broken, f"{broken.path}: site: wrong").endswith('line 2 ("V01"): with template.toml: site: wrong')
+
+
+def test_trailing_empty_cells_keep_the_values_of_the_template(tmp_path: Path) -> None:
+    (task,) = table(tmp_path, f"title,{THICKNESS},materials.brick.density\na,,\n")
+    assert project(task).content.bodies["wall"].box.thickness == 0.60  # type: ignore[union-attr]
+
+
+def test_unit_of_a_head_is_checked_by_the_key(tmp_path: Path) -> None:
+    tables = read_template(template_in(tmp_path))
+    for key, units, wrong in (
+        (THICKNESS, ("m", "mm", "ft"), ("kg", "kg/m^3", "wide")),
+        ("materials.brick.density", ("kg/m^3", "kN/m^3"), ("kg", "m")),
+        ("mechanisms.wall.loads.0.force", ("kN", "lbf"), ("kg", "kN/m")),
+    ):
+        for unit in units:
+            assert unit_fault(tmp_path / "template.toml", tables, Column(key, unit)) == ""
+        for unit in wrong:
+            assert f'"{unit}"' in unit_fault(tmp_path / "template.toml", tables, Column(key, unit))
+    (tmp_path / "walls.csv").write_text(f"{THICKNESS} [kg]\n1\n2\n")
+    with pytest.raises(ProjectError) as caught:
+        find_tasks(tmp_path / "walls.csv", tmp_path / "template.toml", unit_fault)
+    start = f'{tmp_path / "walls.csv"}: column "{THICKNESS} [kg]": "kg" is not a unit of length; '
+    assert str(caught.value).startswith(start)
+
+
+def template_in(folder: Path) -> Path:
+    """Return the template, written into a folder."""
+    (folder / "template.toml").write_text(TEMPLATE, encoding="utf-8")
+    return folder / "template.toml"
 
 
 def test_text_stays_text_where_the_template_has_text(tmp_path: Path) -> None:
@@ -196,4 +242,15 @@ def test_source_and_template_must_fit(tmp_path: Path) -> None:
 
 def test_content_of_a_task_is_its_row_alone(tmp_path: Path) -> None:
     (task,) = table(tmp_path, f"id,{THICKNESS} [cm],title\nx,45,\n")
-    assert json.loads(task.content or "") == {"cells": [[THICKNESS, "45", "cm"]]}
+    where = {"table": str(tmp_path / "walls.csv"), "line": 2}
+    assert json.loads(task.content or "") == {**where, "cells": [[THICKNESS, "45", "cm"]]}
+    (moved,) = table(tmp_path, f"id,{THICKNESS} [cm],title\n\nx,45,\n")
+    assert moved.sha256 == task.sha256
+
+
+def test_tasks_are_counted_while_they_are_found(tmp_path: Path) -> None:
+    template_in(tmp_path)
+    (tmp_path / "walls.csv").write_text("title\n" + "a\n" * 3)
+    counted: list[int] = []
+    find_tasks(tmp_path / "walls.csv", tmp_path / "template.toml", progress=counted.append)
+    assert counted == [1, 2, 3]

@@ -370,7 +370,7 @@ def batch(
     shard : "i/n" for the i-th of n shares of the projects
     keep : what is written of each project: "report", "results", or "rows" for nothing but its row
     tell : is called with a line about what is found in the folder
-    progress : is called with (stage, done, total)
+    progress : is called with (stage, done, total); 0 as the total while the projects are being found
 
     Raises
     ------
@@ -387,9 +387,14 @@ def batch(
     said = progress or silent
     order = Order(Path(folder), keep, shard_of(shard), resume)
     engine = processes(jobs or None) if scheduler is None else dask(scheduler)
-    said("reading", 0, 1)
+    tasks = find_tasks(
+        Path(source),
+        None if template is None else Path(template),
+        unit_fault,
+        progress=lambda found: said("reading", found, 0),
+    )
     return run_batch(
-        find_tasks(Path(source), None if template is None else Path(template), unit_fault),
+        tasks,
         order,
         runner=assess_project,
         engine=engine,

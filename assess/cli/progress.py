@@ -12,7 +12,7 @@ class Progress(Protocol):
     """The receiver of a long command's progress."""
 
     def count(self, stage: str, done: int, total: int) -> None:
-        """Show that `done` of `total` items of a stage are done."""
+        """Show that `done` of `total` items of a stage are done; 0 for a total that is not known yet."""
 
     def step(self, stage: str) -> None:
         """Show that a stage without items has begun."""
@@ -49,7 +49,7 @@ def _bar() -> Iterator[Progress]:
 
         class Bar:
             def count(self, stage: str, done: int, total: int) -> None:
-                display.update(task, description=escape(stage), completed=done, total=total)
+                display.update(task, description=escape(stage), completed=done, total=total or None)
 
             def step(self, stage: str) -> None:
                 display.update(task, description=escape(stage), completed=0, total=None)

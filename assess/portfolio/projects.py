@@ -58,7 +58,13 @@ def no_unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
     return ""
 
 
-def find_tasks(source: Path, template: Path | None = None, unit_fault: UnitFault = no_unit_fault) -> tuple[Task, ...]:
+def find_tasks(
+    source: Path,
+    template: Path | None = None,
+    unit_fault: UnitFault = no_unit_fault,
+    *,
+    progress: Callable[[int], object] = bool,
+) -> tuple[Task, ...]:
     """Return the projects below a folder, or those that the rows of a table make of a template.
 
     Parameters
@@ -69,6 +75,8 @@ def find_tasks(source: Path, template: Path | None = None, unit_fault: UnitFault
         The project file whose values the table changes; None for a folder.
     unit_fault : callable
         Checks the unit in the head of a column.
+    progress : callable
+        Called with the number of tasks found so far.
 
     Raises
     ------
@@ -78,10 +86,19 @@ def find_tasks(source: Path, template: Path | None = None, unit_fault: UnitFault
     if source.is_dir():
         if template is not None:
             raise ProjectError(f"{source}: a folder, whose projects need no template; leave out --template")
-        return _of_folder(source)
+        return _counted(_of_folder(source), progress)
     if template is None:
         raise ProjectError(f"{source}: a table needs the project that its rows change; add --template FILE.toml")
-    return tuple(_of_table(source, template.absolute(), unit_fault))
+    return _counted(_of_table(source, template.absolute(), unit_fault), progress)
+
+
+def _counted(tasks: Iterator[Task], progress: Callable[[int], object]) -> tuple[Task, ...]:
+    """Return tasks, counting them as they are found."""
+    found = list[Task]()
+    for task in tasks:
+        found.append(task)
+        progress(len(found))
+    return tuple(found)
 
 
 def project_tree(task: Task) -> dict[str, Any]:
@@ -121,14 +138,14 @@ def row_fault(task: Task, text: str) -> str:
     return f"{where}: with {task.path.name}: {said}"
 
 
-def _of_folder(folder: Path) -> tuple[Task, ...]:
-    """Return a task for each project file below a folder, in the order of their paths."""
+def _of_folder(folder: Path) -> Iterator[Task]:
+    """Yield a task for each project file below a folder, in the order of their paths."""
     files, hash_of = sorted(_project_files(folder)), files_hash()
     if not files:
         raise ProjectError(
             f"{folder}: no project below it; give a folder with project files, or a table with --template"
         )
-    return tuple(_of_file(file, folder, hash_of) for file in files)
+    yield from (_of_file(file, folder, hash_of) for file in files)
 
 
 def _project_files(folder: Path) -> Iterator[Path]:

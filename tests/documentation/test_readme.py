@@ -56,3 +56,16 @@ def test_the_shell_prints_what_the_run_gives(session):
 def test_the_report_is_written(session):
     assert (session["folder"] / "out" / "report.pdf").is_file()
     assert not session["run"].table("checks").empty
+
+
+@pytest.mark.parametrize("page", ["fragility", "risk", "uncertainty", "portfolio", "portfolio-tables", "records"])
+def test_readme_leads_to_what_goes_beyond_one_verdict(page: str) -> None:
+    assert f"(docs/{page}.md)" in PAGE.partition("## Where to read on")[2]
+
+
+@pytest.mark.parametrize(
+    "command", ["assess fragility", "assess batch", "assess records select", "analysis.uncertainty"]
+)
+def test_readme_names_the_commands(command: str) -> None:
+    answers = PAGE.partition("## What it answers")[2].partition("## Where to read on")[0]
+    assert f"`{command}" in answers or f"`[{command}]`" in answers

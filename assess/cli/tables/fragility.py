@@ -15,6 +15,7 @@ from assess.results.fragility import (
     RiskResult,
     StateResult,
 )
+from reports.measures import curves_by, first_measure
 from reports.render.csv import csv_lines
 
 HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
@@ -30,14 +31,17 @@ def table_text(results: FragilityResults) -> str:
     if risks:
         tables.append(text_table(RISK_HEADER, risks))
     notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
-    said = (
-        note for each in results.mechanisms for risk in each.risks for note in locate(risk.notes, _place(each, risk))
+    said = dict.fromkeys(
+        note
+        for each in results.mechanisms
+        for one in (*curves_by(each, first_measure(each)), *each.risks)
+        for note in locate(one.notes, _place(each, one))
     )
     return "\n".join(tables) + messages_text((*results.warnings, *notes, *said))
 
 
-def _place(mechanism: MechanismFragility, risk: RiskResult) -> str:
-    return f"mechanisms.{mechanism.name}, {state_name(risk.state)}"
+def _place(mechanism: MechanismFragility, one: FragilityCurve | RiskResult) -> str:
+    return f"mechanisms.{mechanism.name}, {state_name(one.state)}"
 
 
 def _row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:
@@ -60,7 +64,7 @@ def _interval(found: tuple[float, float] | None) -> str:
 
 
 def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
-    target = "" if risk.target_rate is None else f"{risk.target_rate:.2g}"
+    target = "" if risk.target_rate is None else f"{risk.target_rate:.3g}"
     rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
     return [mechanism.name, state_name(risk.state), risk.curve, rate, probability, target, OUTCOMES[risk.outcome]]
 

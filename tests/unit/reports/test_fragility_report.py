@@ -99,8 +99,8 @@ def test_the_first_sentences_name_intensities_with_intervals_and_the_rate_beside
     low, high = curve.lognormal.median_interval or (0.0, 0.0)
     said = summary(front)
     assert f"{curve.lognormal.median:.3g} g ({low:.3g} g to {high:.3g} g) in 50 of 100" in said
-    assert f"the annual rate of overturning is {risk.annual_rate:.3g} 1/year" in said
-    assert f"a probability of {100 * risk.probability_50_years:.3g} % in 50 years" in said
+    assert f"the annual rate of overturning is {risk.annual_rate:.2g} 1/year" in said
+    assert f"a probability of {100 * risk.probability_50_years:.2g} % in 50 years" in said
     assert said.endswith("This is more than the target of 0.0001 1/year.")
     within = replace(front, risks=tuple(replace(each, target_rate=0.9) for each in front.risks))
     assert summary(within).endswith("This is within the target of 0.9 1/year.")

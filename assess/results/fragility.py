@@ -192,8 +192,8 @@ class HazardResult(ShortRepr):
 class RiskResult(ShortRepr):
     """The annual rate of a state, of one curve with the hazard of the site.
 
-    intensity [n], contribution [n-1] : shares of the rate between neighbouring intensities, in a constant ratio from the
-        first row of the hazard to the last [-]
+    intensity [n], contribution [n-1] : shares of the rate between neighbouring intensities, which rise in a constant
+        ratio from the first row of the hazard to the last [-]
     beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
     below : what motions below the first row of the hazard add if it goes on with its first slope; None where that has
         no end [1/year]

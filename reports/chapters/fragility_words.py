@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from assess.results.fragility import (
     FragilityCurve,
     Gap,
+    HazardResult,
     LognormalResult,
     MeasureResult,
-    HazardResult,
     MechanismFragility,
     Method,
     RiskResult,

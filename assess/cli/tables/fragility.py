@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
-from assess.messages.message import UNITS, locate
+from assess.messages.message import UNITS, Message, locate
 from assess.results.fragility import (
     CurveName,
     FragilityCurve,
@@ -15,7 +17,6 @@ from assess.results.fragility import (
     RiskResult,
     StateResult,
 )
-from reports.measures import curves_by, first_measure
 from reports.render.csv import csv_lines
 
 HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
@@ -31,17 +32,20 @@ def table_text(results: FragilityResults) -> str:
     if risks:
         tables.append(text_table(RISK_HEADER, risks))
     notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
-    said = dict.fromkeys(
-        note
-        for each in results.mechanisms
-        for one in (*curves_by(each, first_measure(each)), *each.risks)
-        for note in locate(one.notes, _place(each, one))
-    )
+    said = (note for each in results.mechanisms for note in _notes(each))
     return "\n".join(tables) + messages_text((*results.warnings, *notes, *said))
 
 
-def _place(mechanism: MechanismFragility, one: FragilityCurve | RiskResult) -> str:
-    return f"mechanisms.{mechanism.name}, {state_name(one.state)}"
+def _notes(mechanism: MechanismFragility) -> Iterator[Message]:
+    """Yield what is told of the curves, and of the rates."""
+    shown: tuple[FragilityCurve | RiskResult, ...] = (
+        *mechanism.curves,
+        *mechanism.risks,
+    )
+    for one in shown:
+        yield from locate(
+            one.notes, f"mechanisms.{mechanism.name}, {state_name(one.state)} by {measure_name(one.measure)}"
+        )
 
 
 def _row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:

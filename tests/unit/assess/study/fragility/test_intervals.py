@@ -44,6 +44,8 @@ def coverage(events, per_event, between, within, trials, *, draws):
     for trial in range(trials):
         level, event = thresholds(events, per_event, between, within, rng)
         found = result(level, event, seed=trial, draws=draws)
+        if found.band is None:  # of ten records, less than 1 % of the trials
+            continue
         band, at = found.band, MEDIAN * np.exp(NORMAL * beta)
         low, high = (np.interp(at, band.intensity, side) for side in (band.low, band.high))
         inside.append([

@@ -25,14 +25,14 @@ def assess_project(job: Job) -> Row:
     """
     from assess.outputs.manifest import RESULTS
     from assess.portfolio.verdict_row import row_of_verdict
-    from assess.project.build import build
+    from assess.project.build import build, build_to_decide
     from assess.study.decision import find_verdict
     from assess.study.run import run
 
-    study = build(load_task(job.task))
+    project = load_task(job.task)
     if job.keep == "rows":
-        return row_of_verdict(job, find_verdict(study))
-    results = run(study, jobs=1)
+        return row_of_verdict(job, find_verdict(build_to_decide(project)))
+    results = run(build(project), jobs=1)
     report = _write(job, results)
     return row_of_verdict(job, results.verdict, report=report, results=f"{job.folder.name}/{RESULTS}")
 

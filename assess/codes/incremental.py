@@ -6,11 +6,14 @@ from collections.abc import Callable, Sequence
 
 from scipy.constants import g
 
-from assess.codes.check import PgaCurve
+from assess.codes.check import Check, PgaCurve
 from assess.codes.suite import Suite
 from assess.codes.worst_branch import least_known
 from assess.messages.message import Message, Quantity, message
 from assess.oscillator import Oscillator, threshold
+
+FAILS_BELOW = "fails-below"
+ROUNDING = 1e-9  # relative, of a PGA that was multiplied and divided by FC
 
 
 def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
@@ -74,6 +77,11 @@ def pga_before_failure(
 
 def fails_below(at_collapse: float | None, level: float) -> tuple[Message, ...]:
     """Return a message where a level passes above the least PGA at which the scan fails, both in g."""
-    if at_collapse is None or level <= at_collapse:
+    if at_collapse is None or level <= at_collapse * (1.0 + ROUNDING):
         return ()
-    return (message("fails-below", {"pga": Quantity(at_collapse, "ground acceleration", 3)}),)
+    return (message(FAILS_BELOW, {"pga": Quantity(at_collapse, "ground acceleration", 3)}),)
+
+
+def failure_below(check: Check) -> Message | None:
+    """Return what a check says of a failure at a lower PGA than the one at which it passes; None without one."""
+    return next((each for each in check.remarks if each.key == FAILS_BELOW), None)

@@ -30,6 +30,7 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     '{measure}; use method = "ida" to compare measures',
     # exports
     "fragility-left-out": "{mechanism}, {measure}: {why}",
+    "fragility-state-left-out": "{mechanism}, {measure}, {state}: {why}",
     # risk
     "fragility-no-hazard-measure": "the hazard is in {measure}, which is not among the measures of the fragility: no "
     "rate; add it to [analysis.fragility] measures",

@@ -64,8 +64,10 @@ def dask(address: str) -> Engine:
 
     Raises
     ------
-    AssessError : Dask is not installed, or the engine, when it is opened, reaches no scheduler
+    AssessError : no address is given, Dask is not installed, or the engine, when it is opened, reaches no scheduler
     """
+    if "://" not in address:
+        raise AssessError(f"--scheduler '{address}': no address; give the one that `dask scheduler` prints, tcp://…")
     try:
         from distributed import Client, KilledWorker
     except ImportError:

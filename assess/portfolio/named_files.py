@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 from glob import escape, glob
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 LONGEST = 1000  # characters of a text that may be a path
+LOCK = ".toml"  # how a file of [records] ends that names files itself: the lock of a suite
 FilesHash = Callable[[Mapping[str, Any], Path], str]
 
 
@@ -22,7 +24,9 @@ def files_hash() -> FilesHash:
 
     @lru_cache(maxsize=100_000)
     def named(text: str, folder: Path, of_records: bool) -> bytes:
-        return b"".join(map(digest, _files(text, folder, of_records=of_records)))
+        files = _files(text, folder, of_records=of_records)
+        locked = (each for file in files if of_records and file.suffix == LOCK for each in _files_of_lock(file))
+        return b"".join(map(digest, (*files, *locked)))
 
     def hash_of(tables: Mapping[str, Any], folder: Path) -> str:
         found = hashlib.sha256()
@@ -55,14 +59,26 @@ def _leaves(value: Any) -> Iterator[str]:
 def _files(text: str, folder: Path, *, of_records: bool) -> list[Path]:
     """Return the files that a text names; only [records] has patterns and folders."""
     path = folder / text
-    if path.is_file():
-        return [path]
+    try:
+        if path.is_file():
+            return [path]
+    except OSError:  # too long for a name, or in a folder that may not be read
+        return []
     if not of_records:
         return []
     if path.is_dir():
         below = (each for each in path.rglob("*") if not each.name.startswith("."))
         return sorted(each for each in below if each.is_file())
     return sorted(each for each in map(Path, glob(str(Path(escape(str(folder))) / text), recursive=True)))
+
+
+def _files_of_lock(lock: Path) -> list[Path]:
+    """Return the files that a lock names, beside it; none if it cannot be read, which the run of the project tells."""
+    try:
+        tables = tomllib.loads(lock.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return []
+    return [file for text, _ in _texts(tables) for file in _files(text, lock.parent, of_records=False)]
 
 
 def _digest(path: Path) -> bytes:

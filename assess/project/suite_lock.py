@@ -24,7 +24,7 @@ from assess.project.section import Section
 from records.compliance.making import CodeName
 
 NAME = "records.lock.toml"
-AGAIN = "run `assess records select --lock` again"
+AGAIN = "run `assess records select PROJECT --lock` again"
 HEAD = f"""\
 # The suite of records of a project, locked: its files, their factors, and the target that these hold for.
 # Written by `assess records select --lock`, which replaces it; [records] lock = "{NAME}" uses it.

@@ -22,8 +22,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.study.checks import checks_of
 from assess.study.context import context_of
 from assess.study.grounding import Ground, Grounded, stand_on
-from assess.study.histories import run_histories
-from assess.study.mechanisms import further_levels, rocking_case
+from assess.study.mechanisms import further_levels, mechanism_histories, rocking_case
 from assess.study.motions import ScaledRecord, motions_of
 from assess.study.response import check_record
 from assess.study.rocking_case import RockingCase, RockingHistories
@@ -178,10 +177,8 @@ def _histories(
     """Return the time histories that the procedures ask for; suites without records where there are none."""
     if not any(map(uses_histories, study.procedures)):
         return RockingHistories((), ())
-    pga, levels, further = spectrum.pga, study.levels, further_levels(study, spectrum, mechanism)
     if motions:
-        return run_histories(
-            case, motions, levels=levels, besides=further, site_pga=pga, with_scan=True, threads=threads
-        )
+        return mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
+    levels, further = study.levels, further_levels(study, spectrum, mechanism)
     empty = [Suite(level, (), "positive") for level in (*levels, *further)]
     return RockingHistories((), tuple(empty[: len(levels)]), tuple(empty[len(levels) :]))

@@ -6,7 +6,6 @@ one of these or the base of a mechanism depends on them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Family
@@ -15,8 +14,7 @@ from assess.codes.verdict import Verdict, methods_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.study.checks import checks_of
 from assess.study.context import context_of
-from assess.study.histories import run_histories
-from assess.study.mechanisms import further_levels, rocking_case
+from assess.study.mechanisms import mechanism_histories, rocking_case
 from assess.study.motions import ScaledRecord, motions_of
 from assess.study.rocking_case import RockingHistories
 from assess.study.run import require_spectrum, run
@@ -79,20 +77,11 @@ def _needs_motions(study: Study) -> bool:
 
 
 def _checked(
-    study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord], mechanism: Mechanism, *, jobs: int
+    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
 ) -> CheckedMechanism:
     """Return the checks of a mechanism, with time histories where one of them asks for these."""
-    motions, rocked = tuple(motions), NO_HISTORIES
-    case = rocking_case(study, mechanism, motions)
+    case, rocked = rocking_case(study, mechanism, motions), NO_HISTORIES
     if any(map(uses_histories, study.procedures)):
-        rocked = run_histories(
-            case,
-            motions,
-            levels=study.levels,
-            besides=further_levels(study, spectrum, mechanism),
-            site_pga=spectrum.pga,
-            with_scan=study.scan,
-            threads=jobs,
-        )
+        rocked = mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
     context = context_of(study, spectrum, mechanism, rocked, case.base, motions)
     return CheckedMechanism(mechanism.name, checks_of(study, case.oscillator, context))

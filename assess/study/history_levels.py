@@ -46,9 +46,9 @@ def level_solver(
 ) -> Callable[[Sequence[float], Twins], LevelPeaks]:
     """Return a solver for the histories of one mechanism; call it with levels of PGA [m/s2] and which twins to run.
 
-    "where they matter" is of histories that rock beyond `case.still_below`, and the inner twins of those only which the
-    outer ones do not follow to CALM; a history stands for its twins that are not run. A symmetric body is run in one
-    polarity only: the other one mirrors it.
+    "where they matter" is of histories that rock, and the inner twins of those only which the outer ones do not follow
+    to CALM; a history stands for its twins that are not run. A symmetric body is run in one polarity only: the other
+    one mirrors it.
     """
     factors = np.array([motion.scaling.factor for motion in motions])
     records = [carried.record for carried in case.base]
@@ -81,7 +81,7 @@ def level_solver(
         if twins == "all":
             add(np.arange(way.size), TWINS)
         elif twins == "where they matter":
-            rocking = np.flatnonzero(_severity(found) >= case.still_below)
+            rocking = np.flatnonzero(_severity(found) > 0.0)
             add(rocking, OUTER)
             add(rocking[~_calm(_severity(found)[job[rocking, : OUTER.stop]])], INNER)
         each = np.moveaxis(job.reshape(*shape, -1), 2, 3)  # [levels, records, runs, ways]

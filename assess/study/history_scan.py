@@ -32,7 +32,7 @@ def scan_levels(
     Parameters
     ----------
     case : RockingCase
-        The oscillator and the motions at its base; its `still_below` saves twins that cannot matter.
+        The oscillator and the motions at its base.
     motions : sequence of ScaledRecord
         The records with their factors, in the order of `case.base`.
     site_pga : float

@@ -18,7 +18,6 @@ from assess.study.context import context_of
 from assess.study.histories import run_histories, with_governing_trace
 from assess.study.mechanism_results import mechanism_result
 from assess.study.motions import ScaledRecord
-from assess.study.numerical_spread import still_below
 from assess.study.progress import Progress
 from assess.study.rocking_case import RockingCase, RockingHistories, vibrates
 from assess.study.study import Amplified, Study
@@ -53,21 +52,12 @@ def assess_mechanisms(
         In the order of the study.
     """
     cases = {m.name: rocking_case(study, m, motions) for m in study.mechanisms}
-    with_scan = study.scan and any(map(uses_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     threads = max(1, workers // max(1, len(cases)))
 
     def assess(mechanism: Mechanism) -> MechanismResult:
         case = cases[mechanism.name]
-        rocked = run_histories(
-            case,
-            motions,
-            levels=study.levels,
-            besides=further_levels(study, spectrum, mechanism),
-            site_pga=spectrum.pga,
-            with_scan=with_scan,
-            threads=threads,
-        )
+        rocked = mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
         return assess_mechanism(study, spectrum, motions, mechanism, case, rocked)
 
     longest = sorted(study.mechanisms, key=lambda m: not vibrates(cases[m.name].oscillator))
@@ -80,11 +70,31 @@ def assess_mechanisms(
     return tuple(done[m.name] for m in study.mechanisms)
 
 
+def mechanism_histories(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    case: RockingCase,
+    *,
+    threads: int,
+) -> RockingHistories:
+    """Run the time histories of a mechanism at all levels of the study, with the scan where a procedure uses it."""
+    return run_histories(
+        case,
+        motions,
+        levels=study.levels,
+        besides=further_levels(study, spectrum, mechanism),
+        site_pga=spectrum.pga,
+        with_scan=study.scan and any(map(uses_histories, study.procedures)),
+        threads=threads,
+    )
+
+
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
     """Return what the histories of a mechanism are run for."""
     base, name = motions_at_base(study.amplified[mechanism.name], motions), mechanism.name
-    still = still_below(mechanism)
-    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds, still)
+    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
 
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:

@@ -17,7 +17,6 @@ class RockingCase(ShortRepr):
     """One oscillator, the equation its histories solve, and every ground motion as it acts at its base.
 
     rebounds : factors on its restitution, its own value (1) first; the worst of them counts
-    still_below : ratio |rotation| / phi_ov below which the twins of a record are not run in a scan [-]
     """
 
     name: str
@@ -25,7 +24,6 @@ class RockingCase(ShortRepr):
     equation: Equation
     base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
-    still_below: float = 0.0
 
 
 @dataclass(frozen=True, repr=False)

@@ -22,10 +22,11 @@ COUNTS = (
         "therefore computed from the share that reaches the state at each intensity. The distribution of the first "
         "intensity that reaches it counts a record as overturned from there on, and is a bound."
     ),
-    say(
-        "Masses, strengths and dimensions are mean values and the confidence factor is 1; safety factors would count "
-        "twice what the dispersion holds."
-    ),
+)
+CLOUD = (say("Rates are computed from the lognormal: a cloud has too few points to integrate."),)
+MEANS = say(
+    "Masses, strengths and dimensions are those of the project, which should be means, and the confidence factor "
+    "is 1; cautious values and safety factors would count twice what the dispersion holds."
 )
 DIMENSIONLESS = Verbatim(
     "Dimitrakopoulos, E. G. and Paraskeva, T. S. (2015). Dimensionless fragility curves for rocking response to "
@@ -95,7 +96,7 @@ def _reading(results: FragilityResults) -> Iterator[Text]:
 
 
 def _method(results: FragilityResults) -> Section:
-    said = [words.METHODS[results.method], *COUNTS]
+    said = [words.METHODS[results.method], *(CLOUD if results.method == "cloud" else COUNTS), MEANS]
     said.append(
         say(
             "Bands and intervals of the lognormals: bootstrap by earthquake, {draws} draws, seed {seed}.",
@@ -105,7 +106,7 @@ def _method(results: FragilityResults) -> Section:
     )
     if results.hazard:
         sources = listing(dict.fromkeys(Verbatim(each.source) for each in results.hazard))
-        said.append(say("Hazard of the site: {sources}. Rates are its convolution with the shares.", sources=sources))
+        said.append(say("Hazard of the site: {sources}. Rates are its convolution with the curve.", sources=sources))
     blocks = (Prose(tuple(said)), *nonempty(fragility_tables.records(results)))
     return Section(say("Method and records"), 0, blocks, starts_page=True)
 

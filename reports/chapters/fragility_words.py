@@ -34,8 +34,8 @@ METHODS: Mapping[Method, Phrase] = {
         "At each intensity the records are scaled to it and run in both polarities; the worse counts."
     ),
     "cloud": say(
-        "Each record is run as it is, in both polarities; the worse counts. The share at an intensity is that of the "
-        "records whose intensity is near it."
+        "Each record is run as it is, in both polarities; the worse counts. A point is the share of some ten records "
+        "of similar intensity; the lognormal is the one equivalent to the regression of the rotations on the intensity."
     ),
 }  # fmt: skip
 RATES: Mapping[str, Phrase] = {
@@ -60,6 +60,7 @@ def summary(mechanism: MechanismFragility) -> Iterator[Text]:
     curve, risk = main_curve(mechanism), main_risk(mechanism)
     if curve is not None:
         yield how_strong(curve)
+        yield from _extrapolated(curve)
     if risk is not None:
         yield how_likely(risk)
         if risk.target_rate is not None:
@@ -89,6 +90,19 @@ def how_strong(curve: FragilityCurve) -> Text:
         state=state_text(curve.state),
         **words,
     )
+
+
+def _extrapolated(curve: FragilityCurve) -> Iterator[Text]:
+    """Say where the median of a curve lies beyond the runs."""
+    if curve.lognormal is None or not curve.empirical:
+        return
+    last = curve.empirical[-1]
+    if curve.lognormal.median > last.intensity:
+        yield say(
+            "The runs end at {most}, where {share} of the records reach it: what is said of 50 of 100 is extrapolated.",
+            most=intensity(last.intensity, curve.measure),
+            share=percent(last.share),
+        )
 
 
 def _counted(curve: FragilityCurve) -> Text:

@@ -31,6 +31,7 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
         yield _governing(governing.at_site(results, mechanism), answer)
         yield from _floor(governing_check(governing.at_site(results, mechanism), answer))
         yield from _spread(governing_check(governing.at_site(results, mechanism), answer))
+    yield from _failing(own)
     yield from _lowered(own, found)
     yield from _remedy(own, found)
     if own.at_the_limit:
@@ -40,6 +41,13 @@ def sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
         )
     if own.conditions:
         yield say("The answer depends on the conditions listed with the verdict.")
+
+
+def _failing(own: MechanismVerdict) -> Iterator[Text]:
+    """Yield why an answer fails whose ratio is within 1, as by histories."""
+    for answer in own.answers:
+        if answer.outcome == Decision.FAIL and answer.ratio is not None and answer.ratio <= 1.0:
+            yield say("It fails although this ratio is not above 1: {reason}.", reason=answer.reason)
 
 
 def _lowered(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:

@@ -102,8 +102,8 @@ def sentences(results: Results) -> Iterator[Text]:
 def made_for_sentence(code: str) -> Text:
     """Say whose rules the suite was made to meet."""
     return say(
-        "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records, "
-        "their factors, and records that break a rule by themselves were changed for it.",
+        "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records "
+        "and their factors were adjusted for it, and records that break a rule by themselves were replaced.",
         code=Verbatim(code),
     )
 

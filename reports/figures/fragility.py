@@ -112,11 +112,16 @@ def _frame(axes: Axes, curves: Sequence[FragilityCurve], locale: Locale) -> None
 
 
 def reach(curve: FragilityCurve) -> float:
-    """Return the intensity up to which a curve is shown: where nearly all records reach the state, or the last run."""
+    """Return the intensity up to which a curve is shown: where nearly all records reach the state, or the last run.
+
+    The last of a cloud's points is no last run; it is shown up to twice the median at least.
+    """
     points = [point.intensity for point in curve.empirical]
     needed = [point.intensity for point in curve.empirical if point.share < NEARLY_ALL]
     if curve.lognormal is not None:
         needed.append(curve.lognormal.median * float(np.exp(norm.ppf(NEARLY_ALL) * curve.lognormal.dispersion)))
+    if curve.method == "cloud" and curve.lognormal is not None:
+        return BEYOND * max([*points, min(max(needed), 2.0 * curve.lognormal.median)])
     return BEYOND * min(max(needed, default=inf), max(points, default=inf)) if needed or points else 1.0
 
 

@@ -49,10 +49,19 @@ def summary(results: Results) -> str:
         *_verdict(found, results.report),
         *(f"condition: {each.text}" for each in found.conditions),
         *(f"warning: {each.where}: {each.text}" for each in told),
+        *dict.fromkeys(_remarks(results)),
         *uncertainty_lines(results.uncertainty),
         *_missing(found),
     ]
     return _table(found, pairs) + "".join(map(_wrap, lines)) + "".join(f"{line}\n" for line in _toml(found, results))
+
+
+def _remarks(results: Results) -> Iterator[str]:
+    """Yield what is remarked on the checks that decide, such as a failure at a lower level than the site's."""
+    for one in results.mechanisms:
+        for check in one.checks:
+            if check.role == "deciding":
+                yield from (f"warning: mechanisms.{one.name}: {each.text}" for each in check.remarks)
 
 
 def _table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:

@@ -8,6 +8,7 @@ from math import inf, isclose
 
 from assess.codes.basis import Basis, IndexKind, LimitState
 from assess.codes.check import Check, Outcome
+from assess.codes.incremental import failure_below
 from assess.codes.numerical_spread import is_between
 from assess.codes.standing_figures import ratio_figures, standing_figures
 from assess.codes.verdict.methods import Rank, missing_action, requested_ranks
@@ -131,6 +132,8 @@ def at_action(check: Check, action: Action) -> bool:
 def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
     """Compare a check with the target; None where it decides nothing.
 
+    A pass above a PGA at which the scan fails is a fail where the index is zeta_E, which is then below one.
+
     Parameters
     ----------
     check : to be compared
@@ -147,7 +150,7 @@ def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
     if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != full:
         holds = index.value >= target
     elif target == full:
-        holds = check.verdict == Outcome.PASS
+        holds = check.verdict == Outcome.PASS and not (basis.index == IndexKind.ZETA_E and failure_below(check))
     else:  # no index to compare: full safety is more than any lower target, and nothing is known of a higher one
         holds = check.verdict == Outcome.PASS
         if holds is (target > full):
@@ -204,8 +207,9 @@ def _answered(
     telling = [check for check, each in zip(checks, said, strict=True) if each == outcome]
     check = max(telling, key=lambda each: inf if each.ratio is None else each.ratio)
     index = index_of(check, basis)
-    near = is_near(check, index, target, one.tolerance)
-    answer = Answer(state.name, outcome, check.procedure, check.ratio, index, check.reason, near)
+    near, below = is_near(check, index, target, one.tolerance), failure_below(check)
+    reason = below if below is not None and outcome == Decision.FAIL else check.reason
+    answer = Answer(state.name, outcome, check.procedure, check.ratio, index, reason, near)
     return Found(answer, tuple(checks))
 
 
@@ -214,12 +218,13 @@ def is_near(check: Check, index: Index | None, target: float | None, tolerance: 
     width = max(LEAST_WIDTH, tolerance)
     if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
         return abs(index.value / target - 1.0) <= width or _within_spread(check, index, target)
-    return is_between(check) or (check.ratio is not None and abs(check.ratio - 1.0) <= width)
+    near = check.ratio is not None and abs(check.ratio - 1.0) <= width
+    return near or is_between(check) or failure_below(check) is not None
 
 
 def _within_spread(check: Check, index: Index, target: float) -> bool:
     """Return whether an index misses its target where 16 % of the draws do not: an index is the PGA at capacity."""
-    if target == FULL and is_between(check):
+    if target == FULL and (is_between(check) or failure_below(check)):
         return True
     if check.numerical is None or not check.capacity_pga_g or index.value >= target:
         return False

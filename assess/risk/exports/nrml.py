@@ -15,7 +15,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from assess.risk.empirical import Empirical
-from assess.risk.exports.curve import Export, ExportedCurve, ExportedState, LeftOut
+from assess.risk.exports.curve import Export, ExportedCurve, ExportedState, LeftOut, common_states
 from spectra.arrays import FloatArray
 
 Format = Literal["continuous", "discrete"]
@@ -81,19 +81,15 @@ def _taxonomies(curves: Sequence[ExportedCurve]) -> list[str]:
 
 def _choose(curves: Sequence[ExportedCurve], format: Format) -> tuple[list[ExportedCurve], tuple[LeftOut, ...]]:
     """Return the curves that the model has a place for, and what is to be said of the others."""
-    inside, left_out = [], []
-    for each in curves:
-        lacking = [state for state in each.states if state.lognormal is None] if format == "continuous" else []
-        if imt_of(each) is None:
-            left_out.append(LeftOut(each.name, each.measure, each.period, "no-name-of-measure"))
-        elif lacking:
-            left_out.append(LeftOut(each.name, each.measure, each.period, "state-without-curve", lacking[0].name))
-        else:
-            inside.append(each)
-            crossing = _crossing(each, format)
-            if crossing is not None:
-                left_out.append(LeftOut(each.name, each.measure, each.period, "curves-cross", crossing.name))
-    return inside, tuple(left_out)
+    unnamed = [each for each in curves if imt_of(each) is None]
+    left_out = [LeftOut(each.name, each.measure, each.period, "no-name-of-measure") for each in unnamed]
+    named = [each for each in curves if imt_of(each) is not None]
+    inside, lacking = common_states(named, fitted=format == "continuous")
+    crossing = ((each, _crossing(each, format)) for each in inside)
+    crossed = [
+        LeftOut(each.name, each.measure, each.period, "curves-cross", state.name) for each, state in crossing if state
+    ]
+    return inside, (*left_out, *lacking, *crossed)
 
 
 def _crossing(curve: ExportedCurve, format: Format) -> ExportedState | None:

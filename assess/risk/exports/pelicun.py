@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from assess.risk.exports.curve import Export, ExportedCurve, LeftOut
+from assess.risk.exports.curve import Export, ExportedCurve, LeftOut, common_states
 from assess.risk.exports.table import Cell, table_text
 
 UNITS = {"g": "g", "m/s": "mps", "-": "ea"}
@@ -20,30 +20,24 @@ UNITS = {"g": "g", "m/s": "mps", "-": "ea"}
 def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
     """Return the damage parameters of all curves whose measure has a name in pelicun: PGA, PGV, spectral acceleration.
 
-    Limit states keep their order; a curve with a state that has no lognormal is left out, as states in pelicun follow
-    one another.
+    Limit states keep their order and are the same in all rows, as states in pelicun follow one another.
 
     Parameters
     ----------
     curves : of the mechanisms
     """
+    unnamed = [each for each in curves if demand_of(each) is None]
+    left_out = [LeftOut(each.name, each.measure, each.period, "no-name-of-measure") for each in unnamed]
+    inside, lacking = common_states([each for each in curves if demand_of(each) is not None], fitted=True)
     rows: list[list[Cell]] = []
-    left_out = []
-    number = max((len(each.states) for each in curves), default=0)
-    names = [each.name for each in curves]
-    for each in curves:
-        demand = demand_of(each)
-        lacking = next((state.name for state in each.states if state.lognormal is None), None)
-        if demand is None:
-            left_out.append(LeftOut(each.name, each.measure, each.period, "no-name-of-measure"))
-        elif lacking is not None:
-            left_out.append(LeftOut(each.name, each.measure, each.period, "state-without-curve", lacking))
-        else:
-            several = names.count(each.name) > 1
-            name = identifier(f"{each.name}.{demand}" if several else each.name)
-            alike = sum(str(row[0]).split("..")[0] == name for row in rows)
-            rows.append(_row(each, demand, number, f"{name}..{alike + 1}" if alike else name))
-    return Export(table_text([_header(number), *rows]), tuple(left_out))
+    number = max((len(each.states) for each in inside), default=0)
+    names = [each.name for each in inside]
+    for each in inside:
+        demand = str(demand_of(each))
+        name = identifier(f"{each.name}.{demand}" if names.count(each.name) > 1 else each.name)
+        alike = sum(str(row[0]).split("..")[0] == name for row in rows)
+        rows.append(_row(each, demand, f"{name}..{alike + 1}" if alike else name))
+    return Export(table_text([_header(number), *rows]), (*left_out, *lacking))
 
 
 def demand_of(curve: ExportedCurve) -> str | None:
@@ -64,9 +58,9 @@ def _header(states: int) -> list[str]:
     return [*fixed, *(f"LS{at}-{part}" for at in range(1, states + 1) for part in parts)]
 
 
-def _row(curve: ExportedCurve, demand: str, states: int, name: str) -> list[Cell]:
+def _row(curve: ExportedCurve, demand: str, name: str) -> list[Cell]:
     row: list[Cell] = [name, 0, demand, UNITS[curve.unit], 0, 1]
     for state in curve.states:
         if state.lognormal is not None:
             row += ["lognormal", float(state.lognormal.median), float(state.lognormal.dispersion), None]
-    return row + [None] * (4 * (states - len(curve.states)))
+    return row

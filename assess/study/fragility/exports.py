@@ -13,7 +13,7 @@ import numpy as np
 from assess.messages.message import Message, Term, note
 from assess.results.fragility import FragilityCurve, FragilityResults, LognormalResult, MechanismFragility
 from assess.risk.exports.csv import csv_text
-from assess.risk.exports.curve import Export, ExportedCurve, ExportedState, Reason, Unit
+from assess.risk.exports.curve import Export, ExportedCurve, ExportedState, LeftOut, Reason, Unit
 from assess.risk.exports.nrml import nrml_text
 from assess.risk.exports.pelicun import pelicun_text
 from assess.risk.lognormal import Lognormal
@@ -31,7 +31,8 @@ FORMATS: Mapping[str, Mapping[str, Write]] = {
 UNITS: Mapping[str, Unit] = {"ground acceleration": "g", "velocity": "m/s", "ratio": "-"}
 _REASONS: Mapping[Reason, Term] = {
     "no-name-of-measure": Term("the format has no name for this measure"),
-    "state-without-curve": Term("a state has no curve"),
+    "state-without-curve": Term("its severest state has no curve"),
+    "state-left-out": Term("a state that it has no curve for is left out of the file"),
     "curves-cross": Term("curves of two states cross, which some programs cannot use; it is in the file"),
 }
 
@@ -46,12 +47,16 @@ def export(results: FragilityResults, formats: Sequence[str]) -> tuple[dict[str,
     """
     curves = [each for mechanism in results.mechanisms for each in curves_of(mechanism)]
     made = {name: write(curves) for format in formats for name, write in FORMATS[format].items()}
-    said = [
-        note("fragility-left-out", name, mechanism=one.name, measure=one.measure, why=_REASONS[one.reason])
-        for name, file in made.items()
-        for one in file.left_out
-    ]
+    said = [_left_out(name, one) for name, file in made.items() for one in file.left_out]
     return {name: file.text for name, file in made.items()}, tuple(dict.fromkeys(said))
+
+
+def _left_out(file: str, one: LeftOut) -> Message:
+    """Return the note on what a file leaves out."""
+    why = _REASONS[one.reason]
+    if one.state:
+        return note("fragility-state-left-out", file, mechanism=one.name, measure=one.measure, state=one.state, why=why)
+    return note("fragility-left-out", file, mechanism=one.name, measure=one.measure, why=why)
 
 
 def curves_of(mechanism: MechanismFragility) -> list[ExportedCurve]:

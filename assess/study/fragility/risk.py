@@ -1,7 +1,8 @@
 """The annual rate of a state: fragility with the hazard of the site.
 
 The share of records that reach the state at each intensity is what counts; the lognormal is beside it, and the curve
-of first exceedance bounds it.
+of first exceedance bounds it. A cloud has a share for every ten records only, so that the curve of its regression
+counts.
 """
 
 from __future__ import annotations
@@ -57,10 +58,11 @@ def same_measure(one: MeasureResult, other: MeasureResult) -> bool:
 def _of_curve(
     curve: FragilityCurve, hazard: HazardCurve, question: FragilityQuestion, epistemic: float | None
 ) -> Iterator[RiskResult]:
-    at = np.array([point.intensity for point in curve.empirical])
-    empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
-    risk = _risk(curve, "empirical", empirical.probability, hazard, question, breaks=at)
-    yield replace(risk, notes=_notes(curve, risk, hazard, empirical.probability))
+    if curve.method != "cloud":
+        at = np.array([point.intensity for point in curve.empirical])
+        empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
+        risk = _risk(curve, "empirical", empirical.probability, hazard, question, breaks=at)
+        yield replace(risk, notes=_notes(curve, risk, hazard, empirical.probability))
     fitted: tuple[tuple[CurveName, LognormalResult | None], ...] = (
         ("lognormal", curve.lognormal),
         ("first", curve.first),
@@ -68,7 +70,11 @@ def _of_curve(
     for name, one in fitted:
         if one is None:
             continue
-        risk = _risk(curve, name, Lognormal(one.median, one.dispersion).probability, hazard, question)
+        drawn = Lognormal(one.median, one.dispersion).probability
+        risk = _risk(curve, name, drawn, hazard, question)
+        if curve.method == "cloud":  # its last point is a group of records, not the end of the runs
+            risk = replace(risk, above_runs=0.0)
+            risk = replace(risk, notes=_notes(curve, risk, hazard, drawn))
         if epistemic:
             wide = Lognormal(one.median, hypot(one.dispersion, epistemic))
             risk = replace(risk, with_epistemic=rate(wide.probability, hazard).annual_rate)

@@ -126,13 +126,16 @@ def highest_level(severity: Severity, unit: FloatArray, lowest: float, *, most: 
 def severity_solver(case: RockingCase, *, threads: int) -> Severity:
     """Return a solver of the ratios of records at given scale factors, of the worse polarity and the worst rebound.
 
-    A symmetric body is run in one polarity only: the other one mirrors it.
+    A symmetric body is run in one polarity only: the other one mirrors it. Ratios are over the rotation that overturns
+    the body on the joints in use, which is less than that on rigid ones.
     """
     oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
     run = make_solver(oscillators, [each.record for each in case.base], equation=case.equation, threads=threads)
+    branches = case.oscillator.branches
     signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
     ways = np.tile(signs, len(oscillators))
     which = np.repeat(np.arange(len(oscillators)), signs.size)
+    first, last = (branch.overturning / branch.unstable for branch in (branches[0], branches[-1]))
 
     def solve(scale: FloatArray) -> FloatArray:
         ratio = np.full(scale.shape, np.nan)
@@ -142,7 +145,8 @@ def severity_solver(case: RockingCase, *, threads: int) -> Severity:
             m, k = motion[start : start + size], level[start : start + size]
             factors = (scale[m, k][:, None] * ways).ravel()
             found = run(Jobs(np.tile(which, m.size), np.repeat(m, ways.size), factors))
-            severity = np.where(found.overturned, inf, found.max_ratio)
+            ratios = found.max_ratio * np.where(found.max_rotation < 0.0, last, first)
+            severity = np.where(found.overturned, inf, ratios)
             ratio[m, k] = severity.reshape(-1, ways.size).max(axis=1)
         return ratio
 

@@ -193,3 +193,35 @@ def test_a_run_of_one_record_and_one_state_has_its_figure_on_the_width_of_the_pa
     assert [figure.name for figure in made.figures] == [
         f"01-front-{each}" for each in ("fragility", "runs", "contributions")
     ]
+
+
+@pytest.mark.parametrize(
+    ("change", "said", "cell"),
+    [
+        ({"motion_known": False}, "not shaken by the motion there", "ground motion at a height"),
+        ({"above_runs": 1.0}, "stronger motions than those that were run", "the runs end too soon"),
+        ({"beyond": 1.0}, "stronger or more frequent motions than the hazard lists", "the hazard ends too soon"),
+    ],
+)
+def test_a_target_that_is_open_says_why(results: FragilityResults, change: dict, said: str, cell: str) -> None:
+    mechanism = results.mechanisms[0]
+    target = 2.0 * max(risk.annual_rate for risk in mechanism.risks)
+    met = {"target_rate": target, "motion_known": True, "above_runs": 0.0, "beyond": 0.0, "below": 0.0}
+    for changes, expected, shown in (
+        (met, "This is within the target", "within the target"),
+        (met | change, said, cell),
+    ):
+        one = replace(mechanism, risks=tuple(replace(each, **changes) for each in mechanism.risks))
+        assert expected in summary(one)
+        (row,) = fragility_tables.overview(replace(results, mechanisms=(one,))).rows
+        assert shown in plain(Locale().text(row[-1].text))
+
+
+def test_a_median_beyond_the_runs_is_called_extrapolated(results: FragilityResults) -> None:
+    mechanism = results.mechanisms[0]
+    curve = main_curve(mechanism)
+    few = replace(curve, empirical=curve.empirical[:2])
+    cut = replace(mechanism, curves=tuple(few if each is curve else each for each in mechanism.curves))
+    assert curve.lognormal.median > few.empirical[-1].intensity
+    assert "extrapolated" in summary(cut)
+    assert "extrapolated" not in summary(mechanism)

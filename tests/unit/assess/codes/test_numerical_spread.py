@@ -15,14 +15,17 @@ from scipy.constants import g
 
 from assess.codes.asce43_05 import history as asce43
 from assess.codes.asce43_05.clauses import Options as AsceOptions
+from assess.codes.bases import BASES
 from assess.codes.check import Outcome, Reason
 from assess.codes.context import Context
+from assess.codes.incremental import fails_below
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import history as ntc2018
 from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between
 from assess.codes.standing_figures import standing_figures
 from assess.codes.suite import Runs, Suite
-from assess.codes.verdict.answer import Index, is_near
+from assess.codes.verdict import Decision
+from assess.codes.verdict.answer import Index, decide, index_of, is_near
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
 
@@ -157,6 +160,24 @@ def test_an_index_is_at_the_limit_where_more_draws_would_reach_the_target():
     assert not is_near(found, index, 0.8, 0.0)
     assert is_near(found, index, 2.0, 0.0)
     assert not is_near(found, index, 3.0, 0.0)
+
+
+@pytest.mark.parametrize(("basis", "outcome"), [("ntc2018", Decision.FAIL), ("asce43-05", Decision.PASS)])
+def test_a_level_that_passes_above_a_failure_of_the_scan_is_at_the_limit(basis, outcome):
+    """At 0.2 g all draws hold, at 0.15 g none: zeta_E is 0.1 / 0.2, which no target of one is reached with."""
+    fallen = suite(np.full((9, 7), 0.9), 0.15 * g)
+    assess = NTC if basis == "ntc2018" else ASCE
+    found = check(assess, *np.full((9, 7), 0.1), scan=(scan()[0], fallen, *scan()[1:]))
+    assert (found.verdict, found.capacity_pga_g) == (Outcome.PASS, pytest.approx(0.1))
+    assert [each.key for each in found.remarks] == ["fails-below"]
+    assert decide(found, BASES[basis], 1.0) == outcome
+    assert is_near(found, index_of(found, BASES[basis]), 1.0, 0.0)
+
+
+def test_the_last_level_that_passes_fails_nowhere_below():
+    """With FC = 1.35 the PGA of the level is multiplied and divided by it."""
+    for level in np.linspace(0.05, 0.5, 200):
+        assert fails_below(level * g * 1.35 / g / 1.35, level) == ()
 
 
 def test_without_twins_there_is_no_spread():

@@ -73,13 +73,19 @@ def test_a_project_that_ends_its_workers_is_a_row(tmp_path: Path) -> None:
     assert [(row.key, row.exit_code) for row in found.rows if row.status == "broken"] == [("fatal", 70)]
 
 
-@pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense://x", ""])
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense://x"])
 def test_an_address_without_a_scheduler_is_one_clear_line(
     address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("assess.portfolio.executors.CONNECT_WITHIN", 0.3)
     with pytest.raises(AssessError, match="no Dask scheduler answers there"):
         assess([task("a")], Order(tmp_path / "out", "rows"), engine=dask(address))
+
+
+@pytest.mark.parametrize("address", ["", "node1", "127.0.0.1:8786"])
+def test_what_is_no_address_is_refused_at_once(address: str) -> None:
+    with pytest.raises(AssessError, match="no address; give the one that `dask scheduler` prints"):
+        dask(address)
 
 
 def test_without_dask_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -141,7 +141,21 @@ def test_hash_follows_template_row_and_every_file_named(tmp_path: Path) -> None:
     assert len({first[0], folder[0], pattern[0], changed[0]}) == 4
 
 
-@pytest.mark.parametrize("text", ["/", ".", "..", "~", "*", "a\0b", "x" * 5000, "\ud800"])
+def test_hash_follows_the_records_of_a_lock(tmp_path: Path) -> None:
+    (tmp_path / "suite").mkdir()
+    (tmp_path / "suite" / "a.csv").write_text("1")
+    lock = tmp_path / "suite" / "records.lock.toml"
+    lock.write_text('[target]\ncode = "ntc2018"\n[[records]]\nfile = "a.csv"\n')
+    template = TEMPLATE + '[records]\nlock = "suite/records.lock.toml"\n'
+    (first,) = table(tmp_path, f"{THICKNESS}\n0.5\n", template=template)
+    (tmp_path / "suite" / "a.csv").write_text("2")
+    (changed,) = table(tmp_path, f"{THICKNESS}\n0.5\n", template=template)
+    lock.write_text("[[records")
+    (broken,) = table(tmp_path, f"{THICKNESS}\n0.5\n", template=template)
+    assert len({first.sha256, changed.sha256, broken.sha256}) == 3
+
+
+@pytest.mark.parametrize("text", ["/", ".", "..", "~", "*", "a\0b", "x" * 300, "x" * 5000, "\ud800"])
 def test_hostile_cell_names_no_file(tmp_path: Path, text: str) -> None:
     cell = text.encode("utf-8", "surrogatepass") if text == "\ud800" else text.encode()
     if text == "\ud800":

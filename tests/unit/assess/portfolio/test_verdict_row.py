@@ -14,6 +14,7 @@ from assess.portfolio.folder_names import folder_name
 from assess.portfolio.projects import Task
 from assess.portfolio.tasks import Job
 from assess.portfolio.verdict_row import row_of_verdict
+from assess.project import build
 from tests.support.portfolios import task
 from tests.support.projects import NTC, block, project_toml, wall
 
@@ -56,7 +57,11 @@ def test_without_a_verdict_or_a_mechanism_it_is_incomplete() -> None:
     assert (row.worst_mechanism, row.margin) == ("", None)
 
 
-def test_the_row_alone_is_the_row_of_a_full_run(tmp_path: Path) -> None:
+def test_the_row_alone_is_the_row_of_a_full_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is built and computed as far as the verdict depends on it: the study as a whole is built once."""
+    built: list[Path] = []
+    whole_study = build.study_of
+    monkeypatch.setattr(build, "study_of", lambda *one, **more: built.append(one[0].path) or whole_study(*one, **more))
     text = project_toml(
         site={"limit_state": "SLV", "spectrum": NTC},
         bodies={"low": wall(0.4, height=3.0), "high": wall(0.4, height=6.0)},
@@ -66,6 +71,7 @@ def test_the_row_alone_is_the_row_of_a_full_run(tmp_path: Path) -> None:
     one = Task("Two walls", "", tmp_path / "project.toml", None, "")
     alone, whole = (assess_project(Job(one, tmp_path / "out", keep, "")) for keep in ("rows", "results"))
     place = folder_name("Two walls")
+    assert len(built) == 1
     assert whole == replace(alone, results=f"{place}/results.json")
     assert (tmp_path / "out" / place / "results.json").is_file()
     assert alone.worst_mechanism == "high"

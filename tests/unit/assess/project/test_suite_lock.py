@@ -120,10 +120,12 @@ def test_a_record_that_changed_or_is_gone_is_an_error_with_its_remedy(folder: Pa
     file = folder / results_of(folder, LOCKED).records[0].path
     content = file.read_text()
     file.write_text(content + "\n")
-    with pytest.raises(ProjectError, match=rf"{file.name} has changed since .*records select --lock` again"):
+    with pytest.raises(ProjectError, match=rf"{file.name} has changed since .*records select PROJECT --lock` again"):
         study_of(folder, project(LOCKED))
     file.unlink()
-    with pytest.raises(ProjectError, match=rf"{file.name}, which cannot be read .*records select --lock` again"):
+    with pytest.raises(
+        ProjectError, match=rf"{file.name}, which cannot be read .*records select PROJECT --lock` again"
+    ):
         study_of(folder, project(LOCKED))
     file.write_text(content)
     assert study_of(folder, project(LOCKED)).records
@@ -134,7 +136,9 @@ def test_a_record_that_changed_or_is_gone_is_an_error_with_its_remedy(folder: Pa
 )
 def test_a_lock_of_another_spectrum_is_an_error(folder: Path, site: Table) -> None:
     lock(folder)
-    with pytest.raises(ProjectError, match=r"made for another target .*run `assess records select --lock` again"):
+    with pytest.raises(
+        ProjectError, match=r"made for another target .*run `assess records select PROJECT --lock` again"
+    ):
         study_of(folder, project(LOCKED, site=site))
 
 

@@ -166,3 +166,30 @@ def test_curves_that_cross_in_their_far_tails_are_not_told():
 def test_names_that_become_alike_stay_apart():
     export = nrml_text([curve("wall'"), curve("wall#"), curve("wall_")], format="continuous")
     assert [each.get("id") for each in functions(export)] == ["wall_", "wall_ ..2", "wall_ ..3"]
+
+
+def test_a_mild_state_without_a_lognormal_leaves_the_others_in_the_file():
+    """A rigid block begins to rock at one PGA, without scatter: its overturning is exported all the same."""
+    step = ExportedCurve("wall", "pga", None, "g", (state("rocking", None, (0, 0, 10, 10, 10)), *curve().states))
+    full = ExportedCurve("tower", "pga", None, "g", (state("rocking", Lognormal(0.1, 0.2)), *curve().states))
+    model = nrml_text([full, step], format="continuous")
+    for export in (model, pelicun_text([full, step])):
+        assert [(each.name, each.state, each.reason) for each in export.left_out] == [
+            ("wall", "rocking", "state-left-out")
+        ]
+    limits = ET.fromstring(model.text.encode()).find(f"{NAME}fragilityModel/{NAME}limitStates").text.split()
+    assert limits == ["rotation_0_5", "overturning"]
+    for function in functions(model):
+        assert [row.get("ls") for row in function.findall(f"{NAME}params")] == limits
+
+
+@pytest.mark.parametrize("format", ["continuous", "discrete"])
+def test_all_functions_have_the_limit_states_of_the_model(format):
+    """A mechanism on joints that deform at once has no state of rocking, and OpenQuake wants the same states in all."""
+    rigid = ExportedCurve("rigid", "pga", None, "g", (state("rocking", Lognormal(0.1, 0.2)), *curve().states))
+    export = nrml_text([rigid, curve("soft")], format=format)
+    row = "params" if format == "continuous" else "poes"
+    assert [[each.get("ls") for each in function.findall(f"{NAME}{row}")] for function in functions(export)] == [
+        ["rotation_0_5", "overturning"]
+    ] * 2
+    assert [(each.name, each.state, each.reason) for each in export.left_out] == [("soft", "rocking", "state-left-out")]

@@ -154,6 +154,19 @@ def test_a_target_below_full_safety_passes_a_ratio_above_one(results: Results, j
     )
 
 
+def test_a_failure_with_a_ratio_within_one_says_why(results: Results) -> None:
+    verdict = results.verdict
+    assert verdict is not None
+    one = verdict.mechanisms[0]
+    reason = Message("fails-below", Severity.NOTE, "", "the PGA scan already fails just above 0.1 g")
+    for ratio, outcome in ((0.4, Decision.FAIL), (1.4, Decision.FAIL), (0.4, Decision.PASS)):
+        answers = (replace(one.answers[0], ratio=ratio, outcome=outcome, reason=reason),)
+        judged = replace(verdict, mechanisms=(replace(one, answers=answers, outcome=outcome), *verdict.mechanisms[1:]))
+        said = told(governing_words.sentences(replace(results, verdict=judged), results.mechanisms[0]))
+        why = "It fails although this ratio is not above 1: the PGA scan already fails just above 0.1 g."
+        assert (why in said) == (ratio < 1.0 and outcome == Decision.FAIL)
+
+
 def test_joints_of_several_models_are_words_of_the_language(results: Results) -> None:
     wall = results.mechanisms[0]
     kinds = ("rigid", "flexible")

@@ -12,6 +12,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from scipy.stats import norm
 
+from assess.dynamics.history import Jobs, make_solver
 from assess.errors import ProjectError
 from assess.results.fragility import FragilityCurve, FragilityResults, HazardResult
 from assess.results.json import dumps_fragility, loads_fragility
@@ -183,6 +184,18 @@ def test_a_cloud_runs_each_record_once(folder: Path) -> None:
     assert curve(found).first is None
 
 
+def test_the_rate_of_a_cloud_is_that_of_its_lognormal(folder: Path) -> None:
+    """Its few shares, held where no record is, would make frequent weak motions overturn the block."""
+    plain = noise_results(folder, method="cloud", factor=0.8).mechanisms[0]
+    fitted = next(each for each in plain.curves if each.state.name == "overturning" and each.lognormal is not None)
+    at = np.geomspace(0.001, 30.0, 60)
+    hazard = HazardResult(fitted.measure, "rows", tuple(at), tuple(1e-4 * at**-2.0))
+    found = noise_results(folder, method="cloud", factor=0.8, hazard=hazard).mechanisms[0]
+    (risk,) = (each for each in found.risks if each.state.name == "overturning")
+    exact = 1e-4 * fitted.lognormal.median**-2.0 * exp(2.0 * fitted.lognormal.dispersion**2)
+    assert (risk.curve, risk.annual_rate) == ("lognormal", pytest.approx(exact, rel=1e-3))
+
+
 def test_records_that_stand_at_their_largest_scale_are_censored(folder: Path) -> None:
     """They stay among the records, and the first exceedance moves little where they are many."""
     few = noise_results(folder, factor=0.5, largest_factor=1.3)
@@ -274,6 +287,30 @@ def test_the_motion_at_the_base_is_a_measure_of_its_own(folder: Path) -> None:
     assert {each.at for each in one.measures} == {"ground", "base"}
     place = [(each.key, each.at) for each in one.measures].index(("pga", "base"))
     assert all(each.intensity[place] > each.intensity[0] for each in one.runs)
+
+
+def test_states_are_shares_of_the_rotation_that_overturns_on_the_joints_in_use(folder: Path) -> None:
+    text = tables_toml(
+        materials={"brick": {"density": 1800}},
+        bodies={"wall": {"material": "brick", "box": {"thickness": 0.6, "length": 3.0, "height": 4.0}}},
+        mechanisms={"wall": {"kind": "single-block", "blocks": ["wall"], "direction": [1, 0, 0], "interface": {
+            "model": "flexible", "stiffness": "0.1 GPa/m", "strength": "0.5 MPa", "shape": "outline"}}},
+        **PLAIN,
+    )  # fmt: skip
+    asked = FragilityQuestion(samples=10, draws=100, largest_factor=100.0)
+    study = replace(study_of(folder, text), records=NOISES[:4], artificial=None, fragility=asked)
+    (mechanism,) = run_fragility(study, jobs=1).mechanisms
+    oscillator = study.mechanisms[0].variants.deciding
+    branch, solve = oscillator.positive, make_solver([oscillator], NOISES[:4], equation="exact")
+    assert branch.overturning_flexible < 0.9 * branch.overturning
+    for place, each in enumerate(mechanism.runs):
+        count = len(each.scale)
+        found = solve(Jobs(np.zeros(count, dtype=int), np.full(count, place), np.array(each.scale)))
+        shares = [None if over else abs(rotation) / branch.overturning_flexible
+                  for rotation, over in zip(found.max_rotation, found.overturned, strict=True)]  # fmt: skip
+        assert [one is None for one in each.ratio] == [one is None for one in shares]
+        known = [pair for pair in zip(each.ratio, shares, strict=True) if pair[0] is not None]
+        np.testing.assert_allclose(*zip(*known, strict=True), rtol=1e-9)
 
 
 def test_few_and_artificial_records_are_told(folder: Path) -> None:

@@ -22,8 +22,8 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     # why a lognormal has no interval
     "fragility-interval-events": "the records are of fewer than {least} earthquakes ({events}): the curve has no "
     "interval",
-    "fragility-interval-draws": "more than a share of {share} of the bootstrap draws give no curve, as few records are "
-    "near the step between standing and reaching this state: the curve has no interval; add records",
+    "fragility-interval-draws": "more than one bootstrap draw in 20 gives no curve, as too few records stand above the "
+    "weakest that reaches this state, or rock and do not overturn: the curve has no interval; add records",
     # records
     "fragility-few-records": "records: {number}, fewer than {least}: dispersion and tails are hardly known",
     "fragility-artificial": "artificial records: {number} of {all}; made for one spectrum, they differ less than "

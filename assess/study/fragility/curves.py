@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from assess.messages.message import Message, Quantity, message, note, whole_number
+from assess.messages.message import Message, message, note, whole_number
 from assess.results.fragility import (
     LARGE_SCALE,
     EmpiricalPoint,
@@ -22,7 +22,7 @@ from assess.risk.lognormal import Unbounded, fit_lognormals, unbounded_reason
 from assess.risk.regression import equivalent_lognormals
 from assess.risk.wilson import wilson
 from assess.short_repr import ShortRepr
-from assess.study.fragility.intervals import MOST_UNBOUNDED, Fits, lognormal_result
+from assess.study.fragility.intervals import Fits, lognormal_result
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.fragility.runs import Runs
 from assess.study.fragility.states import Outcomes, first_bounds, outcomes, reaches
@@ -193,4 +193,4 @@ def _notes(fitted: LognormalResult | None, why: str | None, events: Sequence[str
         if number < LEAST:
             yield note("fragility-interval-events", events=whole_number(number), least=whole_number(LEAST))
         else:
-            yield note("fragility-interval-draws", share=Quantity(MOST_UNBOUNDED, "ratio", 1))
+            yield note("fragility-interval-draws")

@@ -17,6 +17,8 @@ from assess.results.fragility import (
 from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 FIGURES = 3
+RATE_FIGURES = 2
+"""Of rates and their probabilities, which are known no better."""
 PERCENT = 100.0
 BELOW: Mapping[str, str] = {"ground acceleration": "acceleration", "velocity": "velocity", "ratio": "ratio"}
 """What tables of each dimension are called."""

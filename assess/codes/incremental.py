@@ -9,7 +9,7 @@ from scipy.constants import g
 from assess.codes.check import Check, PgaCurve
 from assess.codes.suite import Suite
 from assess.codes.worst_branch import least_known
-from assess.messages.message import Message, Quantity, message
+from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import Oscillator, threshold
 
 FAILS_BELOW = "fails-below"
@@ -85,3 +85,17 @@ def fails_below(at_collapse: float | None, level: float) -> tuple[Message, ...]:
 def failure_below(check: Check) -> Message | None:
     """Return what a check says of a failure at a lower PGA than the one at which it passes; None without one."""
     return next((each for each in check.remarks if each.key == FAILS_BELOW), None)
+
+
+def scan_conditions(incremental: Sequence[Suite]) -> tuple[Message, ...]:
+    """Return what a pass by histories depends on where they were not run at rising PGA.
+
+    Parameters
+    ----------
+    incremental : suites at rising PGA; empty without a scan
+
+    Returns
+    -------
+    tuple of Message
+    """
+    return () if incremental else (message("not-scanned", severity=Severity.WARNING),)

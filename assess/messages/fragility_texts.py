@@ -11,12 +11,19 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "fragility-one-intensity": "the records have one intensity in common: no lognormal curve",
     "fragility-separated": "all records reach this state between the same two intensities: the scatter is less than "
     "the step between them, and no lognormal curve can be fitted",
+    "fragility-cloud-separated": "every record that reaches this state is stronger than every one that does not: the "
+    'cloud shows no scatter, and no lognormal curve can be fitted; add records, or use method = "ida"',
     "fragility-falling": "the share of records that reach this state does not rise with this measure: no lognormal "
     "curve",
     "fragility-no-threshold": "on joints that deform at once there is no uplift, and the state of rocking is not "
     "defined",
     "fragility-no-cloud": "too few records make the mechanism rock without overturning it, or their responses do not "
     "rise with this measure: no lognormal curve",
+    # why a lognormal has no interval
+    "fragility-interval-events": "the records are of fewer than {least} earthquakes ({events}): the curve has no "
+    "interval",
+    "fragility-interval-draws": "more than one bootstrap draw in 20 gives no curve, as too few records stand above the "
+    "weakest that reaches this state, or rock and do not overturn: the curve has no interval; add records",
     # records
     "fragility-few-records": "records: {number}, fewer than {least}: dispersion and tails are hardly known",
     "fragility-artificial": "artificial records: {number} of {all}; made for one spectrum, they differ less than "
@@ -42,6 +49,9 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "fragility-runs-end": "records are run up to {intensity}, where the share that reaches the state is {share}; "
     "stronger motions of the hazard may add at most {lacking} a year; run to a larger intensity, or give stronger "
     "records",
+    "fragility-cloud-ends": "the strongest record has {intensity}, above which the curve is extrapolated: a share of "
+    "{share} of the rate is of stronger motions, and these may add at most {lacking} a year; give stronger records, or "
+    "a factor on them",
     "fragility-scalar-motion": "above the ground, where one factor on the motion of the ground leaves out resonance "
     "with the building: rates may be too small, and no target is shown to be met; use amplification = {{ method = "
     '"modal-filter" }}',

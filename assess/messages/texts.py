@@ -36,6 +36,8 @@ TEXTS: Mapping[str, str] = {
     "they count in the multiplier, but are not shown to last",
     "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end",
     "seats-hold": "a pass at {state} is valid only if the seat of {what} survives a displacement d* of {moved}",
+    "not-scanned": "a pass by histories is valid only if no lower PGA is worse, which was not looked at: [analysis] "
+    "scan = true runs the histories at rising PGA",
     # conditions and gaps of the verdict
     "no-deciding-method": "no method that may decide {state} was requested or applies: {methods}",
     "missing-key": "{key}: {text}",

@@ -55,7 +55,8 @@ def _hazard(risk: sections.Risk, site: Hazard | None, folder: Path) -> HazardRes
         pga = tuple(row.pga / g for row in risk.hazard)
         return HazardResult(measure("pga"), "analysis.risk.hazard", pga, tuple(row.annual_rate for row in risk.hazard))
     if risk.curve is not None:
-        longitude, latitude = risk.site or (None, None)
+        place = risk.site
+        longitude, latitude = (None, None) if place is None else (place.longitude, place.latitude)
         with locate_errors("analysis.risk.curve"):
             found = read_hazard(risk.curve, longitude=longitude, latitude=latitude)
         intensity, annual_rate = (tuple(each.tolist()) for each in (found.curve.intensity, found.curve.annual_rate))

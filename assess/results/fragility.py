@@ -108,6 +108,7 @@ class FragilityCurve(ShortRepr):
     lognormal : by binomial maximum likelihood; None where the data do not bound one, for the reason in `notes`
     first : of the least intensity at which each record reaches the state, censored ones included: a bound, as rocking
         is not monotone and a record may stand again at a higher intensity
+    largest_run : of a cloud, whose points are groups of records: the intensity of its strongest record
     """
 
     measure: MeasureResult
@@ -121,6 +122,13 @@ class FragilityCurve(ShortRepr):
     lognormal: LognormalResult | None
     first: LognormalResult | None
     notes: tuple[Message, ...] = ()
+    largest_run: float | None = None
+
+    @property
+    def end(self) -> float:
+        """The largest intensity that was run, above which a curve is extrapolated [unit of the measure]."""
+        last = self.empirical[-1].intensity if self.empirical else 0.0
+        return last if self.largest_run is None else self.largest_run
 
 
 @dataclass(frozen=True, repr=False)
@@ -184,7 +192,8 @@ class HazardResult(ShortRepr):
 class RiskResult(ShortRepr):
     """The annual rate of a state, of one curve with the hazard of the site.
 
-    contribution [n-1] : shares of the rate between neighbouring intensities of the hazard [-]
+    intensity [n], contribution [n-1] : shares of the rate between neighbouring intensities, which rise in a constant
+        ratio from the first row of the hazard to the last [-]
     beyond : the rate that the hazard leaves above its last row if every motion there reaches the state [1/year]
     below : what motions below the first row of the hazard add if it goes on with its first slope; None where that has
         no end [1/year]

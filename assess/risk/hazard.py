@@ -52,7 +52,7 @@ class Rate(ShortRepr):
     """The annual rate of a state, within the rows of the hazard and what may come from outside them.
 
     annual_rate : within the rows [1/year]
-    contribution [n-1] : its parts between neighbouring rows [1/year]
+    contribution [n-1] : its parts between neighbouring rows of the hazard, or other edges [1/year]
     beyond : what motions above the last row add if every one reaches the state, a bound: the last row's rate [1/year]
     below : what motions below the first row add if the hazard goes on with the slope of its first interval, which is
         more than true where the hazard flattens towards small motions; inf where the state is too likely there [1/year]
@@ -65,11 +65,11 @@ class Rate(ShortRepr):
 
     @property
     def shares(self) -> FloatArray:
-        """Parts of the rate between neighbouring rows [n-1] [-]; zeros where the rate is zero."""
+        """Parts of the rate between neighbouring edges [n-1] [-]; zeros where the rate is zero."""
         return self.contribution / self.annual_rate if self.annual_rate > 0.0 else np.zeros_like(self.contribution)
 
 
-def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = ()) -> Rate:
+def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (), edges: ArrayLike = ()) -> Rate:
     """Return the annual rate of a state.
 
     Parameters
@@ -77,14 +77,18 @@ def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (
     probability : of the state at intensities [m], in the hazard's unit
     hazard : of the site
     breaks : intensities at which the probability has kinks, as an empirical curve at its points [k]
+    edges : rising intensities from the first row to the last that part the contributions; the rows if empty [n]
     """
     u, v = np.log(hazard.intensity), np.log(hazard.annual_rate)
     slopes = -np.diff(v) / np.diff(u)
     kinks = np.log(np.asarray(breaks, dtype=np.float64))
-    corners = np.unique(np.concatenate([u, kinks[(kinks > u[0]) & (kinks < u[-1])]]))
+    parting = np.log(np.asarray(edges, dtype=np.float64)) if np.size(edges) else u
+    also = np.concatenate([kinks, parting])
+    corners = np.unique(np.concatenate([u, also[(also > u[0]) & (also < u[-1])]]))
     row = np.clip(np.searchsorted(u, corners[:-1], side="right") - 1, 0, slopes.size - 1)
     parts = _integrate(probability, corners, u[row], v[row], slopes[row])
-    contribution = np.asarray(np.bincount(row, weights=parts, minlength=slopes.size), dtype=np.float64)
+    place = np.clip(np.searchsorted(parting, corners[:-1], side="right") - 1, 0, parting.size - 2)
+    contribution = np.asarray(np.bincount(place, weights=parts, minlength=parting.size - 1), dtype=np.float64)
     return Rate(
         float(contribution.sum()),
         contribution,

@@ -155,7 +155,7 @@ def _site(
     lon, lat = ([_number(row[header.index(name)], name) for row in rows] for name in ("lon", "lat"))
     if longitude is None or latitude is None:
         if len(rows) > 1:
-            raise HazardError(f"it has {len(rows)} sites; give longitude and latitude of yours")
+            raise HazardError(f"it has {len(rows)} sites; give longitude and latitude of yours as site")
         return rows[0], None
     distances = _distance(np.array(lon), np.array(lat), longitude, latitude)
     at = int(np.argmin(distances))

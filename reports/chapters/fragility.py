@@ -74,7 +74,7 @@ def _summary(results: FragilityResults) -> Section:
             sentences=Paragraph(said),
         )
         for each in results.mechanisms
-        if (said := tuple(words.summary(each)))
+        if (said := tuple(words.summary(each, results.hazard)))
     )
     blocks: list[Block] = [Items(told)] if told else []
     blocks += [*nonempty(fragility_tables.overview(results)), Prose(tuple(_reading(results)))]
@@ -91,7 +91,7 @@ def _reading(results: FragilityResults) -> Iterator[Text]:
             "The intervals (95 %) are what the limited number of records leaves open. They do not hold what is unknown "
             "of the building, and the answer is for the mechanisms examined alone."
         )
-    if not any(each.risks for each in results.mechanisms):
+    if not results.hazard:
         yield say("How likely it is each year is not answered: give the hazard of the site in [analysis.risk].")
 
 

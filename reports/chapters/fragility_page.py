@@ -31,7 +31,7 @@ def section(results: FragilityResults, mechanism: MechanismFragility) -> Section
     """Return the pages of a mechanism: what it means, the curves, the runs behind them, the measures, the rates."""
     stem = file_stem(mechanism.name, [each.name for each in results.mechanisms].index(mechanism.name) + 1)
     blocks: list[Block] = [
-        *_prose(words.summary(mechanism)),
+        *_prose(words.summary(mechanism, results.hazard)),
         *_curve(mechanism, stem),
         *nonempty(tables.curves(mechanism, f"{stem}-curves")),
         *_runs(mechanism, stem),

@@ -20,6 +20,7 @@ from reports.language.texts import Text, Verbatim, quantity, say
 from reports.measures import (
     FIGURES,
     PERCENT,
+    RATE_FIGURES,
     curves_by,
     first_measure,
     intensity,
@@ -34,12 +35,12 @@ from reports.measures import (
 MECHANISM, STATE, MEASURE = Column(say("Mechanism")), Column(say("State")), Column(say("Measure"))
 FIVE, HALF = Column(say("5 % of records")), Column(say("50 % of records (median)"))
 DISPERSION = Column(say("Dispersion β"))
-RATE = Column(say("Annual rate"), "annual rate", FIGURES)
-PROBABILITY = Column(say("In 50 years"), "percent", FIGURES)
+RATE = Column(say("Annual rate"), "annual rate", RATE_FIGURES)
+PROBABILITY = Column(say("In 50 years"), "percent", RATE_FIGURES)
 TARGET = Column(say("Target rate"), "annual rate", FIGURES)
-BEYOND = Column(say("Beyond the hazard"), "annual rate", FIGURES)
-ABOVE_RUNS = Column(say("Above the runs"), "annual rate", FIGURES)
-WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", FIGURES)
+BEYOND = Column(say("Beyond the hazard"), "annual rate", RATE_FIGURES)
+ABOVE_RUNS = Column(say("Above the runs"), "annual rate", RATE_FIGURES)
+WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", RATE_FIGURES)
 RISK = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND, ABOVE_RUNS)
 SIGNIFICANT = 0.05
 MOST = 6

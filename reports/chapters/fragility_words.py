@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from assess.results.fragility import (
     FragilityCurve,
     Gap,
+    HazardResult,
     LognormalResult,
     MeasureResult,
     MechanismFragility,
@@ -16,8 +17,11 @@ from assess.results.fragility import (
 from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
 from reports.measures import (
     FIGURES,
+    PERCENT,
+    RATE_FIGURES,
     intensity,
     interval,
+    last_state,
     main_curve,
     main_risk,
     measure_text,
@@ -48,15 +52,23 @@ GAPS: Mapping[Gap, Phrase] = {
         "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
         "modal filter"
     ),
-    "runs": say("the hazard has stronger motions than those that were run; run to a larger intensity"),
+    "runs": say(
+        "the hazard has stronger motions than those that were run; run to a larger intensity, or give stronger records"
+    ),
     "hazard": say(
         "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
     ),
 }
 
 
-def summary(mechanism: MechanismFragility) -> Iterator[Text]:
-    """Yield what an owner should know of a mechanism: the intensities that overturn it, then its annual rate."""
+def summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ()) -> Iterator[Text]:
+    """Yield what an owner should know of a mechanism: the intensities that overturn it, then its annual rate.
+
+    Parameters
+    ----------
+    mechanism : with its curves and rates
+    hazards : of the site, to say why there is no rate though one is given
+    """
     curve, risk = main_curve(mechanism), main_risk(mechanism)
     if curve is not None:
         yield how_strong(curve)
@@ -65,6 +77,25 @@ def summary(mechanism: MechanismFragility) -> Iterator[Text]:
         yield how_likely(risk)
         if risk.target_rate is not None:
             yield beside_target(risk)
+    elif hazards:
+        yield without_rate(mechanism, hazards)
+
+
+def without_rate(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
+    """Say why a mechanism has no annual rate although the hazard of the site is given."""
+    state, measures = last_state(mechanism), [hazard.measure for hazard in hazards]
+    found = [each for each in mechanism.curves if each.state == state and each.measure in measures]
+    if found:
+        return say(
+            "How likely it is each year is not answered: the rate of a cloud is that of its lognormal, and there is "
+            "none by {measure}: {why}.",
+            measure=measure_text(found[0].measure),
+            why=found[0].notes[0] if found[0].notes else say("the records do not bound one"),
+        )
+    return say(
+        "How likely it is each year is not answered: there is no curve by {measures}, the measure of the hazard.",
+        measures=listing(map(measure_text, measures)),
+    )
 
 
 def how_strong(curve: FragilityCurve) -> Text:
@@ -97,7 +128,12 @@ def _extrapolated(curve: FragilityCurve) -> Iterator[Text]:
     if curve.lognormal is None or not curve.empirical:
         return
     last = curve.empirical[-1]
-    if curve.lognormal.median > last.intensity:
+    if curve.method == "cloud" and curve.lognormal.median > curve.end:
+        yield say(
+            "The strongest record has {most}: what is said of 50 of 100 is extrapolated.",
+            most=intensity(curve.end, curve.measure),
+        )
+    elif curve.lognormal.median > curve.end:
         yield say(
             "The runs end at {most}, where {share} of the records reach it: what is said of 50 of 100 is extrapolated.",
             most=intensity(last.intensity, curve.measure),
@@ -139,24 +175,19 @@ def how_likely(risk: RiskResult) -> Text:
         "With the hazard of the site, the annual rate of {state} is {rate}, a probability of {probability} in 50 "
         "years.",
         state=state_text(risk.state),
-        rate=rate(risk.annual_rate),
-        probability=percent(risk.probability_50_years),
+        rate=quantity(risk.annual_rate, "annual rate", RATE_FIGURES),
+        probability=quantity(PERCENT * risk.probability_50_years, "percent", RATE_FIGURES),
     )
 
 
 def beside_target(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
-    target = rate(risk.target_rate or 0.0)
+    target = quantity(risk.target_rate or 0.0, "annual rate", FIGURES)
     if risk.outcome == "fail":
         return say("This is more than the target of {target}.", target=target)
     if risk.gap is None:
         return say("This is within the target of {target}.", target=target)
     return say("Whether this is within the target of {target} is not known: {why}.", target=target, why=GAPS[risk.gap])
-
-
-def rate(value: float) -> Text:
-    """Return an annual rate with its unit."""
-    return quantity(value, "annual rate", FIGURES)
 
 
 def describe_counts(curve: FragilityCurve) -> Iterator[Text]:

@@ -27,7 +27,9 @@ def draw(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> Figur
             rates = np.array(hazard.annual_rate)
             shown = rates > 0.0
             words = locale.text(say("hazard: ground motions that exceed the intensity"))
-            above.plot(np.array(hazard.intensity)[shown], rates[shown], color=INK, label=words)
+            above.plot(
+                np.array(hazard.intensity)[shown], rates[shown], color=INK, marker="o", markersize=3.0, label=words
+            )
         above.axhline(risk.annual_rate, color=FAIL, linewidth=1.0, label=locale.text(say("rate of the state")))
         if risk.target_rate is not None:
             target = locale.text(say("target"))

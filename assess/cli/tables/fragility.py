@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from assess.cli.tables.messages import messages_text
 from assess.cli.tables.text_table import text_table
-from assess.messages.message import UNITS, locate
+from assess.messages.message import UNITS, Message, locate
 from assess.results.fragility import (
     CurveName,
     FragilityCurve,
@@ -30,14 +32,20 @@ def table_text(results: FragilityResults) -> str:
     if risks:
         tables.append(text_table(RISK_HEADER, risks))
     notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
-    said = (
-        note for each in results.mechanisms for risk in each.risks for note in locate(risk.notes, _place(each, risk))
-    )
+    said = (note for each in results.mechanisms for note in _notes(each))
     return "\n".join(tables) + messages_text((*results.warnings, *notes, *said))
 
 
-def _place(mechanism: MechanismFragility, risk: RiskResult) -> str:
-    return f"mechanisms.{mechanism.name}, {state_name(risk.state)}"
+def _notes(mechanism: MechanismFragility) -> Iterator[Message]:
+    """Yield what is told of the curves, and of the rates."""
+    shown: tuple[FragilityCurve | RiskResult, ...] = (
+        *mechanism.curves,
+        *mechanism.risks,
+    )
+    for one in shown:
+        yield from locate(
+            one.notes, f"mechanisms.{mechanism.name}, {state_name(one.state)} by {measure_name(one.measure)}"
+        )
 
 
 def _row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:
@@ -60,7 +68,7 @@ def _interval(found: tuple[float, float] | None) -> str:
 
 
 def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
-    target = "" if risk.target_rate is None else f"{risk.target_rate:.2g}"
+    target = "" if risk.target_rate is None else f"{risk.target_rate:.3g}"
     rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
     return [mechanism.name, state_name(risk.state), risk.curve, rate, probability, target, OUTCOMES[risk.outcome]]
 

@@ -27,7 +27,7 @@ from assess.codes.check import (
     step,
 )
 from assess.codes.context import Context
-from assess.codes.incremental import fails_below, pga_curve, uplift_multiplier
+from assess.codes.incremental import fails_below, pga_curve, scan_conditions, uplift_multiplier
 from assess.codes.numerical_spread import (
     Capacities,
     capacities,
@@ -140,6 +140,7 @@ def _check(
         verdict=verdict,
         reason=reason,
         remarks=fails_below(at_collapse, suite.pga / g) if verdict == Outcome.PASS else remarks,
+        conditions=scan_conditions(context.incremental),
         capacity_pga_g=at_collapse,
         uplift_pga_g=scanned.uplift,
         capacity_rotation_ratio=capacity / branch.overturning,

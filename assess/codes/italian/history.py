@@ -19,7 +19,7 @@ from scipy.constants import g
 from assess.codes.calculation_step import Given
 from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
 from assess.codes.context import Context, Hazard
-from assess.codes.incremental import fails_below, pga_curve, uplift_multiplier
+from assess.codes.incremental import fails_below, pga_curve, scan_conditions, uplift_multiplier
 from assess.codes.italian.confidence import Confidence, confidence_factors, confidence_step, mark_informative
 from assess.codes.italian.curves import Curves, branch_curves
 from assess.codes.italian.edition import Edition, Options
@@ -159,7 +159,10 @@ def _check(
         verdict=verdict,
         reason=reason,
         remarks=fails_below(at_collapse, found.pga / g) if verdict == Outcome.PASS else remarks,
-        conditions=seat_conditions(context, state, threshold.moved) if state == "SLV" else (),
+        conditions=(
+            *scan_conditions(context.incremental),
+            *(seat_conditions(context, state, threshold.moved) if state == "SLV" else ()),
+        ),
         capacity_pga_g=at_collapse,
         uplift_pga_g=None if lifts is None else lifts / context.amplification / FC,
         capacity_rotation_ratio=rotation_at(branch, moved, mass=curves.mass) / branch.overturning,

@@ -132,7 +132,7 @@ def at_action(check: Check, action: Action) -> bool:
 def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
     """Compare a check with the target; None where it decides nothing.
 
-    A pass above a PGA at which the scan fails is a fail where the index is zeta_E, which is then below one.
+    A pass above a PGA at which the scan fails is a fail: the margin is then below one.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
     if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != full:
         holds = index.value >= target
     elif target == full:
-        holds = check.verdict == Outcome.PASS and not (basis.index == IndexKind.ZETA_E and failure_below(check))
+        holds = check.verdict == Outcome.PASS and failure_below(check) is None
     else:  # no index to compare: full safety is more than any lower target, and nothing is known of a higher one
         holds = check.verdict == Outcome.PASS
         if holds is (target > full):

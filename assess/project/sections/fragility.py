@@ -150,6 +150,15 @@ class HazardPoint(Section):
         return 1.0 / self.return_period
 
 
+class Place(Section):
+    """A place on the earth."""
+
+    longitude: Annotated[Ratio, Field(ge=-180, le=360)]
+    """degrees east, like 13.40"""
+    latitude: Annotated[Ratio, Field(ge=-90, le=90)]
+    """degrees north, like 42.35"""
+
+
 class Risk(Section):
     """Hazard of the site, which fragility makes a rate of: rows, a file, or the rows of an Italian site if absent."""
 
@@ -157,8 +166,8 @@ class Risk(Section):
     """rows [{ return_period | rate, pga }, …], of falling rate; those of [site.spectrum] if absent"""
     curve: InputFile | None = None
     """hazard curves of OpenQuake as CSV, like "hazard_curve-mean-PGA.csv", in place of hazard"""
-    site: tuple[Annotated[Ratio, Field(ge=-180, le=360)], Annotated[Ratio, Field(ge=-90, le=90)]] | None = None
-    """[longitude, latitude] in degrees: which site of `curve`, the nearest, at most 50 km away; needed where it holds
+    site: Place | None = None
+    """{ longitude, latitude } in degrees: which site of `curve`, the nearest, at most 50 km away; needed where it holds
     several"""
     target: PositiveRatio | None = None
     """annual rate that the risk is compared with, like 2e-4"""

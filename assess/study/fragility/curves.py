@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from assess.messages.message import Message, message
+from assess.messages.message import Message, message, note, whole_number
 from assess.results.fragility import (
     LARGE_SCALE,
     EmpiricalPoint,
@@ -16,8 +16,9 @@ from assess.results.fragility import (
     MeasureResult,
     StateResult,
 )
+from assess.risk.bootstrap import LEAST
 from assess.risk.censored import fit_firsts
-from assess.risk.lognormal import fit_lognormals, unbounded_reason
+from assess.risk.lognormal import Unbounded, fit_lognormals, unbounded_reason
 from assess.risk.regression import equivalent_lognormals
 from assess.risk.wilson import wilson
 from assess.short_repr import ShortRepr
@@ -105,7 +106,8 @@ def cloud_curve(
         median, dispersion = equivalent_lognormals(at, ratio, counts, threshold)
         return median, np.where(dispersion > LEAST_DISPERSION, dispersion, np.nan)
 
-    return _curve(
+    why = unbounded_reason(at, reached[:, 0], np.ones(at.size))
+    found = _curve(
         runs,
         by,
         state,
@@ -114,8 +116,9 @@ def cloud_curve(
         points=points(in_groups(at, reached[:, 0], runs.scale[:, 0])),
         lognormal=equivalent,
         first=None,
-        why=unbounded_reason(at, reached[:, 0], np.ones(at.size)) or "no-cloud",
+        why="cloud-separated" if why is Unbounded.SEPARATED else why or "no-cloud",
     )
+    return replace(found, largest_run=float(at.max()))
 
 
 def _curve(
@@ -142,7 +145,7 @@ def _curve(
         empirical=points,
         lognormal=fitted,
         first=None if first is None else _fitted(first, events, question),
-        notes=(_unbounded(str(why)),) if fitted is None and why is not None else (),
+        notes=tuple(_notes(fitted, why, events)),
     )
 
 
@@ -180,5 +183,14 @@ def in_groups(at: FloatArray, reached: BoolArray, scale: FloatArray) -> Outcomes
     return Outcomes(middle, known & reached[:, None], known, known & (scale > LARGE_SCALE)[:, None])
 
 
-def _unbounded(why: str) -> Message:
-    return message(f"fragility-{why}")
+def _notes(fitted: LognormalResult | None, why: str | None, events: Sequence[str]) -> Iterator[Message]:
+    """Yield why there is no lognormal, or no interval of it."""
+    if fitted is None:
+        if why is not None:
+            yield message(f"fragility-{why}")
+    elif fitted.median_interval is None:
+        number = len(set(events))
+        if number < LEAST:
+            yield note("fragility-interval-events", events=whole_number(number), least=whole_number(LEAST))
+        else:
+            yield note("fragility-interval-draws")

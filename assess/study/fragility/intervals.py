@@ -8,7 +8,7 @@ import numpy as np
 from scipy.special import ndtr
 
 from assess.results.fragility import FIVE_PERCENT, CurveBand, LognormalResult
-from assess.risk.bootstrap import LEAST, basic_interval, event_counts
+from assess.risk.bootstrap import LEAST, event_counts, mirrored_draws, widened_quantiles
 from spectra.arrays import FloatArray
 
 Fits = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -18,9 +18,6 @@ MOST_UNBOUNDED = 0.05
 BAND_POINTS = 25
 BAND_REACH = 2.5
 """Dispersions to each side of the median over which the band of a curve is given."""
-
-FARTHEST = 30.0
-"""Standard deviations beyond which a draw of the band is as good as certain."""
 
 
 def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int) -> LognormalResult | None:
@@ -52,24 +49,26 @@ def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int
 def _with_intervals(
     plain: LognormalResult, medians: FloatArray, dispersions: FloatArray, events: int
 ) -> LognormalResult:
-    five = medians * np.exp(FIVE_PERCENT * dispersions)
+    """Return a lognormal with the quantiles of the curves of mirrored draws.
+
+    Medians and dispersions are mirrored, and not the standard normal variable ln(im / m) / beta: draws of small
+    dispersion make that so skewed that its basic interval reaches far below the curve above the median. So the band is
+    at 50 % and at 5 % where the intervals of these intensities end.
+    """
+    m, beta = mirrored_draws(medians, plain.median), mirrored_draws(dispersions, plain.dispersion)
+
+    def ends(draws: FloatArray) -> tuple[float, float]:
+        low, high = np.exp(widened_quantiles(np.log(draws), events=events)).tolist()
+        return low, high
+
+    normal = np.linspace(-BAND_REACH, BAND_REACH, BAND_POINTS)
+    at = plain.median * np.exp(normal * plain.dispersion)
+    band = ndtr(widened_quantiles(np.log(at / m[:, None]) / beta[:, None], events=events))
     return LognormalResult(
         median=plain.median,
         dispersion=plain.dispersion,
-        median_interval=basic_interval(medians, plain.median, events=events),
-        dispersion_interval=basic_interval(dispersions, plain.dispersion, events=events),
-        five_percent_interval=basic_interval(five, plain.five_percent, events=events),
-        band=_band(plain, medians, dispersions, events),
+        median_interval=ends(m),
+        dispersion_interval=ends(beta),
+        five_percent_interval=ends(m * np.exp(FIVE_PERCENT * beta)),
+        band=CurveBand(*(tuple(each.tolist()) for each in (at, *band))),
     )
-
-
-def _band(plain: LognormalResult, medians: FloatArray, dispersions: FloatArray, events: int) -> CurveBand:
-    """Return the band of the curve: at each intensity the interval of its standard normal variable."""
-    normal = np.linspace(-BAND_REACH, BAND_REACH, BAND_POINTS)
-    at = plain.median * np.exp(normal * plain.dispersion)
-    drawn = np.clip(np.log(at / medians[:, None]) / dispersions[:, None], -FARTHEST, FARTHEST)
-    bounds = np.array(
-        [basic_interval(np.exp(each), float(np.exp(z)), events=events) for each, z in zip(drawn.T, normal, strict=True)]
-    )
-    low, high = ndtr(np.log(bounds)).T
-    return CurveBand(tuple(at.tolist()), tuple(low.tolist()), tuple(high.tolist()))

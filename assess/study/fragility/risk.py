@@ -23,6 +23,8 @@ from spectra.arrays import FloatArray
 
 NOTABLE = 0.05
 """Share of the rate from which what may be missing of it is told."""
+PARTS = 32
+"""Ranges of intensity that contributions are told of."""
 FAR = 10.0
 """Distance of the hazard from the site from which it is told [km]."""
 
@@ -72,8 +74,7 @@ def _of_curve(
             continue
         drawn = Lognormal(one.median, one.dispersion).probability
         risk = _risk(curve, name, drawn, hazard, question)
-        if curve.method == "cloud":  # its last point is a group of records, not the end of the runs
-            risk = replace(risk, above_runs=0.0)
+        if curve.method == "cloud":
             risk = replace(risk, notes=_notes(curve, risk, hazard, drawn))
         if epistemic:
             wide = Lognormal(one.median, hypot(one.dispersion, epistemic))
@@ -89,14 +90,15 @@ def _risk(
     question: FragilityQuestion,
     breaks: Sequence[float] | FloatArray = (),
 ) -> RiskResult:
-    found = rate(probability, hazard, breaks=breaks)
+    edges = np.geomspace(hazard.intensity[0], hazard.intensity[-1], PARTS + 1)
+    found = rate(probability, hazard, breaks=breaks, edges=edges)
     return RiskResult(
         measure=curve.measure,
         state=curve.state,
         curve=name,
         annual_rate=found.annual_rate,
         probability_50_years=probability_of(found.annual_rate),
-        intensity=tuple(hazard.intensity.tolist()),
+        intensity=tuple(edges.tolist()),
         contribution=tuple(found.shares.tolist()),
         beyond=found.beyond,
         below=found.below if isfinite(found.below) else None,
@@ -107,21 +109,21 @@ def _risk(
 
 def _above_runs(curve: FragilityCurve, probability: Probability, hazard: HazardCurve) -> float:
     """Return what the rate lacks if all motions above the largest intensity that was run reach the state [1/year]."""
-    top = curve.empirical[-1].intensity
+    return _rate_above(curve.end, lambda at: 1.0 - probability(at), hazard)
+
+
+def _rate_above(top: float, probability: Probability, hazard: HazardCurve) -> float:
+    """Return what motions stronger than `top` add to a rate [1/year]."""
     if top >= hazard.intensity[-1]:
         return 0.0
-
-    def lacking(at: FloatArray) -> FloatArray:
-        return np.where(at > top, 1.0 - probability(at), 0.0)
-
-    return rate(lacking, hazard, breaks=(top,)).annual_rate
+    return rate(lambda at: np.where(at > top, probability(at), 0.0), hazard, breaks=(top,)).annual_rate
 
 
 def _notes(
     curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
 ) -> tuple[Message, ...]:
     """Tell where the hazard or the runs end too soon for the rate."""
-    first, last, top = float(hazard.intensity[0]), float(hazard.intensity[-1]), curve.empirical[-1]
+    first, last = float(hazard.intensity[0]), float(hazard.intensity[-1])
     starts, ends = (Quantity(float(probability(np.array([at]))[0]), "ratio", 2) for at in (first, last))
     dimension, said = curve.measure.dimension, []
     if risk.beyond > NOTABLE * risk.annual_rate:
@@ -129,11 +131,23 @@ def _notes(
         said.append(warning("fragility-hazard-ends", intensity=Quantity(last, dimension, 3), share=ends, beyond=beyond))
     if risk.below is None or risk.below > NOTABLE * risk.annual_rate:
         said.append(warning("fragility-hazard-starts", intensity=Quantity(first, dimension, 3), share=starts))
-    if risk.above_runs > NOTABLE * risk.annual_rate:
-        at, share = Quantity(top.intensity, dimension, 3), Quantity(top.share, "ratio", 2)
-        lacking = Quantity(risk.above_runs, "ratio", 2)
-        said.append(warning("fragility-runs-end", intensity=at, share=share, lacking=lacking))
+    said.extend(_beyond_runs(curve, risk, hazard, probability))
     return tuple(said)
+
+
+def _beyond_runs(
+    curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
+) -> Iterator[Message]:
+    """Tell where motions of the hazard are stronger than any run, and of a cloud what the rate has of them."""
+    at, lacking = Quantity(curve.end, curve.measure.dimension, 3), Quantity(risk.above_runs, "ratio", 2)
+    if curve.method == "cloud":
+        above = _rate_above(curve.end, probability, hazard)
+        if above + risk.above_runs > NOTABLE * risk.annual_rate:
+            share = Quantity(above / risk.annual_rate if risk.annual_rate else 0.0, "ratio", 2)
+            yield warning("fragility-cloud-ends", intensity=at, share=share, lacking=lacking)
+    elif risk.above_runs > NOTABLE * risk.annual_rate:
+        share = Quantity(curve.empirical[-1].share, "ratio", 2)
+        yield warning("fragility-runs-end", intensity=at, share=share, lacking=lacking)
 
 
 def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:

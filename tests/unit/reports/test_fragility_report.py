@@ -52,6 +52,11 @@ def summary(mechanism: MechanismFragility, locale: Locale | None = None) -> str:
     return plain(" ".join(map((locale or Locale()).text, fragility_words.summary(mechanism))))
 
 
+def first_page(results: FragilityResults) -> str:
+    made = fragility_report(results)
+    return plain(" ".join(made.writer.text(each) for each in texts_in(made.sections[0]) if not isinstance(each, str)))
+
+
 @pytest.mark.parametrize("locale", LOCALES, ids=lambda each: f"{each.language}-{each.system}")
 def test_numbers_are_within_half_a_unit_of_their_last_digit(document: Document, locale: Locale) -> None:
     made = replace(document, locale=locale)
@@ -99,8 +104,8 @@ def test_the_first_sentences_name_intensities_with_intervals_and_the_rate_beside
     low, high = curve.lognormal.median_interval or (0.0, 0.0)
     said = summary(front)
     assert f"{curve.lognormal.median:.3g} g ({low:.3g} g to {high:.3g} g) in 50 of 100" in said
-    assert f"the annual rate of overturning is {risk.annual_rate:.3g} 1/year" in said
-    assert f"a probability of {100 * risk.probability_50_years:.3g} % in 50 years" in said
+    assert f"the annual rate of overturning is {risk.annual_rate:.2g} 1/year" in said
+    assert f"a probability of {100 * risk.probability_50_years:.2g} % in 50 years" in said
     assert said.endswith("This is more than the target of 0.0001 1/year.")
     within = replace(front, risks=tuple(replace(each, target_rate=0.9) for each in front.risks))
     assert summary(within).endswith("This is within the target of 0.9 1/year.")
@@ -110,8 +115,7 @@ def test_without_a_hazard_the_rate_is_not_answered(results: FragilityResults) ->
     bare = without_risk(results)
     assert "annual rate" not in summary(bare.mechanisms[0])
     made = fragility_report(bare)
-    said = "\n".join(map(made.writer.text, [text for text in texts_in(made.sections[0]) if not isinstance(text, str)]))
-    assert "give the hazard of the site in [analysis.risk]" in said
+    assert "give the hazard of the site in [analysis.risk]" in first_page(bare)
     assert not [figure for figure in made.figures if figure.name.endswith("contributions")]
 
 
@@ -225,3 +229,30 @@ def test_a_median_beyond_the_runs_is_called_extrapolated(results: FragilityResul
     assert curve.lognormal.median > few.empirical[-1].intensity
     assert "extrapolated" in summary(cut)
     assert "extrapolated" not in summary(mechanism)
+
+
+def test_a_cloud_without_a_lognormal_says_why_there_is_no_rate(results: FragilityResults) -> None:
+    why = note("fragility-cloud-separated")
+    bare = tuple(
+        replace(
+            each,
+            risks=(),
+            curves=tuple(replace(one, method="cloud", lognormal=None, notes=(why,)) for one in each.curves),
+        )
+        for each in results.mechanisms
+    )
+    said = first_page(replace(results, mechanisms=bare))
+    assert "give the hazard of the site" not in said
+    assert "the rate of a cloud is that of its lognormal, and there is none by PGA: every record" in said
+    others = tuple(replace(each, curves=tuple(one for one in each.curves if one.measure == SA)) for each in bare)
+    said = first_page(replace(results, mechanisms=others))
+    assert "there is no curve by PGA, the measure of the hazard" in said
+
+
+def test_rates_and_their_probabilities_have_two_figures(results: FragilityResults) -> None:
+    figures = {column.figures for column in fragility_tables.RISK if column.dimension in ("annual rate", "percent")}
+    assert figures == {2, 3}
+    risk = main_risk(results.mechanisms[0])
+    said = Locale().text(fragility_words.how_likely(replace(risk, annual_rate=1.26e-4, probability_50_years=0.00628)))
+    assert "0.00013" in said
+    assert "0.63" in said

@@ -104,11 +104,16 @@ def test_files_and_exports(project: Path, tmp_path: Path, capsys: pytest.Capture
         ({"method": "cloud"}, None, "samples: 12: a cloud runs every record once"),
         ({"largest": "1 m/s"}, None, "analysis.fragility.largest"),
         ({"draws": 3}, None, "analysis.fragility.draws"),
-        (None, {"site": [1, 2]}, "analysis.risk.site"),
+        (None, {"site": {"longitude": 1, "latitude": 2}}, "analysis.risk.site: "),
+        (None, {"curve": "records/r0.csv", "site": [12.9, 42.1]}, "analysis.risk.site: "),
         (None, {"hazard": [{"pga": "0.1 g", "rate": 0.01}, {"pga": "0.05 g", "rate": 0.001}]}, "rows rise in pga"),
         (None, {"hazard": [{"pga": "0.1 g"}, {"pga": "0.2 g", "rate": 0.001}]}, "either return_period or rate"),
         (None, {"curve": "records/r0.csv"}, "analysis.risk.curve"),
-        (None, {"curve": "records/r0.csv", "site": [10, 200]}, "analysis.risk.site[2]: 200: must be 90 or less"),
+        (
+            None,
+            {"curve": "records/r0.csv", "site": {"longitude": 10, "latitude": 200}},
+            "analysis.risk.site.latitude: 200: must be 90 or less",
+        ),
     ],
 )
 def test_bad_input_is_one_clear_line(
@@ -141,7 +146,9 @@ def test_openquake_hazard_is_an_input(tmp_path: Path, capsys: pytest.CaptureFixt
         f"{header}\nlon,lat,depth,poe-0.05,poe-0.2,poe-0.8\n12.0,42.0,0.0,0.6,0.1,0.01\n13.0,42.0,0.0,0.3,0.05,0.001\n"
     )
     (tmp_path / "hazard_curve-mean-PGA_1.csv").write_text(curve)
-    path = written(tmp_path, risk={"curve": "hazard_curve-mean-PGA_1.csv", "site": [12.9, 42.1]})
+    path = written(
+        tmp_path, risk={"curve": "hazard_curve-mean-PGA_1.csv", "site": {"longitude": 12.9, "latitude": 42.1}}
+    )
     assert ended("fragility", path, "--json", "--jobs", 1) == 0
     found = json.loads(capsys.readouterr().out)
     (hazard,) = found["hazard"]

@@ -162,16 +162,24 @@ def test_an_index_is_at_the_limit_where_more_draws_would_reach_the_target():
     assert not is_near(found, index, 3.0, 0.0)
 
 
-@pytest.mark.parametrize(("basis", "outcome"), [("ntc2018", Decision.FAIL), ("asce43-05", Decision.PASS)])
-def test_a_level_that_passes_above_a_failure_of_the_scan_is_at_the_limit(basis, outcome):
-    """At 0.2 g all draws hold, at 0.15 g none: zeta_E is 0.1 / 0.2, which no target of one is reached with."""
+@pytest.mark.parametrize("basis", ["ntc2018", "asce43-05"])
+def test_a_level_that_passes_above_a_failure_of_the_scan_fails_at_the_limit(basis):
+    """At 0.2 g all draws hold, at 0.15 g none: the margin is 0.1 / 0.2, which no target of one is reached with."""
     fallen = suite(np.full((9, 7), 0.9), 0.15 * g)
     assess = NTC if basis == "ntc2018" else ASCE
     found = check(assess, *np.full((9, 7), 0.1), scan=(scan()[0], fallen, *scan()[1:]))
     assert (found.verdict, found.capacity_pga_g) == (Outcome.PASS, pytest.approx(0.1))
     assert [each.key for each in found.remarks] == ["fails-below"]
-    assert decide(found, BASES[basis], 1.0) == outcome
+    assert decide(found, BASES[basis], 1.0) == Decision.FAIL
     assert is_near(found, index_of(found, BASES[basis]), 1.0, 0.0)
+
+
+@pytest.mark.parametrize("basis", ["ntc2018", "asce43-05"])
+def test_a_pass_without_a_scan_has_a_condition(basis):
+    assess = NTC if basis == "ntc2018" else ASCE
+    scanned, alone = (check(assess, *np.full((9, 7), 0.1), scan=each) for each in (scan(), ()))
+    assert "not-scanned" not in [each.key for each in scanned.conditions]
+    assert "not-scanned" in [each.key for each in alone.conditions]
 
 
 def test_the_last_level_that_passes_fails_nowhere_below():

@@ -104,3 +104,14 @@ def test_rows_are_copies_that_cannot_change():
     im[0] = 5.0
     assert hazard.intensity[0] == 0.1
     assert not hazard.annual_rate.flags.writeable
+
+
+def test_contributions_between_other_edges_are_those_of_the_rows_in_parts():
+    hazard, edges = HazardCurve([0.02, 0.3, 1.0], [5e-2, 5e-4, 2e-5]), np.geomspace(0.02, 1.0, 33)
+    curve = Lognormal(0.35, 0.5)
+    found, whole = rate(curve.probability, hazard, edges=edges), rate(curve.probability, hazard)
+    assert found.contribution.size == 32
+    assert found.annual_rate == pytest.approx(whole.annual_rate, rel=1e-6)
+    im = np.geomspace(0.02, 1.0, 320_001)  # 10,000 steps to each part
+    steps = -np.diff(hazard.rate_at(im)) * curve.probability(np.sqrt(im[1:] * im[:-1]))
+    np.testing.assert_allclose(found.contribution, steps.reshape(32, -1).sum(axis=1), rtol=1e-3)

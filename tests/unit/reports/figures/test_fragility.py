@@ -132,3 +132,12 @@ def test_axes_have_the_units_of_the_measure(results: FragilityResults) -> None:
         for draw in (partial(fragility.draw, curves[-1]), partial(fragility.draw_states, curves)):
             (axes,) = draw(Locale(system=system)).axes  # type: ignore[arg-type]
             assert axes.get_xlabel().endswith(f"[{unit}]")
+
+
+def test_rows_of_the_hazard_are_points_on_its_curve(results: FragilityResults) -> None:
+    risk = main_risk(results.mechanisms[0])
+    assert risk is not None
+    above, _ = fragility_risk.draw(risk, results.hazard[0], Locale()).axes
+    line = above.get_lines()[0]
+    assert line.get_marker() == "o"
+    assert np.asarray(line.get_xdata()) == pytest.approx(results.hazard[0].intensity)

@@ -240,6 +240,8 @@ def test_rows_of_hazard_give_rates(folder: Path) -> None:
     assert risks["empirical"].annual_rate <= risks["first"].annual_rate * 1.2
     for each in risks.values():
         assert sum(each.contribution) == pytest.approx(1.0)
+        assert len(each.contribution) == 32
+        assert np.ptp(np.diff(np.log(each.intensity))) == pytest.approx(0.0, abs=1e-9)
         assert each.target_rate == 1e-4
 
 
@@ -379,3 +381,64 @@ def test_the_motion_of_the_ground_meets_no_target_upstairs(folder: Path, amplifi
     assert {each.key for each in found.notes} & {"fragility-ground-motion", "fragility-scalar-motion"} == (
         set() if told is None else {told}
     )
+
+
+def cloud_of(folder: Path, factor: float, hazard: HazardResult | None = None, target: float | None = None):
+    return noise_results(folder, method="cloud", factor=factor, hazard=hazard, target_rate=target).mechanisms[0]
+
+
+def test_a_curve_without_an_interval_says_why(folder: Path) -> None:
+    """Twelve records as they are: of many draws the records part at one intensity."""
+    told = set()
+    for factor in (0.5, 0.6, 0.7, 0.8, 0.9, 1.0):
+        found = cloud_of(folder, factor)
+        for each in found.curves:
+            if each.lognormal is None:
+                assert each.notes
+            elif each.lognormal.median_interval is None:
+                told |= {note.key for note in each.notes}
+            else:
+                assert not each.notes
+    assert told == {"fragility-interval-draws"}
+
+
+def test_records_of_two_earthquakes_say_why_there_is_no_interval(folder: Path) -> None:
+    records = tuple(replace(each, event="ab"[place % 2]) for place, each in enumerate(NOISES))
+    study = study_with(folder, records, published(2.0, 0.15, restitution=0.9), samples=20, draws=100)
+    found = curve(run_fragility(study, jobs=1))
+    assert found.lognormal.median_interval is None
+    assert [note.key for note in found.notes] == ["fragility-interval-events"]
+
+
+def test_a_cloud_that_one_intensity_parts_does_not_speak_of_levels(folder: Path) -> None:
+    found = cloud_of(folder, 0.8)
+    rocking = next(each for each in found.curves if each.state.name == "rocking" and each.measure.key == "pga")
+    assert rocking.lognormal is None
+    (told,) = rocking.notes
+    assert told.key in {"fragility-cloud-separated", "fragility-all-reach"}
+    assert "two intensities" not in told.text
+
+
+def test_motions_stronger_than_the_strongest_record_of_a_cloud_keep_a_target_open(folder: Path) -> None:
+    """The curve is extrapolated there: the rate of these is named, and what they may add is a bound."""
+    plain = cloud_of(folder, 0.8)
+    one = next(each for each in plain.curves if each.state.name == "overturning" and each.lognormal is not None)
+    strongest = max(run.intensity[plain.measures.index(one.measure)] for run in plain.runs)
+    assert (one.largest_run, one.end) == (pytest.approx(strongest), pytest.approx(strongest))
+    at = np.geomspace(1e-3, 50.0 * strongest, 200)
+    hazard = HazardResult(one.measure, "rows", tuple(at), tuple(1e-6 * at**-2.0))
+    above = 1e-6 * (strongest**-2.0 - at[-1] ** -2.0)  # of all motions stronger than any record
+    found = cloud_of(folder, 0.8, hazard, 1.0)
+    (risk,) = (each for each in found.risks if each.state.name == "overturning")
+    assert 0.0 < risk.above_runs < above
+    fitted = one.lognormal
+    lower = quad(
+        lambda u: norm.sf((np.log(fitted.median) - u) / fitted.dispersion) * 2e-6 * np.exp(-2.0 * u),
+        np.log(1e-3), np.log(strongest), epsrel=1e-8, limit=200,
+    )[0]  # fmt: skip
+    assert risk.annual_rate + risk.above_runs == pytest.approx(lower + above, rel=1e-4)
+    assert "fragility-cloud-ends" in {note.key for note in risk.notes}
+    between = risk.annual_rate + 0.5 * risk.above_runs
+    found = cloud_of(folder, 0.8, hazard, between)
+    (risk,) = (each for each in found.risks if each.state.name == "overturning")
+    assert (risk.outcome, risk.gap) == ("incomplete", "runs")

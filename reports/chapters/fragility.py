@@ -86,7 +86,8 @@ def _summary(results: FragilityResults) -> Section:
 
 def _reading(results: FragilityResults) -> Iterator[Text]:
     """Yield how to read the first page."""
-    if any(main_curve(each) is not None for each in results.mechanisms):
+    fitted = [curve.lognormal for each in results.mechanisms if (curve := main_curve(each)) is not None]
+    if any(one is not None and one.median_interval is not None for one in fitted):
         yield say(
             "The intervals (95 %) are what the limited number of records leaves open. They do not hold what is unknown "
             "of the building, and the answer is for the mechanisms examined alone."

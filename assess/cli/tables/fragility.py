@@ -37,15 +37,17 @@ def table_text(results: FragilityResults) -> str:
 
 
 def _notes(mechanism: MechanismFragility) -> Iterator[Message]:
-    """Yield what is told of the curves, and of the rates."""
-    shown: tuple[FragilityCurve | RiskResult, ...] = (
-        *mechanism.curves,
-        *mechanism.risks,
-    )
-    for one in shown:
-        yield from locate(
-            one.notes, f"mechanisms.{mechanism.name}, {state_name(one.state)} by {measure_name(one.measure)}"
-        )
+    """Yield what is told of the curves and of the rates, once for all measures that it is told of."""
+    told: list[tuple[StateResult, Message, list[str]]] = []
+    found: tuple[FragilityCurve | RiskResult, ...] = (*mechanism.curves, *mechanism.risks)
+    for one in found:
+        for note in one.notes:
+            measures = next((each[2] for each in told if each[:2] == (one.state, note)), None)
+            if measures is None:
+                told.append((one.state, note, measures := []))
+            measures.append(measure_name(one.measure))
+    for state, note, measures in told:
+        yield from locate([note], f"mechanisms.{mechanism.name}, {state_name(state)} by {', '.join(measures)}")
 
 
 def _row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:

@@ -243,6 +243,7 @@ def test_a_cloud_without_a_lognormal_says_why_there_is_no_rate(results: Fragilit
     )
     said = first_page(replace(results, mechanisms=bare))
     assert "give the hazard of the site" not in said
+    assert "The intervals (95 %)" not in said
     assert "the rate of a cloud is that of its lognormal, and there is none by PGA: every record" in said
     others = tuple(replace(each, curves=tuple(one for one in each.curves if one.measure == SA)) for each in bare)
     said = first_page(replace(results, mechanisms=others))

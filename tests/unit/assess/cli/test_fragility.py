@@ -157,3 +157,14 @@ def test_openquake_hazard_is_an_input(tmp_path: Path, capsys: pytest.CaptureFixt
     assert "hazard_curve-mean-PGA_1.csv" in {each["path"] for each in found["inputs"]}
     assert hazard["distance_km"] == pytest.approx(13.9, abs=0.1)
     assert "fragility-hazard-far" in {each["key"] for each in found["warnings"]}
+
+
+def test_reasons_are_printed_once_for_all_measures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project = written(tmp_path)
+    text = project.read_text().replace("samples = 12\n", "")
+    project.write_text(text.replace("[analysis.fragility]\n", '[analysis.fragility]\nmethod = "cloud"\n'))
+    assert ended("fragility", project, "--jobs", 1) == 0
+    said = [line for line in capsys.readouterr().out.splitlines() if "no lognormal curve" in line]
+    assert said
+    assert len(said) == len({line.split(" by ")[0] + line.split(": ", 2)[2] for line in said})
+    assert any(" by pga, pgv: " in line for line in said)

@@ -10,13 +10,15 @@ from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Family
 from assess.codes.families import FAMILIES, uses_histories
+from assess.codes.registry import history_rules
 from assess.codes.verdict import Verdict, methods_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.study.checks import checks_of
 from assess.study.context import context_of
-from assess.study.mechanisms import mechanism_histories, rocking_case
+from assess.study.histories import run_levels
+from assess.study.mechanisms import mechanism_histories, rocking_case, rule_levels
 from assess.study.motions import ScaledRecord, motions_of
-from assess.study.rocking_case import RockingHistories
+from assess.study.rocking_case import RockingCase, RockingHistories
 from assess.study.run import require_spectrum, run
 from assess.study.study import Study
 from assess.study.suite_faults import suite_faults
@@ -80,8 +82,26 @@ def _checked(
     study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
 ) -> CheckedMechanism:
     """Return the checks of a mechanism, with time histories where one of them asks for these."""
-    case, rocked = rocking_case(study, mechanism, motions), NO_HISTORIES
-    if any(map(uses_histories, study.procedures)):
-        rocked = mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
+    case = rocking_case(study, mechanism, motions)
+    rocked = _histories(study, spectrum, motions, mechanism, case, jobs=jobs)
     context = context_of(study, spectrum, mechanism, rocked, case.base, motions)
     return CheckedMechanism(mechanism.name, checks_of(study, case.oscillator, context))
+
+
+def _histories(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    case: RockingCase,
+    *,
+    jobs: int,
+) -> RockingHistories:
+    """Run the time histories that decide; without a scan only those at the PGA that the rules of procedures ask for."""
+    asking = set(filter(uses_histories, study.procedures))
+    if not asking:
+        return NO_HISTORIES
+    if study.scan or not asking <= set(history_rules(study.options)):
+        return mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
+    wanted = rule_levels(study, spectrum, mechanism)
+    return run_levels(case, motions, levels=(), besides=wanted, site_pga=spectrum.pga, threads=jobs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ThreadPoolExecutor
+from math import isclose
 
 from assess.amplification.floor_motion import BaseMotion, base_motion
 from assess.codes.families import uses_histories
@@ -99,6 +100,12 @@ def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """Return the PGA [m/s2] of suites needed besides the levels of the study: limit states of their own, FC."""
+    wanted = rule_levels(study, spectrum, mechanism)
+    return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in study.levels))
+
+
+def rule_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
+    """Return the PGA [m/s2] at which procedures with a rule of their own need suites, each once."""
     wanted: list[float] = []
     known = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():

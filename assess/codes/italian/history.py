@@ -97,7 +97,7 @@ def required_pga(
     options: Options,
     factors: Sequence[float],
 ) -> tuple[float, ...]:
-    """Return the PGA at which `assess` needs suites besides those of the levels.
+    """Return the PGA at which `assess` needs suites, some of which may be those of the levels.
 
     Parameters
     ----------
@@ -114,8 +114,7 @@ def required_pga(
     """
     states = options.among(rule.limits)
     shares = [pga_ratio(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
-    wanted = [level * each for each in shares for level in levels]
-    return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in levels))
+    return tuple(level * each for each in shares for level in levels)
 
 
 def scan_suites(context: Context) -> tuple[Suite, ...]:

@@ -37,15 +37,17 @@ def test_verdict_alone_is_that_of_the_run(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("verdict", "asked"),
+    ("verdict", "asked", "scan"),
     [
-        ({}, False),
-        ({"basis": "ntc2018", "limit_state": "SLV", "procedures": ["ntc2018-history"]}, True),
-        ({"basis": "asce43-05", "procedures": ["asce43-05-history"]}, True),
+        ({}, False, True),
+        ({"basis": "ntc2018", "limit_state": "SLV", "procedures": ["ntc2018-history"]}, True, True),
+        ({"basis": "ntc2018", "limit_state": "SLV", "procedures": ["ntc2018-history"]}, True, False),
+        ({"basis": "asce43-05", "procedures": ["asce43-05-history"]}, True, True),
+        ({"basis": "asce43-05", "procedures": ["asce43-05-history"]}, True, False),
     ],
 )
 def test_motions_are_made_where_they_decide_alone(
-    verdict: dict[str, object], asked: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    verdict: dict[str, object], asked: bool, scan: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "project.toml").write_text(
         project_toml(
@@ -54,6 +56,7 @@ def test_motions_are_made_where_they_decide_alone(
             records={"synthetic": {"count": 3, "duration": "10 s"}},
             verdict={**verdict, "survey_tolerance": 0.0},
             building={"ground_elevation": 0},
+            analysis={"scan": scan},
             report={"sources": {"materials.brick.disintegration": "measured: one opening"}},
         )
     )

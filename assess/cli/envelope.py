@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
@@ -38,11 +37,10 @@ def envelope(
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
-    from assess.cli.stderr import print_message
     from assess.cli.tables.envelopes import csv_text, json_text, table_text
     from assess.cli.tables.messages import messages_text
-    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps
@@ -50,11 +48,7 @@ def envelope(
     from assess.workers import available_cores, process_pool
 
     wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
-    place = (
-        nullcontext()
-        if output is None
-        else output_folder(output, command="assess envelope", owner=ENVELOPES, wanted=wanted, tell=print_message)
-    )
+    place = optional_folder(output, command="assess envelope", owner=ENVELOPES, wanted=wanted)
     with place as stage, progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)

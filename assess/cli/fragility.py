@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
@@ -58,11 +57,10 @@ def fragility(
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
-    from assess.cli.stderr import print_message
     from assess.cli.tables.fragility import csv_text, table_text
     from assess.cli.tables.messages import messages_text
-    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import FRAGILITY
     from assess.project.build import build
     from assess.results.json import dumps_fragility
@@ -74,11 +72,7 @@ def fragility(
     formats = [] if export is None else list(dict.fromkeys(export.split(",")))
     exported = [name for format in formats for name in FILES[format]]
     wanted = (FRAGILITY, "fragility.pdf", "fragility.html", "tables.xlsx", *exported)
-    place = (
-        nullcontext()
-        if output is None
-        else output_folder(output, command="assess fragility", owner=FRAGILITY, wanted=wanted, tell=print_message)
-    )
+    place = optional_folder(output, command="assess fragility", owner=FRAGILITY, wanted=wanted)
     with place as stage, progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import reduce
+from functools import cache, reduce
 from typing import Any, get_args
 
 from pydantic.fields import FieldInfo
@@ -53,7 +53,7 @@ def _places(path: Key, value: Any, marks: Marks) -> Iterator[Place]:
     if path:
         yield Place(path, value, *marks)
     if isinstance(value, Section):
-        below = {name: _marks(field) for name, field in type(value).table_keys().items()}
+        below = _marks_of(type(value))
         for name, item in value.entries().items():
             yield from _places((*path, name), item, below[name])
     elif isinstance(value, Mapping):
@@ -62,6 +62,12 @@ def _places(path: Key, value: Any, marks: Marks) -> Iterator[Place]:
     elif isinstance(value, tuple):
         for index, item in enumerate(value):
             yield from _places((*path, index), item, marks)
+
+
+@cache
+def _marks_of(table: type[Section]) -> Mapping[str, Marks]:
+    """Return the marks of every key of a table, which follow from its class."""
+    return {name: _marks(field) for name, field in table.table_keys().items()}
 
 
 def _marks(field: FieldInfo) -> Marks:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import ThreadPoolExecutor
 from math import isclose
 
@@ -22,6 +21,7 @@ from assess.study.motions import ScaledRecord
 from assess.study.progress import Progress
 from assess.study.rocking_case import RockingCase, RockingHistories, vibrates
 from assess.study.study import Amplified, Study
+from assess.workers import available_cores
 from spectra.spectrum import Spectrum
 
 
@@ -53,7 +53,7 @@ def assess_mechanisms(
         In the order of the study.
     """
     cases = {m.name: rocking_case(study, m, motions) for m in study.mechanisms}
-    workers = jobs or os.cpu_count() or 1
+    workers = jobs or available_cores()
     threads = max(1, workers // max(1, len(cases)))
 
     def assess(mechanism: Mechanism) -> MechanismResult:

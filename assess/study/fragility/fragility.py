@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -38,6 +37,7 @@ from assess.study.motions import motions_of
 from assess.study.progress import Progress, silent
 from assess.study.rocking_case import RockingCase, vibrates
 from assess.study.study import Study
+from assess.workers import available_cores
 from records.record import Record
 
 
@@ -89,7 +89,7 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = silent) -
         if mechanism.variants.collapse is not None:
             shaken.append(shake(study, mechanism, records, question, jobs=jobs))
     origins = origins_of(records)
-    with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+    with ThreadPoolExecutor(jobs or available_cores()) as pool:
         found = list(pool.map(lambda one: mechanism_fragility(study, one, records, origins, question), shaken))
     progress("fragility curves", len(found), len(found))
     program = describe_program()

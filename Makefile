@@ -45,6 +45,14 @@ kill: .venv/installed      ## KILLS runs and indexes killed at random and at aim
 	$(BIN)/python tests/kill/study.py $(KILLS)
 	$(BIN)/python tests/kill/portfolio.py
 
+dist: .venv/installed      ## wheel and source distribution, without a network; what is in them is checked
+	rm -rf dist
+	$(BIN)/python -m hatchling build >/dev/null
+	$(BIN)/python -m tests.distribution.contents dist
+
+wheel: dist                ## the wheel in an empty environment, with the locked versions: `new` and `run` from another folder
+	$(BIN)/python -m tests.distribution.try_wheel dist
+
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
 	$(BIN)/python docs/notebook/write.py
@@ -58,6 +66,7 @@ catalogue: .venv/installed ## bring the Italian catalogue up to date with the so
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock
+	uv pip compile pyproject.toml --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-run.lock
 	uv pip compile pyproject.toml --extra cad --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-cad.lock
 
 .venv/installed: requirements.lock pyproject.toml

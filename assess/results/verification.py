@@ -144,7 +144,7 @@ class VerificationResults(ShortRepr):
 
     @cached_property
     def differences(self) -> tuple[float, ...]:
-        """Difference of each value over what its tolerance allows [-]; exact values without a tolerance are left out."""
+        """Difference of each value over what its tolerance allows [-]; exact values are left out."""
         return tuple(
             abs(value.difference) / allowed
             for case in self.cases

@@ -99,8 +99,7 @@ def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any
     agrees = scaled is not None and abs(scaled - reference) <= quantity.tolerance.around(reference)
     if misprint is None:
         return ValueResult(row, expected, scaled, "pass" if agrees else "fail")
-    outcome = "misprint" if agrees else "fail"
-    return ValueResult(row, expected, scaled, outcome, misprint.reading, misprint.reason)
+    return ValueResult(row, expected, scaled, "misprint" if agrees else "fail", misprint.reading, misprint.reason)
 
 
 def _find(tree: Any, steps: Sequence[str]) -> float | None:

@@ -23,11 +23,12 @@ def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
     """
     from dataclasses import replace
 
-    import assess
     from assess.dynamics.history import free_rocking
+    from assess.model.make_body import box
+    from assess.study.block_kinds import single_block
 
-    wall = assess.box(thickness=given["thickness"], length=1.0, height=given["height"], density=2000.0)
-    rocking = assess.single_block(wall, direction=(1.0, 0.0, 0.0)).rocking
+    wall = box(thickness=given["thickness"], length=1.0, height=given["height"], density=2000.0)
+    rocking = single_block(wall, direction=(1.0, 0.0, 0.0)).rocking
     if "restitution" in given:
         branch = replace(rocking.positive, restitution=given["restitution"])
         rocking = replace(rocking, positive=branch, negative=branch)

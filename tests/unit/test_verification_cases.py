@@ -40,7 +40,11 @@ FAULTS = {
     "a solver": ('"free-rocking"', '"free-roking"', "solver: "),
     "a path without rows": ("period_p.{row}", "period_p", "several rows need {row}"),
     "a negative tolerance": ("relative = 1e-6", "relative = -1e-6", "negative"),
-    "a misprint of no value": ("values =", 'misprints = { c = { reading = 1.0, reason = "b" } }\nvalues =', "misprints"),
+    "a misprint of no value": (
+        "values =",
+        'misprints = { c = { reading = 1.0, reason = "b" } }\nvalues =',
+        "misprints",
+    ),
     "a key twice": ("a = 1.0", "a = 1.0, a = 2.0", "line"),
     "no quantity": ("[[quantities]]", "[[quantity]]", "quantities: Field required"),
 }

@@ -1,7 +1,7 @@
-"""Install the wheel of a folder into an empty environment and use it there: `python -m tests.distribution.try_wheel dist`.
+"""Use the wheel of a folder in an empty environment: `python -m tests.distribution.try_wheel dist`.
 
-Dependencies have the versions and hashes of requirements-run.lock. Nothing of the checkout can be imported: the commands
-run in another folder, without PYTHONPATH, while site-packages may not be written to. The second run must find all
+Dependencies have the versions and hashes of requirements-run.lock. Nothing of the checkout can be imported: commands
+run in another folder, without PYTHONPATH, and nothing may be written into site-packages. The second run must find all
 compiled kernels of the first.
 """
 

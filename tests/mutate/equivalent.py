@@ -8,8 +8,10 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from tests.mutate.mutant import Mutant
+if TYPE_CHECKING:
+    from tests.mutate.mutant import Mutant
 
 LIST = Path(__file__).with_name("equivalent.toml")
 

@@ -31,13 +31,15 @@ TARGETS = (
 )
 ELSEWHERE = ("assess/geometry/formats", "records/compilation", "records/catalogue.py", "records/indexing.py")
 """Files, caches and catalogues: what `make fuzz` and `make kill` try."""
-ARITHMETIC, BITS, ORDER, SAME = (
+ALIKE = (
     {"Add", "Sub", "Mul", "Div", "Pow"},
     {"BitOr", "BitAnd"},
-    set("Lt LtE Gt GtE Eq NotEq".split()),
+    {"Lt", "LtE", "Gt", "GtE", "Eq", "NotEq"},
     {"Is", "IsNot"},
 )
-ALIKE = (ARITHMETIC, BITS, {*ORDER}, SAME)  # only within one of these: 1.5 << x is killed by whatever calls it
+"""One is replaced by another of its group only: 1.5 << x is killed by whatever calls it."""
+NODES = {"ReplaceBinaryOperator": "operator", "ReplaceComparisonOperator": "comparison", "NumberReplacer": "number"}
+"""Types of nodes by the name of the operators that look at no others."""
 TIME_ONLY = ("cache", "lru_cache", "compiled", "inlined", "reachable", "entry", "njit", "cache_on_disk")
 """Decorators that change how long a function takes, or from where it can be called, never what it returns."""
 TYPES = ("Literal", "Callable", "Mapping", "Sequence", "Iterator", "Iterable", "NDArray", "TypeVar", "cast")
@@ -80,18 +82,20 @@ def files() -> list[str]:
 
 def sites(path: str) -> list[Site]:
     """The places of one file."""
-    tree = get_ast((ROOT / path).read_text(encoding="utf-8"))
-    nodes, found = list(ast_nodes(tree)), dict[tuple[Any, str], list[tuple[str, int]]]()
-    at = dict[tuple[Any, str], Any]()
+    by_type, places = dict[str, list[Any]](), dict[tuple[Any, str], tuple[Any, list[tuple[str, int]]]]()
+    every = list(ast_nodes(get_ast((ROOT / path).read_text(encoding="utf-8"))))
+    for node in every:
+        by_type.setdefault(node.type, []).append(node)
     for name, operator in operators().items():
+        family = name.split("_")[0]
+        nodes = by_type.get(NODES[family], []) if family in NODES else every
         positions = ((node, place) for node in nodes for place in operator.mutation_positions(node))
         for occurrence, (node, place) in enumerate(positions):
             if not _left_alone(node, name):
-                key = place, name.split("_")[0]
-                found.setdefault(key, []).append((name, occurrence))
-                at[key] = node
+                places.setdefault((place, family), (node, []))[1].append((name, occurrence))
     return [
-        Site(path, key[0], _statement(at[key]), _function(at[key]), tuple(mutants)) for key, mutants in found.items()
+        Site(path, place, _statement(node), _function(node), tuple(mutants))
+        for (place, _), (node, mutants) in places.items()
     ]
 
 
@@ -107,54 +111,41 @@ def mutated(path: str, operator: str, occurrence: int) -> str | None:
 
 def _left_alone(node: Any, operator: str) -> bool:
     """Whether it is an annotation, a docstring, words of an error, a type, or what only changes the time taken."""
-    if node.type == "operator" and node.parent.type in ("parameters", "param"):
-        return True
-    within = node
-    while within is not None:
-        parent = within.parent
-        if within.type in (
-            "annassign",
-            "param",
-            "funcdef",
-            "raise_stmt",
-            "atom_expr",
-            "decorator",
-            "expr_stmt",
-            "if_stmt",
-        ):
-            if _passes(within, node, operator):
-                return True
-        if node.type == "string" and parent is not None and parent.type == "simple_stmt" and within is node:
-            return True
-        within = parent
-    return False
+    parent = node.parent.type if node.parent is not None else ""
+    bare = (node.type, parent) == ("string", "simple_stmt") or (node.type == "operator" and parent.startswith("param"))
+    around = list[Any]([node])
+    while around[-1].parent is not None:
+        around.append(around[-1].parent)
+    return bare or any(_without_result(each, node, operator) for each in around)
 
 
-def _passes(within: Any, node: Any, operator: str) -> bool:
-    code = within.get_code(include_prefix=False)
-    inside = [child for child in getattr(within, "children", ()) if child.start_pos <= node.start_pos < child.end_pos]
-    child = inside[0] if inside else None
-    match within.type:
+def _without_result(around: Any, node: Any, operator: str) -> bool:
+    """Whether a part of the tree says that the node in it changes no result."""
+    match around.type:
         case "annassign":
-            return child is within.children[1]
+            return _holds(around.children[1], node)
         case "param":
-            return child is not None and child is not within.default and child.type == "tfpdef"
+            return around.annotation is not None and _holds(around.annotation, node)
         case "funcdef":
-            return within.annotation is not None and child is within.annotation
+            return around.annotation is not None and _holds(around.annotation, node)
         case "raise_stmt":
             return operator == "ReplaceText"
         case "atom_expr":
-            return (
-                within.children[0].type == "name"
-                and within.children[0].value in TYPES
-                and code.startswith(tuple(f"{each}{opening}" for each in TYPES for opening in "[("))
-            )
+            return str(around.children[0].get_code(include_prefix=False)) in TYPES
+        case "argument":
+            return str(around.children[0].get_code(include_prefix=False)) == "strict"  # that lengths agree is asserted
         case "decorator":
-            return code.lstrip("@").split("(")[0].split("\n")[0].strip() in TIME_ONLY
+            return str(around.get_code()).strip().lstrip("@").split("(")[0].strip() in TIME_ONLY
         case "expr_stmt":
-            return code.startswith("__")
+            return str(around.children[0].get_code(include_prefix=False)).startswith("__")
+        case "if_stmt":
+            return str(around.children[1].get_code()).strip() == "TYPE_CHECKING"
         case _:
-            return code.startswith("if TYPE_CHECKING")
+            return False
+
+
+def _holds(part: Any, node: Any) -> bool:
+    return bool(part.start_pos <= node.start_pos < part.end_pos)
 
 
 def _statement(node: Any) -> tuple[int, int]:

@@ -4,6 +4,7 @@ BIN := .venv/bin
 DEMO := build/demo
 KILLS ?= 120
 SECONDS ?= 60
+MUTANTS ?= 150
 SEED ?= 1
 CLASS ?=
 TESTS ?=
@@ -13,7 +14,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill figures docs same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -72,8 +73,8 @@ wheel: dist                ## the wheel in an empty environment, with the locked
 lowest:                    ## with uv: the oldest versions that pyproject.toml allows; tests of files, numbers, projects and reports with them
 	rm -rf $(LOWEST)
 	uv venv --quiet --python $(PYTHON) $(LOWEST)
-	uv pip compile pyproject.toml --extra cad --group dev --resolution lowest-direct --python $(LOWEST)/bin/python --quiet --output-file $(LOWEST)/lowest.txt
-	uv pip install --quiet --python $(LOWEST)/bin/python --requirement $(LOWEST)/lowest.txt --editable .
+	uv pip compile pyproject.toml --all-extras --resolution lowest-direct --python $(LOWEST)/bin/python --quiet --output-file $(LOWEST)/lowest.txt
+	uv pip install --quiet --python $(LOWEST)/bin/python --requirement $(LOWEST)/lowest.txt --constraint $(LOWEST)/lowest.txt --group dev --editable .
 	$(LOWEST)/bin/python -m pytest -n 2 --dist worksteal -rs $(OLD_IS_NO_FAULT) $(or $(TESTS),tests/unit tests/end_to_end tests/validation)
 
 costs: dist                ## what each dependency weighs, as Markdown, in a fresh environment with the locked versions
@@ -83,6 +84,9 @@ figures: .venv/installed   ## pictures and the notebook of docs/, with those of 
 	$(BIN)/python docs/images/draw.py
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
+
+mutate: .venv/mutate       ## MUTANTS of physics and codes drawn by SEED, 95 % of them to be killed: docs/robustness.md
+	$(BIN)/python -m tests.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
 
 docs: .venv/docs           ## the manual in build/docs/html; a warning is an error, and nothing is read from the network
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d build/docs/pages -b html docs build/docs/html
@@ -118,4 +122,9 @@ lock:                      ## for developers, with uv: pin every dependency with
 
 .venv/browser: .venv/installed  # Debian's browser, 100 MB, in which tests open the HTML report
 	@command -v chromedriver >/dev/null || tests/install_browser.sh || echo "$(NO_BROWSER)"
+	@touch $@
+
+.venv/mutate: .venv/installed pyproject.toml  # the group "mutate", by a pip that may not know of groups yet
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		$$($(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["dependency-groups"]["mutate"])')
 	@touch $@

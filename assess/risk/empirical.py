@@ -29,7 +29,7 @@ class Empirical(ShortRepr):
         with np.errstate(divide="ignore"):
             return np.asarray(np.interp(np.log(at), np.log(self.intensity), self.share))
 
-    def widened(self, dispersion: float) -> Widened:
+    def convolve(self, dispersion: float) -> Widened:
         """Return the mean of the curve over a lognormal factor of median 1 on the intensity.
 
         Parameters

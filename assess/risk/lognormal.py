@@ -50,7 +50,7 @@ class Lognormal(ShortRepr):
         """Return the intensity at which the state is reached with each probability, any shape."""
         return np.asarray(self.median * np.exp(self.dispersion * ndtri(np.asarray(probability, dtype=np.float64))))
 
-    def widened(self, dispersion: float) -> Lognormal:
+    def convolve(self, dispersion: float) -> Lognormal:
         """Return the lognormal of the same median whose variance has that of another independent factor added.
 
         Parameters

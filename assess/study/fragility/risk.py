@@ -125,7 +125,7 @@ def _with_epistemic(
             below_with_epistemic=risk.below,
             above_runs_with_epistemic=risk.above_runs,
         )
-    wide, kinks = drawn.widened(epistemic).probability, _kinks(drawn)
+    wide, kinks = drawn.convolve(epistemic).probability, _kinks(drawn)
     left = 1.0 - float(drawn.probability(curve.end))
 
     def lacking(at: FloatArray) -> FloatArray:

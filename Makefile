@@ -8,7 +8,7 @@ SEED ?= 1
 CLASS ?=
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench fuzz kill figures same catalogue lock
+.PHONY: demo test check bench fuzz kill figures docs same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -50,6 +50,10 @@ figures: .venv/installed   ## pictures and the notebook of docs/, with those of 
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 
+docs: .venv/docs           ## the manual in build/docs/html; a warning is an error, and nothing is read from the network
+	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d build/docs/pages -b html docs build/docs/html
+	@echo build/docs/html/index.html
+
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
 	$(BIN)/python -m tests.same $(BASE)
 
@@ -58,6 +62,7 @@ catalogue: .venv/installed ## bring the Italian catalogue up to date with the so
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock
+	uv pip compile --group docs --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-docs.lock
 	uv pip compile pyproject.toml --extra cad --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-cad.lock
 
 .venv/installed: requirements.lock pyproject.toml
@@ -65,6 +70,10 @@ lock:                      ## for developers, with uv: pin every dependency with
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+.venv/docs: requirements-docs.lock .venv/installed  # Sphinx, its theme and its reader of Markdown, 60 MB
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-docs.lock
 	@touch $@
 
 .venv/cad: requirements-cad.lock .venv/installed  # readers of STEP, Rhino and IFC files, 330 MB, for their tests only

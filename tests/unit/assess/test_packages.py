@@ -29,7 +29,8 @@ def test_command_is_the_distributions_own():
 def test_top_level_holds_what_the_design_lists():
     listed = {
         "pyproject.toml", "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "Makefile",
-        "requirements.lock", "requirements-cad.lock", ".ci", ".gitignore", ".pre-commit-config.yaml",
+        "requirements.lock", "requirements-cad.lock", "requirements-docs.lock",
+        ".ci", ".gitignore", ".pre-commit-config.yaml",
         "assess", "docs", "records", "reports", "spectra", "tests",
     }  # fmt: skip
     made = {".git", ".venv", "build", "dist"}

@@ -1,0 +1,20 @@
+"""What solves the cases: a function of the case's folder and given values that returns a tree of numbers.
+
+Each calls the program by the functions that a run calls; it computes nothing of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from assess.verification.solvers.free_rocking import solve_free_rocking
+from assess.verification.solvers.project import solve_project
+
+Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
+
+SOLVERS: dict[str, Solver] = {
+    "free-rocking": solve_free_rocking,
+    "project": solve_project,
+}

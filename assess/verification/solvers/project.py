@@ -1,0 +1,35 @@
+"""A case that is a project: its results.json as a tree."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+
+def solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Run a project, and return what stands in its results.json.
+
+    Parameters
+    ----------
+    folder : of the case
+    given : `file`, a project file beside the case, or `example`, the name of a shipped example
+    """
+    if "example" not in given:
+        return _run(folder / given["file"])
+    from assess.examples import copy_example
+
+    with TemporaryDirectory() as temporary:
+        return _run(copy_example(given["example"], Path(temporary) / given["example"]))
+
+
+def _run(file: Path) -> Mapping[str, Any]:
+    from assess.project.build import build
+    from assess.project.schema import load
+    from assess.results.json import dumps
+    from assess.study.run import run
+
+    tree: dict[str, Any] = json.loads(dumps(run(build(load(file)), jobs=1)))
+    return tree

@@ -52,6 +52,8 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "fragility-cloud-ends": "the strongest record has {intensity}, above which the curve is extrapolated: a share of "
     "{share} of the rate is of stronger motions, and these may add at most {lacking} a year; give stronger records, or "
     "a factor on them",
+    "fragility-cloud-starts": "the weakest record has {intensity}, below which the curve is extrapolated: a share of "
+    "{share} of the rate is of weaker motions; give weaker records",
     "fragility-no-epistemic": "a target is set, but no dispersion of what is not known of the mechanisms: no rate is "
     "shown to be within the target; give it",
     "fragility-epistemic-above": "the rate is within the target only without the epistemic dispersion; with it, it is "

@@ -108,7 +108,7 @@ class FragilityCurve(ShortRepr):
     lognormal : by binomial maximum likelihood; None where the data do not bound one, for the reason in `notes`
     first : of the least intensity at which each record reaches the state, censored ones included: a bound, as rocking
         is not monotone and a record may stand again at a higher intensity
-    largest_run : of a cloud, whose points are groups of records: the intensity of its strongest record
+    least_run, largest_run : of a cloud, whose points are groups of records: of its weakest and strongest record
     """
 
     measure: MeasureResult
@@ -123,6 +123,7 @@ class FragilityCurve(ShortRepr):
     first: LognormalResult | None
     notes: tuple[Message, ...] = ()
     largest_run: float | None = None
+    least_run: float | None = None
 
     @property
     def end(self) -> float:

@@ -59,4 +59,4 @@ class Widened(ShortRepr):
         slopes = np.diff(self.curve.share) / np.diff(u_j)
         d = (np.log(np.asarray(intensity, dtype=np.float64))[..., None] - u_j) / beta
         ramps = beta * (d * ndtr(d) + np.exp(-0.5 * d**2) / np.sqrt(2.0 * np.pi))
-        return np.clip(self.curve.share[0] + ramps @ np.diff(slopes, prepend=0.0, append=0.0), 0.0, 1.0)
+        return np.asarray(np.clip(self.curve.share[0] + ramps @ np.diff(slopes, prepend=0.0, append=0.0), 0.0, 1.0))

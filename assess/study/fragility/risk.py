@@ -176,6 +176,7 @@ def _beyond_runs(
     """Tell where motions of the hazard are stronger than any run, and of a cloud what the rate has of them."""
     at, lacking = Quantity(curve.end, curve.measure.dimension, 3), Quantity(risk.above_runs, "ratio", 2)
     if curve.method == "cloud":
+        yield from _below_runs(curve, risk, hazard, probability)
         above = _rate_above(curve.end, probability, hazard)
         if above + risk.above_runs > NOTABLE * risk.annual_rate:
             share = Quantity(above / risk.annual_rate if risk.annual_rate else 0.0, "ratio", 2)
@@ -183,6 +184,19 @@ def _beyond_runs(
     elif risk.above_runs > NOTABLE * risk.annual_rate:
         share = Quantity(curve.empirical[-1].share, "ratio", 2)
         yield warning("fragility-runs-end", intensity=at, share=share, lacking=lacking)
+
+
+def _below_runs(
+    curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
+) -> Iterator[Message]:
+    """Tell of a cloud which share of the rate is of motions weaker than any record."""
+    least = curve.least_run
+    if least is None or least <= hazard.intensity[0]:
+        return
+    below = rate(lambda at: np.where(at < least, probability(at), 0.0), hazard, breaks=(least,)).annual_rate
+    if below > NOTABLE * risk.annual_rate:
+        share = Quantity(below / risk.annual_rate, "ratio", 2)
+        yield warning("fragility-cloud-starts", intensity=Quantity(least, curve.measure.dimension, 3), share=share)
 
 
 def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:

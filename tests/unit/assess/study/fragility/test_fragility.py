@@ -324,6 +324,34 @@ def test_the_widened_curve_has_its_own_bounds_of_what_was_not_run(folder: Path) 
         assert risk.gap == gap
 
 
+def test_motions_weaker_than_the_weakest_record_of_a_cloud_are_told(folder: Path) -> None:
+    """The share of the rate that rests on the tail of the curve below every record, of a hazard of weak motions."""
+    plain = cloud_of(folder, 0.8)
+    one = next(each for each in plain.curves if each.state.name == "overturning" and each.lognormal is not None)
+    weakest = min(run.intensity[plain.measures.index(one.measure)] for run in plain.runs)
+    assert one.least_run == pytest.approx(weakest)
+    beta = one.lognormal.dispersion
+    z = np.log(weakest / one.lognormal.median) / beta
+    for k, start in ((1.0, 1e-6), (3.0, 1e-6), (1.0, 1.0)):
+        at = np.geomspace(start * weakest, 1e6 * weakest, 200)
+        hazard = HazardResult(one.measure, "rows", tuple(at), tuple(1e-4 * (at / weakest) ** -k))
+        (risk,) = (each for each in cloud_of(folder, 0.8, hazard).risks if each.state.name == "overturning")
+        share = norm.cdf(z + k * beta) - norm.cdf(z) * exp(-k * beta * (z + 0.5 * k * beta))  # by parts
+        found = [note for note in risk.notes if note.key == "fragility-cloud-starts"]
+        assert share > 0.05
+        assert [each.values["share"].value for each in found] == (
+            [] if start == 1.0 else [pytest.approx(share, rel=1e-3)]
+        )
+
+
+def test_the_ends_of_a_cloud_are_in_the_unit_of_each_measure(folder: Path) -> None:
+    """PGA/(g tan alpha) is PGA by a factor: its curve is that of PGA, and so are its weakest and strongest record."""
+    found = cloud_of(folder, 0.8)
+    for each in found.curves:
+        units = [run.intensity[found.measures.index(each.measure)] for run in found.runs]
+        assert (each.least_run, each.largest_run) == (pytest.approx(min(units)), pytest.approx(max(units)))
+
+
 def test_weak_motions_below_the_hazard_count_for_the_widened_curve(folder: Path) -> None:
     """The hazard begins where the counted curve is zero and the widened one is not: what it lacks is a bound."""
     plain = curve(noise_results(folder)).empirical

@@ -24,6 +24,8 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
         `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by mechanism and rotation, and
         their `largest`.
     """
+    import numpy as np
+
     from assess.oscillator import restoring_moment
     from assess.project.build import build
     from assess.project.schema import load
@@ -32,11 +34,12 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
 
     with project_file(folder, given) as file:
         study = build(load(file))
-    rotations = given.get("rotations", [])
+    rotations = np.array(given.get("rotations", []), dtype=float)
     moments = {}
     for mechanism in study.mechanisms:
         branch = mechanism.oscillator.positive
-        found = {f"{at:g}": float(restoring_moment(branch, at)) for at in rotations}
-        moments[mechanism.name] = {**found, "largest": float(branch.restoring.max())}
+        found = zip(rotations, restoring_moment(branch, rotations), strict=True)
+        moments[mechanism.name] = {f"{at:g}": float(moment) for at, moment in found}
+        moments[mechanism.name]["largest"] = float(branch.restoring.max())
     mechanisms = json.loads(dumps_mechanisms((*parameters(study), *case_parameters(study))))
     return {"mechanisms": mechanisms, "moments": moments}

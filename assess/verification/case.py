@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
-from assess.results.verification import Source, Tolerance
+from assess.results.verification import STRICT, Source, Tolerance
 
 
 @dataclass(frozen=True)
 class Misprint:
     """A printed value that is held for a misprint: its likeliest reading, and why."""
 
+    __pydantic_config__: ClassVar = STRICT
     reading: float
     reason: str
 
@@ -29,6 +30,7 @@ class Quantity:
     misprints : by row
     """
 
+    __pydantic_config__: ClassVar = STRICT
     name: str
     path: str
     tolerance: Tolerance
@@ -43,12 +45,14 @@ class Quantity:
 class Case:
     """A solved case.
 
-    title, theory, field, uses, source : as in `CaseResult`
+    title, theory, field, source : as in `CaseResult`
+    uses : what it exercises, in the words of `assess.results.uses`
     solver : a key of `SOLVERS`
     given : what it solves; for "project" `file`, beside the case, or `example`
     quick : whether `assess verify --quick` runs it
     """
 
+    __pydantic_config__: ClassVar = STRICT
     title: str
     theory: str
     field: str

@@ -20,6 +20,7 @@ FOLDERS = (
     "assess/mechanisms",
     "assess/model",
     "assess/project",
+    "assess/results",
     "assess/study",
     "records",
     "spectra",

@@ -4,11 +4,12 @@ BIN := .venv/bin
 DEMO := build/demo
 KILLS ?= 120
 SECONDS ?= 60
+MUTANTS ?= 150
 SEED ?= 1
 CLASS ?=
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench fuzz kill figures docs same catalogue lock
+.PHONY: demo test check bench fuzz kill mutate figures docs same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -50,6 +51,9 @@ figures: .venv/installed   ## pictures and the notebook of docs/, with those of 
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 
+mutate: .venv/mutate       ## MUTANTS of physics and codes drawn by SEED, 95 % of them to be killed: docs/robustness.md
+	$(BIN)/python -m tests.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
+
 docs: .venv/docs           ## the manual in build/docs/html; a warning is an error, and nothing is read from the network
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d build/docs/pages -b html docs build/docs/html
 	@echo build/docs/html/index.html
@@ -83,4 +87,9 @@ lock:                      ## for developers, with uv: pin every dependency with
 
 .venv/browser: .venv/installed  # Debian's browser, 100 MB, in which tests open the HTML report
 	@command -v chromedriver >/dev/null || tests/install_browser.sh || echo "$(NO_BROWSER)"
+	@touch $@
+
+.venv/mutate: .venv/installed pyproject.toml  # the group "mutate", by a pip that may not know of groups yet
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+		$$($(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["dependency-groups"]["mutate"])')
 	@touch $@

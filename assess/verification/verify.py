@@ -109,8 +109,8 @@ def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
 
 
 def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
-    found = _find(tree, [step.replace("{row}", row) for step in quantity.path.split(".")])
-    scaled = None if found is None else found * quantity.factor
+    found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
+    scaled = None if found is None or not divisor else found / divisor * quantity.factor
     misprint = quantity.misprints.get(row)
     reference = expected if misprint is None else misprint.reading
     agrees = scaled is not None and abs(scaled - reference) <= quantity.tolerance.around(reference)
@@ -119,10 +119,10 @@ def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any
     return ValueResult(row, expected, scaled, "misprint" if agrees else "fail", misprint.reading, misprint.reason)
 
 
-def _find(tree: Any, steps: Sequence[str]) -> float | None:
-    """Return the finite number at the end of the steps; None if there is none."""
-    for step in steps:
-        tree = _item(tree, step)
+def _find(tree: Any, path: str, row: str) -> float | None:
+    """Return the finite number at the end of the path; None if there is none."""
+    for step in path.split("."):
+        tree = _item(tree, step.replace("{row}", row))
     return float(tree) if isinstance(tree, int | float) and math.isfinite(tree) else None
 
 

@@ -97,7 +97,8 @@ def _obspy(path: Path, *, name: str) -> Any:
         import obspy
     except ModuleNotFoundError as missing:
         raise RecordError(
-            f'{path}: {name} files need the package "{missing.name}"; install it: pip install "rocking-assess[miniseed]"'
+            f'{path}: {name} files need the package "{missing.name}"; '
+            'install it: pip install "rocking-assess[miniseed]"'
         ) from None
     return obspy
 

@@ -1,8 +1,8 @@
 """The patterns of quantities in the JSON Schema, so that an editor shows a wrong unit while the file is written.
 
 They are made of the parts that `units` reads with and of pint's names. A pattern accepts whatever is read: what it
-cannot judge, the product of several units or signs beyond a keyboard's, it leaves to the reader. Only constructions that
-Python and ECMA 262 read alike are used.
+cannot judge, the product of several units or signs beyond a keyboard's, it leaves to the reader. Only constructions
+that Python and ECMA 262 read alike are used.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
 
 @cache
 def quantity_pattern(kind: str, form: Form = "quantity") -> str:
-    """Return the pattern of texts of a kind in KINDS: of a quantity, of one that may be infinite, or of a unit alone."""
+    """Return the pattern of a quantity of a kind in KINDS, of one that may be infinite, or of its unit alone."""
     unit = _unit(KINDS[kind])
     if form == "unit":
         read = rf"\s*{unit}"

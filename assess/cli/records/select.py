@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -93,13 +92,15 @@ def select(
     refuse_both(as_json=as_json, as_csv=as_csv)
     refuse_figure(output)
     _refuse_without_target(context, target, places)
+    from assess.cli.progress import progress
+    from assess.cli.stderr import print_note
     from assess.project.suites import Wanted, lock_project, lock_target, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
     written = None
     if target is None:
-        with process_pool(jobs) as executor:
+        with progress(), process_pool(jobs) as executor:
             if lock:
                 found, written = lock_project(places[0], executor=executor)
             else:
@@ -109,14 +110,14 @@ def select(
         one_per_event, events = not several_per_event, tuple(event or ())
         wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events, code)
         overrides = HeaderOverrides(unit, step, response)
-        with process_pool(jobs) as executor:
+        with progress(), process_pool(jobs) as executor:
             selected = of_target(
                 target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
         found, written = selected.suite, lock_target(target, selected) if lock else None
     _print_suite(found, output, as_json=as_json, as_csv=as_csv)
     if written is not None:
-        print(f'{written} written; [records] lock = "{written.name}" uses it', file=sys.stderr)
+        print_note(f'{written} written; [records] lock = "{written.name}" uses it')
 
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:
@@ -129,13 +130,13 @@ def _refuse_without_target(context: typer.Context, target: Path | None, places: 
 
 def _print_suite(found: Suite, output: Path | None, *, as_json: bool, as_csv: bool) -> None:
     """Draw the suite where a figure is requested, and print it."""
-    from assess.cli.tables.messages import messages_text
+    from assess.cli.stderr import print_messages
     from assess.cli.tables.suite import csv_text, draw, json_text, table_text
 
     if output is not None:
         draw(found, output)
     if as_json or as_csv:  # the table includes them
-        print(messages_text(found.messages), end="", file=sys.stderr)
+        print_messages(found.messages)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

@@ -43,7 +43,9 @@ class _OneForBoth:
     """The mark of a key whose one value stands for both directions."""
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        return {"anyOf": [handler(schema), {"type": "number", "minimum": 0, "maximum": 1}, {"enum": list(RESTITUTIONS)}]}
+        return {
+            "anyOf": [handler(schema), {"type": "number", "minimum": 0, "maximum": 1}, {"enum": list(RESTITUTIONS)}]
+        }
 
 
 ONE_FOR_BOTH = _OneForBoth()

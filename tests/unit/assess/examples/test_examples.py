@@ -40,7 +40,12 @@ def test_every_folder_of_examples_is_listed_once_in_one_line(capsys) -> None:
 def test_an_example_is_written_whole(tmp_path: Path) -> None:
     file = copy_example("casa_grande", tmp_path / "deep" / "new")
     assert [p.name for p in (tmp_path / "deep").iterdir()] == ["new"]
-    assert sorted(p.name for p in file.parent.iterdir()) == ["README.md", "project.schema.json", "project.toml", "walls"]
+    assert sorted(p.name for p in file.parent.iterdir()) == [
+        "README.md",
+        "project.schema.json",
+        "project.toml",
+        "walls",
+    ]
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.completions import export_formats
 from assess.cli.options import Jobs, ProjectPath, refuse_both
 
 FORMATS = ("nrml", "pelicun", "csv")
@@ -38,6 +39,7 @@ def fragility(
             metavar="FORMATS",
             help="Also write the curves for other programs: nrml, pelicun, csv, or several with commas; needs -o.",
             callback=check_formats,
+            autocompletion=export_formats,
         ),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print fragility.json.")] = False,

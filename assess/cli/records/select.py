@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from assess.cli.completions import of_words
 from assess.cli.options import FigurePath, Jobs, refuse_both, refuse_figure
 from assess.cli.records.options import TARGET, Catalogue, Flatfile, Response, Step, Unit
 
@@ -42,19 +43,33 @@ def select(
     scale_limits: Annotated[
         tuple[float, float], typer.Option(metavar="FROM TO", help="Smallest and largest scale factor.")
     ] = (0.25, 4.0),
-    fit: Annotated[str, typer.Option(help='Fit the mean of the "suite", or "each" record.')] = "suite",
+    fit: Annotated[
+        str,
+        typer.Option(help='Fit the mean of the "suite", or "each" record.', autocompletion=of_words("suite", "each")),
+    ] = "suite",
     components: Annotated[
-        str, typer.Option(help='Use components separately ("single"), or those of a recording "together".')
+        str,
+        typer.Option(
+            help='Use components separately ("single"), or those of a recording "together".',
+            autocompletion=of_words("single", "together"),
+        ),
     ] = "single",
     code: Annotated[
         str | None,
         typer.Option(
             "--for",
             metavar="CODE",
+            autocompletion=of_words("asce7-16", "asce43-05", "ec8", "ntc2018", "nzs1170.5"),
             help="Meet the rules of asce7-16, asce43-05, ec8, ntc2018 or nzs1170.5; --periods are 0.2 to 1.2 T.",
         ),
     ] = None,
-    scale_to: Annotated[str, typer.Option(help='Scale each record to "spectrum", "pga" or "none".')] = "spectrum",
+    scale_to: Annotated[
+        str,
+        typer.Option(
+            help='Scale each record to "spectrum", "pga" or "none".',
+            autocompletion=of_words("spectrum", "pga", "none"),
+        ),
+    ] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
     ] = False,

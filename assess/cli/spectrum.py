@@ -18,6 +18,8 @@ OWN = (
     "output",
 )  # parameters of the command that are not keys of a spectrum
 
+HAZARDS = of_words("design", "mce")
+
 
 def _key(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
     option: typer.models.OptionInfo = typer.Option(
@@ -50,9 +52,7 @@ def spectrum(
     ] = None,
     s_d1: Annotated[str | None, _key("s-d1", "ACC", "asce7: design acceleration at 1 s.")] = None,
     t_l: Annotated[str | None, _key("t-l", "TIME", 'asce7: long-period transition, such as "6 s".')] = None,
-    hazard: Annotated[
-        str | None, _key("hazard", "WORD", "asce7: design (default) or mce.", of_words("design", "mce"))
-    ] = None,
+    hazard: Annotated[str | None, _key("hazard", "WORD", "asce7: design (default) or mce.", HAZARDS)] = None,
     a_g: Annotated[str | None, _key("a-g", "ACC", "ec8, ntc: peak ground acceleration on rock.")] = None,
     ground_type: Annotated[str | None, _key("ground-type", "TYPE", "ec8: A to E.", of_words(*"ABCDE"))] = None,
     type: Annotated[str | None, _key("type", "1|2", "ec8: type of the spectrum (default: 1).")] = None,

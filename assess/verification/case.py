@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, ClassVar
 
 from assess.results.verification import STRICT, Source, Tolerance
@@ -69,3 +69,19 @@ class CaseFile:
     key: str
     path: Path
     case: Case
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The files that it is given, relative to its own: `file`, and those of `files`."""
+        one, several = self.case.given.get("file"), self.case.given.get("files", ())
+        return (*(() if one is None else (str(one),)), *map(str, several))
+
+    def beside(self, name: str) -> str:
+        """Return the path of a file that stands beside the case, relative to the folder of cases."""
+        return (PurePosixPath(self.key).parent / name).as_posix()
+
+    @property
+    def project_folder(self) -> str:
+        """The folder of its project, relative to that of the cases; an example has one of its own."""
+        example = self.case.given.get("example")
+        return self.beside(str(PurePosixPath(self.names[0]).parent)) if example is None else f"examples/{example}"

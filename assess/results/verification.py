@@ -9,15 +9,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from statistics import median
-from typing import Any, ClassVar, Literal
+from typing import Literal
 
 from assess.results.inputs import Input, Program, Resolved
 from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.short_repr import ShortRepr
 
 VERIFICATION_VERSION = 1
-STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
-"""How the tables of a case are read: no unknown key, no text for a number, no number that is not finite."""
 Standing = Literal["published", "derived", "own arithmetic"]
 """Where an expected value comes from: read in the source; from the formulas of the source, computed here another way;
 or arithmetic of our own that no source prints."""
@@ -34,7 +32,6 @@ class Source(ShortRepr):
     place : pages, tables, equations; where the values were read
     """
 
-    __pydantic_config__: ClassVar = STRICT
     citation: str
     standing: Standing
     place: str
@@ -49,7 +46,6 @@ class Tolerance(ShortRepr):
     reason : why so much, as a sentence
     """
 
-    __pydantic_config__: ClassVar = STRICT
     reason: str
     absolute: float = 0.0
     relative: float = 0.0

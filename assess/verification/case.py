@@ -6,7 +6,10 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any, ClassVar
 
-from assess.results.verification import STRICT, Source, Tolerance
+from assess.results.verification import Source, Tolerance
+
+STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
+"""How the tables of a case are read: no unknown key, no text for a number, no number that is not finite."""
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,11 @@ def read_cases(folder: Path = CASES) -> tuple[CaseFile, ...]:
 def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[CaseFile, ...]:
     """Return the cases of some keys, or of the sources that stand before the slash of keys; all where none is wanted.
 
+    Parameters
+    ----------
+    cases : all of them
+    wanted : keys or sources
+
     Raises
     ------
     AssessError : there is no such case
@@ -49,7 +54,13 @@ def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[Case
 
 
 def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFile, ...]:
-    """Return the cases that share something with what a project uses."""
+    """Return the cases that share something with what a project uses.
+
+    Parameters
+    ----------
+    cases : all of them
+    uses : in the words of `assess.results.uses`
+    """
     return tuple(each for each in cases if set(each.case.uses) & set(uses))
 
 

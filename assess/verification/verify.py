@@ -46,7 +46,13 @@ def verify(cases: Sequence[CaseFile], *, quick: bool, jobs: int | None, progress
 
 
 def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Coverage, ...]:
-    """Return, for each thing that is used, the keys of the cases that exercise it; none where there is no case."""
+    """Return, for each thing that is used, the keys of the cases that exercise it; none where there is no case.
+
+    Parameters
+    ----------
+    uses : in the words of `assess.results.uses`
+    cases : that were run
+    """
     every = tuple(cases)
     return tuple(Coverage(use, tuple(each.key for each in every if use in each.uses)) for use in uses)
 

@@ -54,9 +54,7 @@ JUDGEMENT = say(
 )
 THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
     "single-block": (
-        say(
-            "I φ'' + M g R sin(α − φ) = −M R cos(α − φ) ü; at an impact the angular momentum about the new hinge is kept."
-        ),
+        say("I φ'' + M g R sin(α − φ) = −M R cos(α − φ) ü; an impact keeps the angular momentum about the new hinge."),
         say("A rigid body that rocks about two edges or one without sliding."),
     ),
     "two-block": (
@@ -82,9 +80,7 @@ THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
         say("Façades and other bodies that lean against a building which does not move."),
     ),
     "flexible": (
-        say(
-            "The joint has springs without tension up to its strength; the resultant and its moment follow at each rotation."
-        ),
+        say("Springs without tension up to their strength; resultant and moment of the joint follow at each rotation."),
         say("Bodies on mortar joints or soft beds; plane sections of the joint, no memory of crushing."),
     ),
 }

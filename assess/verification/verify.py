@@ -61,13 +61,30 @@ def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) ->
 
 def run_case(file: CaseFile) -> CaseResult:
     """Solve one case and compare it; an error of the program fails the case, and is its fault."""
-    from assess.verification.solvers import SOLVERS
-
-    case = file.case
     try:
-        tree, fault = SOLVERS[case.solver](file.path.parent, case.given), ""
+        tree, fault = solve_case(file), ""
     except Exception as error:
         tree, fault = {}, "".join(traceback.format_exception_only(error)).strip()
+    return compare_case(file, tree, fault=fault)
+
+
+def solve_case(file: CaseFile) -> Mapping[str, Any]:
+    """Return the tree of numbers that the program finds for a case."""
+    from assess.verification.solvers import SOLVERS
+
+    return SOLVERS[file.case.solver](file.path.parent, file.case.given)
+
+
+def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") -> CaseResult:
+    """Compare a case with what was found for it.
+
+    Parameters
+    ----------
+    file : the case
+    tree : of numbers, as its solver returns it
+    fault : why it could not be solved, "" if it was
+    """
+    case = file.case
     quantities = tuple(_compare(each, tree) for each in case.quantities)
     inputs = tuple(_input(path) for path in input_files(file))
     return CaseResult(

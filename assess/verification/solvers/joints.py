@@ -14,7 +14,8 @@ def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     ----------
     folder : of the case, not read
     given : by joint `shape`, a function of `assess.interfaces.shapes`, its `sizes` [m], across them `inner` ones if it
-        is hollow; `stiffness` [Pa/m] and `strength` [Pa], either absent if infinite; `force` [N]; `rotations`, one at least [rad]
+        is hollow; `stiffness` [Pa/m] and `strength` [Pa], either absent if infinite; `force` [N]; `rotations`, one at
+        least [rad]
 
     Returns
     -------

@@ -27,6 +27,7 @@ class Quantity:
 
     path : place of the value in the tree that the solver returns, with dots; `{row}` stands for the row. Items of
         lists are found by their `name`, `id` or `procedure`, or by their number
+    over : place of a value that the found one is divided by; none if empty
     values : expected, by row; one row named "" for a single value
     factor : what the found value is multiplied by to get the unit of the source
     misprints : by row
@@ -38,6 +39,7 @@ class Quantity:
     tolerance: Tolerance
     values: dict[str, float]
     unit: str = ""
+    over: str = ""
     factor: float = 1.0
     misprints: dict[str, Misprint] = field(default_factory=dict)
 

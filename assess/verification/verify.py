@@ -104,6 +104,11 @@ def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") ->
     )  # fmt: skip
 
 
+def input_files(file: CaseFile) -> tuple[Path, ...]:
+    """Return the file of a case, and those that it is given beside it."""
+    return (file.path, *(file.path.parent / name for name in file.names))
+
+
 def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
     """Yield what a case reads beside its own file: a project with all that it names, or single files."""
     if file.case.solver == "project":

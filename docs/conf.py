@@ -15,7 +15,7 @@ copyright = author
 release = version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 language = "en"
 
-extensions = ["myst_parser", "docs.ext.mathml", "docs.ext.repository_links"]
+extensions = ["myst_parser", "docs.ext.mathml", "docs.ext.made_pages", "docs.ext.repository_links"]
 myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 4
 exclude_patterns = ["ext", "notebook"]
@@ -28,4 +28,5 @@ html_css_files = ["manual.css"]
 html_math_renderer = "mathml"
 html_copy_source = False
 html_show_sphinx = False
+smartquotes = False  # quotes of a project file are copied as they stand
 pygments_style = "friendly"

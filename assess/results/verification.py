@@ -8,12 +8,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from statistics import median
-from typing import Literal
+from typing import Any, ClassVar, Literal
 
 from assess.results.inputs import Input, Program
 from assess.short_repr import ShortRepr
 
 VERIFICATION_VERSION = 1
+STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
+"""How the tables of a case are read: no unknown key, no text for a number, no number that is not finite."""
 Standing = Literal["published", "derived", "own arithmetic"]
 """Where an expected value comes from: read in the source; from the formulas of the source, computed here another way;
 or arithmetic of our own that no source prints."""
@@ -30,6 +32,7 @@ class Source(ShortRepr):
     place : pages, tables, equations; where the values were read
     """
 
+    __pydantic_config__: ClassVar = STRICT
     citation: str
     standing: Standing
     place: str
@@ -44,6 +47,7 @@ class Tolerance(ShortRepr):
     reason : why so much, as a sentence
     """
 
+    __pydantic_config__: ClassVar = STRICT
     reason: str
     absolute: float = 0.0
     relative: float = 0.0
@@ -92,7 +96,7 @@ class CaseResult(ShortRepr):
 
     key : its place among the cases, such as "housner_1963/free_rocking"
     theory : the equations it shows; field : where they hold
-    uses : mechanisms, joints, procedures and spectra that it exercises, in the words of the project file
+    uses : mechanisms, joints, procedures and spectra that it exercises, in the words of `assess.results.uses`
     inputs : the files that a user runs again, relative to the folder of cases
     fault : why it could not be run; "" if it was
     """

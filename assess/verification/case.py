@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
-from assess.results.verification import Source, Tolerance
+from assess.results.verification import STRICT, Source, Tolerance
 
 
 @dataclass(frozen=True)
 class Misprint:
     """A printed value that is held for a misprint: its likeliest reading, and why."""
 
+    __pydantic_config__: ClassVar = STRICT
     reading: float
     reason: str
 
@@ -23,16 +24,19 @@ class Quantity:
 
     path : place of the value in the tree that the solver returns, with dots; `{row}` stands for the row. Items of
         lists are found by their `name`, `id`, `procedure` or `symbol`, or by their number
+    over : place of a value that the found one is divided by; none if empty
     values : expected, by row; one row named "" for a single value
     factor : what the found value is multiplied by to get the unit of the source
     misprints : by row
     """
 
+    __pydantic_config__: ClassVar = STRICT
     name: str
     path: str
     tolerance: Tolerance
     values: dict[str, float]
     unit: str = ""
+    over: str = ""
     factor: float = 1.0
     misprints: dict[str, Misprint] = field(default_factory=dict)
 
@@ -41,12 +45,14 @@ class Quantity:
 class Case:
     """A solved case.
 
-    title, theory, field, uses, source : as in `CaseResult`
+    title, theory, field, source : as in `CaseResult`
+    uses : what it exercises, in the words of `assess.results.uses`
     solver : a key of `SOLVERS`
     given : what it solves; for "project" `file`, beside the case, or `example`
     quick : whether `assess verify --quick` runs it
     """
 
+    __pydantic_config__: ClassVar = STRICT
     title: str
     theory: str
     field: str

@@ -61,13 +61,30 @@ def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) ->
 
 def run_case(file: CaseFile) -> CaseResult:
     """Solve one case and compare it; an error of the program fails the case, and is its fault."""
-    from assess.verification.solvers import SOLVERS
-
-    case = file.case
     try:
-        tree, fault = SOLVERS[case.solver](file.path.parent, case.given), ""
+        tree, fault = solve_case(file), ""
     except Exception as error:
         tree, fault = {}, "".join(traceback.format_exception_only(error)).strip()
+    return compare_case(file, tree, fault=fault)
+
+
+def solve_case(file: CaseFile) -> Mapping[str, Any]:
+    """Return the tree of numbers that the program finds for a case."""
+    from assess.verification.solvers import SOLVERS
+
+    return SOLVERS[file.case.solver](file.path.parent, file.case.given)
+
+
+def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") -> CaseResult:
+    """Compare a case with what was found for it.
+
+    Parameters
+    ----------
+    file : the case
+    tree : of numbers, as its solver returns it
+    fault : why it could not be solved, "" if it was
+    """
+    case = file.case
     quantities = tuple(_compare(each, tree) for each in case.quantities)
     inputs = tuple(_input(path) for path in input_files(file))
     return CaseResult(
@@ -92,8 +109,8 @@ def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
 
 
 def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
-    found = _find(tree, [step.replace("{row}", row) for step in quantity.path.split(".")])
-    scaled = None if found is None else found * quantity.factor
+    found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
+    scaled = None if found is None or not divisor else found / divisor * quantity.factor
     misprint = quantity.misprints.get(row)
     reference = expected if misprint is None else misprint.reading
     agrees = scaled is not None and abs(scaled - reference) <= quantity.tolerance.around(reference)
@@ -102,10 +119,10 @@ def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any
     return ValueResult(row, expected, scaled, "misprint" if agrees else "fail", misprint.reading, misprint.reason)
 
 
-def _find(tree: Any, steps: Sequence[str]) -> float | None:
-    """Return the finite number at the end of the steps; None if there is none."""
-    for step in steps:
-        tree = _item(tree, step)
+def _find(tree: Any, path: str, row: str) -> float | None:
+    """Return the finite number at the end of the path; None if there is none."""
+    for step in path.split("."):
+        tree = _item(tree, step.replace("{row}", row))
     return float(tree) if isinstance(tree, int | float) and math.isfinite(tree) else None
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from assess.verification.solvers.free_rocking import solve_free_rocking
+from assess.verification.solvers.joints import solve_joints
 from assess.verification.solvers.motion import solve_motion
 from assess.verification.solvers.parameters import solve_parameters
 from assess.verification.solvers.project import solve_project
@@ -20,6 +21,7 @@ Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 
 SOLVERS: dict[str, Solver] = {
     "free-rocking": solve_free_rocking,
+    "joints": solve_joints,
     "motion": solve_motion,
     "parameters": solve_parameters,
     "project": solve_project,

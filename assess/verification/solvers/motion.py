@@ -14,8 +14,8 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     ----------
     folder : of the case, not read
     given : `blocks`, by name `p` [1/s], `slenderness` [rad], `restitution` [-] and `scale` of the motion [-];
-        `equation`; `step` [s] of the motion; `samples` [m/s2], or `duration` [s] and `sines`, each amplitude [m/s2], frequency
-        [Hz] and phase [rad], of which the samples are taken
+        `equation`; `step` [s] of the motion; `samples` [m/s2], or `duration` [s] and `sines` of which the samples are
+        taken, each with amplitude [m/s2], frequency [Hz] and phase [rad]
 
     Returns
     -------
@@ -25,7 +25,7 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     import numpy as np
     from scipy.constants import g
 
-    from assess.dynamics.history import Jobs, peaks
+    from assess.dynamics.history import peaks, product
     from assess.oscillator import Oscillator, SingleBlock, plain_branch
     from records.record import make_record
 
@@ -35,7 +35,7 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     for name, block in given["blocks"].items():
         plain = SingleBlock(1.0, 1.0, block["slenderness"], g / block["p"] ** 2)
         side = plain_branch(plain, restitution=block["restitution"])
-        job = Jobs(*np.zeros((2, 1), dtype=np.int64), np.array([block["scale"]]))
+        job = product(1, 1, [block["scale"]])
         found = peaks([Oscillator(side, side, 1.0)], [motion], job, equation=given["equation"])
         tree[name] = {
             "max_ratio": float(found.max_ratio[0]),

@@ -27,7 +27,7 @@ FIGURES: dict[str, tuple[str, str | None]] = {
     "sketch-four-hinge": ("sketch", "portal"),
     "moment": ("moment", "facade"),
     "contact": ("contact", "facade"),
-    "capacity": ("capacity", "facade"),
+    "key-plan": ("key-plan", None),
     "history": ("history", "facade"),
     "envelope": ("envelope", "facade"),
     "sensitivity": ("sensitivity", "facade"),
@@ -50,7 +50,7 @@ def main(folder: Path) -> None:
 def _draw_fragility(results: FragilityResults, path: Path) -> None:
     """Draw the curve of overturning of the façade."""
     facade = next(each for each in results.mechanisms if each.name == "facade")
-    curve = next(each for each in facade.curves if each.state == "overturning")
+    curve = next(each for each in facade.curves if each.state.name == "overturning")
     print(write_figure(fragility.draw(curve, Locale()), path, creator="assess"))
 
 

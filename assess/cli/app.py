@@ -21,6 +21,7 @@ from assess.cli.schema import schema
 from assess.cli.spectrum import spectrum
 from assess.cli.summary import summary
 from assess.cli.verbosity import Quiet, Verbose, with_verbosity
+from assess.cli.verify import verify
 
 OPTIONS = ("help", "quiet", "verbose", "install_completion", "show_completion")
 
@@ -37,7 +38,7 @@ app = typer.Typer(
 )
 COMMANDS = (
     new, check, run, batch, parameters, spectrum, envelope,
-    fragility, geometry, report, diff, summary, schema,
+    fragility, geometry, report, diff, summary, verify, schema,
 )  # fmt: skip
 for command in COMMANDS:
     app.command()(with_verbosity(command))

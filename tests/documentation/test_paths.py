@@ -9,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").glob("*.md")])
+from tests.support.places import ROOT, place_of
+
+MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
+PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *MANUAL])
 NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
 ROOMS = ("assess/", "spectra/", "records/", "reports/", "tests/", "docs/", ".ci/")
 PATH = re.compile(r"`([\w.-]+(?:/[\w.-]+)*/?)`")
@@ -35,7 +37,7 @@ def anchors_of(page: Path) -> set[str]:
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
 def test_every_path_exists(page):
     named = [path for path in PATH.findall(page.read_text(encoding="utf-8")) if path.startswith(ROOMS)]
-    gone = [path for path in named if not (ROOT / path).exists()]
+    gone = [path for path in named if not place_of(path).exists()]
     assert not gone, f"{page.name} names what is not there any more: {', '.join(gone)}"
 
 
@@ -55,7 +57,7 @@ def test_every_module_exists(name):
 @pytest.mark.parametrize("name", ["CONTRIBUTING.md", "docs/architecture.md"])
 def test_every_name_is_in_the_source(name):
     """Functions, classes and registries by their own names, as `make_record` or `FORMATS`."""
-    source = "\n".join(path.read_text(encoding="utf-8") for room in ROOMS[:5] for path in (ROOT / room).rglob("*.py"))
+    source = "\n".join(path.read_text(encoding="utf-8") for room in ROOMS[:5] for path in place_of(room).rglob("*.py"))
     named = re.findall(r"`(_?[A-Za-z]+(?:_\w+)+|[A-Z]{3,}|[A-Z][a-z]+(?:[A-Z][a-z]+)*)(?:\(.*?)?`", text_of(name))
     known = set(re.findall(r"\w+", source))
     assert [each for each in dict.fromkeys(named) if each not in known and each not in ("BASE", "Makefile")] == []
@@ -75,10 +77,15 @@ def exists(dotted: str) -> bool:
     return True
 
 
-def test_every_page_is_in_the_list_of_pages():
-    index = ROOT / "docs" / "README.md"
-    listed = {target.resolve() for target, _ in links_of(index)}
-    assert {page for page in (ROOT / "docs").glob("*.md") if page != index} <= listed
+def test_every_page_of_docs_is_reached_from_its_index():
+    reached, ahead = set(), [ROOT / "docs" / "index.md"]
+    while ahead:
+        page = ahead.pop().resolve()
+        if page.suffix == ".md" and page not in reached:
+            reached.add(page)
+            ahead += [target for target, _ in links_of(page)]
+    included = {ROOT / "docs" / "changes.md", ROOT / "docs" / "contributing.md"}  # reached as pages of the root
+    assert set(MANUAL) - included <= reached
 
 
 def test_every_picture_is_shown_somewhere():

@@ -1,0 +1,139 @@
+"""The files of cases: every TOML file under `cases` that has a key of a case; project files stand beside them."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Collection, Iterator, Sequence
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from assess.errors import AssessError
+from assess.results.uses import USES
+from assess.verification.case import Case, CaseFile, Quantity
+from assess.verification.solvers import SOLVERS
+
+CASES = Path(__file__).parent / "cases"
+OF_A_CASE = {"source", "solver", "quantities"}
+FEWEST_WORDS = 3  # of a reason that says something
+
+
+def read_cases(folder: Path = CASES) -> tuple[CaseFile, ...]:
+    """Return the cases of a folder in the order of their keys.
+
+    Raises
+    ------
+    AssessError : a case has an unknown key, a value of the wrong type, or says too little
+    """
+    return tuple(_case_files(folder))
+
+
+def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[CaseFile, ...]:
+    """Return the cases of some keys, or of the sources that stand before the slash of keys; all where none is wanted.
+
+    Parameters
+    ----------
+    cases : all of them
+    wanted : keys or sources
+
+    Raises
+    ------
+    AssessError : there is no such case
+    """
+    known = {each.key: each for each in cases}
+    for name in wanted:
+        if not any(_is_of(key, name) for key in known):
+            near = get_close_matches(name, [*known, *{key.partition("/")[0] for key in known}], n=1)
+            hint = f'did you mean "{near[0]}"?' if near else "list them with `assess verify --list`"
+            raise AssessError(f'case "{name}" is not known; {hint}')
+    return tuple(each for each in cases if not wanted or any(_is_of(each.key, name) for name in wanted))
+
+
+def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFile, ...]:
+    """Return the cases that share something with what a project uses.
+
+    Parameters
+    ----------
+    cases : all of them
+    uses : in the words of `assess.results.uses`
+    """
+    return tuple(each for each in cases if set(each.case.uses) & set(uses))
+
+
+def _is_of(key: str, name: str) -> bool:
+    return key == name or key.startswith(name.rstrip("/") + "/")
+
+
+def _case_files(folder: Path) -> Iterator[CaseFile]:
+    for path in sorted(folder.rglob("*.toml")):
+        try:
+            content = tomllib.loads(path.read_text(encoding="utf-8"))
+        except tomllib.TOMLDecodeError as error:
+            raise AssessError(f"{path}: {error}") from None
+        if OF_A_CASE & content.keys():
+            key = path.relative_to(folder).with_suffix("").as_posix()
+            yield CaseFile(key, path, _case(path, content))
+
+
+def _case(path: Path, content: dict[str, Any]) -> Case:
+    try:
+        case = _case_type().validate_json(json.dumps(content, default=str))
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        raise AssessError(f"{path}: {'.'.join(str(each) for each in first['loc'])}: {first['msg']}") from None
+    if fault := next(_faults(case, path.parent), None):
+        raise AssessError(f"{path}: {fault}")
+    return case
+
+
+def _faults(case: Case, folder: Path) -> Iterator[str]:
+    """Yield what is wrong with a case beyond the types of its values."""
+    for key in ("title", "theory", "field"):
+        if not getattr(case, key).strip():
+            yield f"{key}: empty; write a sentence"
+    if case.source.standing == "published" and "read" not in case.source.place.split():
+        yield 'source.place: a published value was read somewhere; say where: "Table 8.2, read in the thesis"'
+    for word in case.uses:
+        if word not in USES:
+            near = get_close_matches(word, USES, n=1)
+            yield f'uses: "{word}" is not in `assess.results.uses`' + (f'; did you mean "{near[0]}"?' if near else "")
+    if not case.uses or len(set(case.uses)) < len(case.uses):
+        yield "uses: give each word once, and one at least"
+    if case.solver not in SOLVERS:
+        yield f'solver: "{case.solver}" is not known; known: {", ".join(SOLVERS)}'
+    if case.solver == "project" and len(case.given.keys() & {"file", "example"}) != 1:
+        yield "given: a project is a `file` beside the case, or an `example`"
+    for name in CaseFile("", folder, case).names:
+        if not (folder / name).is_file():
+            yield f"given: there is no file {name} beside the case"
+    names = [each.name for each in case.quantities]
+    if not names or len(set(names)) < len(names):
+        yield "quantities: give each name once, and one at least"
+    for each in case.quantities:
+        yield from (f'quantities "{each.name}": {fault}' for fault in _quantity_faults(each))
+
+
+def _quantity_faults(quantity: Quantity) -> Iterator[str]:
+    tolerance = quantity.tolerance
+    if len(tolerance.reason.split()) < FEWEST_WORDS:
+        yield "tolerance.reason: say in a sentence why the values may differ so much"
+    if min(tolerance.absolute, tolerance.relative) < 0.0:
+        yield "tolerance: negative"
+    if not quantity.values:
+        yield "values: none"
+    if len(quantity.values) > 1 and "{row}" not in quantity.path:
+        yield "path: several rows need {row} in it"
+    for row, misprint in quantity.misprints.items():
+        if row not in quantity.values:
+            yield f'misprints: "{row}" is none of its values'
+        if len(misprint.reason.split()) < FEWEST_WORDS:
+            yield f'misprints."{row}".reason: say in a sentence why it is held for a misprint'
+
+
+@cache
+def _case_type() -> TypeAdapter[Case]:
+    return TypeAdapter(Case)

@@ -1,0 +1,156 @@
+"""Cases run again and compared."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import traceback
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import as_completed
+from pathlib import Path
+from typing import Any
+
+from assess.results.inputs import Input
+from assess.results.program import describe_program
+from assess.results.verification import (
+    VERIFICATION_VERSION,
+    CaseResult,
+    Coverage,
+    QuantityResult,
+    ValueResult,
+    VerificationResults,
+)
+from assess.verification.case import CaseFile, Quantity
+from assess.workers import process_pool
+
+Progress = Callable[[str, int, int], None]
+NAMES = ("name", "id", "procedure", "symbol")
+"""The keys by which an item of a list is found."""
+
+
+def verify(cases: Sequence[CaseFile], *, quick: bool, jobs: int | None, progress: Progress) -> VerificationResults:
+    """Run cases in processes and compare them; the results do not depend on their number.
+
+    Parameters
+    ----------
+    cases : to run
+    quick : only those that are quick
+    jobs : processes, None for all cores
+    progress : is called with (stage, done, total)
+    """
+    chosen = [each for each in cases if each.case.quick or not quick]
+    found = {each.key: each for each in _results(chosen, jobs, progress)}
+    return VerificationResults(
+        VERIFICATION_VERSION, describe_program(), quick, tuple(found[each.key] for each in chosen)
+    )
+
+
+def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Coverage, ...]:
+    """Return, for each thing that is used, the keys of the cases that exercise it; none where there is no case.
+
+    Parameters
+    ----------
+    uses : in the words of `assess.results.uses`
+    cases : that were run
+    """
+    every = tuple(cases)
+    return tuple(Coverage(use, tuple(each.key for each in every if use in each.uses)) for use in uses)
+
+
+def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) -> Iterable[CaseResult]:
+    """Yield the results of cases as they come, the slow ones started first."""
+    ordered = sorted(cases, key=lambda each: each.case.quick)
+    with process_pool(jobs) as pool:
+        if pool is None:
+            for done, each in enumerate(ordered, 1):
+                yield run_case(each)
+                progress("cases", done, len(ordered))
+            return
+        for done, future in enumerate(as_completed([pool.submit(run_case, each) for each in ordered]), 1):
+            yield future.result()
+            progress("cases", done, len(ordered))
+
+
+def run_case(file: CaseFile) -> CaseResult:
+    """Solve one case and compare it; an error of the program fails the case, and is its fault."""
+    try:
+        tree, fault = solve_case(file), ""
+    except Exception as error:
+        tree, fault = {}, "".join(traceback.format_exception_only(error)).strip()
+    return compare_case(file, tree, fault=fault)
+
+
+def solve_case(file: CaseFile) -> Mapping[str, Any]:
+    """Return the tree of numbers that the program finds for a case."""
+    from assess.verification.solvers import SOLVERS
+
+    return SOLVERS[file.case.solver](file.path.parent, file.case.given)
+
+
+def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") -> CaseResult:
+    """Compare a case with what was found for it.
+
+    Parameters
+    ----------
+    file : the case
+    tree : of numbers, as its solver returns it
+    fault : why it could not be solved, "" if it was
+    """
+    case = file.case
+    quantities = tuple(_compare(each, tree) for each in case.quantities)
+    inputs = (Input(f"{file.key}.toml", _sha256(file.path)), *_inputs(file, tree))
+    return CaseResult(
+        file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault
+    )  # fmt: skip
+
+
+def input_files(file: CaseFile) -> tuple[Path, ...]:
+    """Return the file of a case, and those that it is given beside it."""
+    return (file.path, *(file.path.parent / name for name in file.names))
+
+
+def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
+    """Yield what a case reads beside its own file: a project with all that it names, or single files."""
+    if file.case.solver == "project":
+        folder = file.project_folder
+        yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree.get("inputs", ()))
+        return
+    yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
+
+
+def _sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
+    values = tuple(_value(quantity, row, expected, tree) for row, expected in quantity.values.items())
+    return QuantityResult(quantity.name, quantity.unit, quantity.tolerance, values)
+
+
+def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
+    found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
+    scaled = None if found is None or not divisor else found / divisor * quantity.factor
+    misprint = quantity.misprints.get(row)
+    reference = expected if misprint is None else misprint.reading
+    agrees = scaled is not None and abs(scaled - reference) <= quantity.tolerance.around(reference)
+    if misprint is None:
+        return ValueResult(row, expected, scaled, "pass" if agrees else "fail")
+    return ValueResult(row, expected, scaled, "misprint" if agrees else "fail", misprint.reading, misprint.reason)
+
+
+def _find(tree: Any, path: str, row: str) -> float | None:
+    """Return the finite number at the end of the path; None if there is none."""
+    for step in path.split("."):
+        tree = _item(tree, step.replace("{row}", row))
+    return float(tree) if isinstance(tree, int | float) and math.isfinite(tree) else None
+
+
+def _item(tree: Any, step: str) -> Any:
+    if isinstance(tree, Mapping):
+        return tree.get(step)
+    if not isinstance(tree, Sequence) or isinstance(tree, str):
+        return None
+    named = (each for each in tree if isinstance(each, Mapping) and any(each.get(key) == step for key in NAMES))
+    if step.isdigit():
+        return tree[int(step)] if int(step) < len(tree) else None
+    return next(named, None)

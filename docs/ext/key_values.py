@@ -1,0 +1,138 @@
+"""What a key of the project file may hold, in words: its unit, its choices, its bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from annotated_types import Ge, Gt, Le, Lt
+from pydantic import WithJsonSchema
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticUndefined
+
+from assess.project.sections.uncertain_number import Uncertain
+from assess.project.units import Kind
+from docs.ext.schema_tables import form, is_table, target, title
+
+PLAIN: dict[Any, str] = {
+    str: "text",
+    int: "whole number",
+    float: "number",
+    bool: "`true` or `false`",
+    Path: "path, relative to the project file",
+    Any: "any value",
+}
+BOUNDS = ((Gt, "gt", "above"), (Ge, "ge", "at least"), (Lt, "lt", "below"), (Le, "le", "at most"))
+
+
+def value_words(field: FieldInfo) -> str:
+    """Return what a key may hold, as Markdown."""
+    words = _words(field.annotation, tuple(field.metadata))
+    marks = _flat((*field.metadata, *_nested(field.annotation)))
+    return f"{words}; or `{{ mean, cov }}`" if any(isinstance(mark, Uncertain) for mark in marks) else words
+
+
+def default_words(field: FieldInfo) -> str:
+    """Return what is taken where the key is absent, as Markdown."""
+    if field.is_required():
+        return "**required**"
+    value = field.default
+    if value is None or value is PydanticUndefined or value in ("", ()):
+        return "–"
+    if isinstance(value, bool):
+        return f"`{str(value).lower()}`"
+    if isinstance(value, str | int):
+        return f"`{_toml(value)}`"
+    if isinstance(value, tuple):
+        return f"`[{', '.join(map(_toml, value))}]`"
+    kind = next((mark for mark in _flat(field.metadata) if isinstance(mark, Kind)), None)
+    unit = f" {_symbol(kind)}" if kind is not None and _symbol(kind) else ""
+    return f"{value:g}{unit}" if isinstance(value, float) else "–"
+
+
+def _words(annotation: Any, marks: tuple[Any, ...] = ()) -> str:
+    if get_origin(annotation) is Annotated:
+        inner, *more = get_args(annotation)
+        return _words(inner, (*marks, *more))
+    marks = tuple(_flat(marks))
+    if is_table(annotation):
+        return f"table: [{title(annotation)}](#{target(annotation)})"
+    for mark in marks:
+        if isinstance(mark, Kind):
+            return _quantity(mark) + _bounds(marks)
+    for mark in marks:
+        if isinstance(mark, WithJsonSchema) and "description" in (mark.json_schema or {}):
+            return str(mark.json_schema["description"]) if mark.json_schema else ""
+    return _form(annotation) + _bounds(marks)
+
+
+def _form(annotation: Any) -> str:
+    """Return the words of a type without marks of its own."""
+    origin, arguments = get_origin(annotation), get_args(annotation)
+    if origin is Literal:
+        return " or ".join(f"`{_toml(each)}`" for each in arguments)
+    if origin is tuple:
+        several = arguments[-1] is Ellipsis
+        each = _words(arguments[0])
+        return f"list of {each}" if several else f"list of {len(arguments)}: {each}"
+    if origin is dict:
+        return f"for each name: {_words(arguments[1])}"
+    if origin in (Union, UnionType):
+        return _tables_by_form(arguments) or " or ".join(
+            dict.fromkeys(_words(each) for each in arguments if each is not NoneType)
+        )
+    return PLAIN.get(annotation, "value")
+
+
+def _tables_by_form(arguments: tuple[Any, ...]) -> str:
+    """Return the forms of a table by the key that tells them apart; "" unless all have it."""
+    tables = [get_args(each)[0] if get_origin(each) is Annotated else each for each in arguments]
+    forms = [form(each) if is_table(each) else None for each in tables]
+    if len(tables) < 3 or None in forms[1:]:
+        return ""
+    named = [title(each) if each_form is None else each_form[1] for each, each_form in zip(tables, forms, strict=True)]
+    links = [f"[{name}](#{target(each)})" for name, each in zip(named, tables, strict=True)]
+    key = next(each[0] for each in forms if each is not None)
+    return f"table, by its `{key}`: {'; '.join(links)}"
+
+
+def _quantity(kind: Kind) -> str:
+    if kind.name == "ratio":
+        return "number"
+    return f'{kind.name} [{_symbol(kind)}], like `"{kind.example}"`'
+
+
+def _symbol(kind: Kind) -> str:
+    return "" if kind.symbol == "no unit" else kind.symbol.replace("^2", "²").replace("^3", "³")
+
+
+def _bounds(marks: Iterable[Any]) -> str:
+    said = [
+        f"{word} {getattr(mark, name):.4g}"
+        for mark in marks
+        for kind, name, word in BOUNDS
+        if isinstance(mark, kind) and isinstance(getattr(mark, name), int | float)
+    ]
+    return f", {', '.join(said)}" if said else ""
+
+
+def _flat(marks: Iterable[Any]) -> Iterator[Any]:
+    """Yield marks, and those that fields among them hold."""
+    for mark in marks:
+        if isinstance(mark, FieldInfo):
+            yield from _flat(mark.metadata)
+        else:
+            yield mark
+
+
+def _nested(annotation: Any) -> Iterator[Any]:
+    """Yield the marks of a union's members."""
+    for each in get_args(annotation):
+        if get_origin(each) is Annotated:
+            yield from get_args(each)[1:]
+
+
+def _toml(value: Any) -> str:
+    return f'"{value}"' if isinstance(value, str) else str(value)

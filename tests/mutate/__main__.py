@@ -1,0 +1,89 @@
+"""`python -m tests.mutate --mutants 150 --seed 1`: draw mutants, run the tests that reach them, and count survivors."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from queue import SimpleQueue
+
+from tests.mutate.covering import Covering
+from tests.mutate.mutant import Mutant, draw
+from tests.mutate.report import outcome, report, score, table
+from tests.mutate.site import ROOT
+from tests.mutate.trial import Trial, copy_tree, try_mutant
+
+FOLDER = ROOT / "build/mutate"
+
+
+def main() -> int:
+    """Return 1 where fewer than the share asked for are killed."""
+    asked = _parser().parse_args()
+    started = time.monotonic()
+    covering = Covering(FOLDER)
+    covering.measure()
+    drawn = [
+        each for each in draw(asked.mutants, seed=asked.seed) if each.site.path.startswith(tuple(asked.path or [""]))
+    ]
+    if asked.again:
+        drawn = [each for each in drawn if _name(each) in _survivors(asked.seed)]
+    trials = list(_trials(drawn, covering, processes=asked.processes))
+    minutes = (time.monotonic() - started) / 60
+    FOLDER.joinpath("report.md").write_text(report(trials, seed=asked.seed, minutes=minutes), encoding="utf-8")
+    counts = Counter(map(outcome, trials))
+    left = [_name(trial.mutant) for trial in trials if outcome(trial) == "survived"]
+    FOLDER.joinpath(f"survivors-{asked.seed}.json").write_text(json.dumps(left))
+    sys.stdout.write(f"{table(trials)}{minutes:.0f} minutes; {FOLDER / 'report.md'}\n")
+    return int(100 * score(counts) < asked.least)
+
+
+def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) -> Iterator[Trial]:
+    """Try mutants, each process in its own copy of the tree, and say what became of each."""
+    trees: SimpleQueue[Path] = SimpleQueue()
+    for number in range(processes):
+        trees.put(copy_tree(FOLDER / f"tree-{number}"))
+
+    def one(mutant: Mutant) -> Trial:
+        tree = trees.get()
+        try:
+            return try_mutant(mutant, covering, tree)
+        finally:
+            trees.put(tree)
+
+    with ThreadPoolExecutor(processes) as pool:
+        for number, trial in enumerate(pool.map(one, mutants), 1):
+            site = trial.mutant.site
+            where = f"{site.path}:{site.place[0][0]} {trial.mutant.operator}"
+            sys.stdout.write(
+                f"{number}/{len(mutants)} {outcome(trial)} {trial.seconds:.0f} s {where}: {trial.by[:150]}\n"
+            )
+            sys.stdout.flush()
+            yield trial
+
+
+def _name(mutant: Mutant) -> str:
+    return "\n".join((mutant.site.path, mutant.site.function, *mutant.lines))
+
+
+def _survivors(seed: int) -> set[str]:
+    return set(json.loads(FOLDER.joinpath(f"survivors-{seed}.json").read_text()))
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m tests.mutate", description=__doc__)
+    parser.add_argument("--mutants", type=int, default=150)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--least", type=float, default=95.0, help="per cent to be killed of those not equivalent")
+    parser.add_argument("--path", action="append", default=[], help="only mutants below it; repeat it; all if absent")
+    parser.add_argument("--again", action="store_true", help="only what survived the last run with the seed")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,150 @@
+"""Which tests reach a line, and how long each takes: measured once, and again for test files that have changed.
+
+Two things are not seen by measuring. Compiled kernels leave no trace, so that the tests of a kernel are those of the
+lines that name what other files import from it. What is run when a file is imported belongs to no test, so that the
+tests of a table or a default are those of its whole file, or of the files that import it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+
+from coverage import CoverageData
+
+from tests.mutate.site import ROOT, Site
+
+SUITES = ("tests/unit", "tests/properties", "tests/validation", "tests/languages")
+SOURCES = ("assess", "spectra", "records")
+
+
+class Covering:
+    """The measurement in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.data = folder, CoverageData(str(folder / "coverage.db"))
+        self.seconds_file, self.hashes_file = folder / "seconds.json", folder / "hashes.json"
+
+    # ------------------------------------------------------------------------------------------------------- measuring
+
+    def measure(self) -> None:
+        """Run the tests that have changed since the last time, all at the first, under coverage."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        known, now = self.hashes, hashes(each for suite in SUITES for each in (ROOT / suite).rglob("test_*.py"))
+        changed = [path for path, digest in now.items() if known.get(path) != digest]
+        if changed:
+            options = ["-n", "2", "--dist", "worksteal", "-p", "tests.mutate.coverage_plugin", "-p", "no:cacheprovider"]
+            cover = ["--cov", "--cov-append", "--cov-context=test", "--cov-report=", f"--cov-config={self._settings()}"]
+            seconds = {"MUTATE_SECONDS": str(self.seconds_file), "PYTHONPATH": str(ROOT)}
+            command = [sys.executable, "-m", "pytest", *options, *cover, *changed]
+            code = subprocess.run(command, cwd=ROOT, env={**os.environ, **seconds}).returncode
+            if code not in (0, 1, 5):
+                raise SystemExit(f"the tests cannot be measured: pytest ends with {code}")
+            self.hashes_file.write_text(json.dumps(known | now | self._sources()))
+
+    def _settings(self) -> Path:
+        path = self.folder / "coveragerc"
+        path.write_text(
+            f"[run]\nrelative_files = true\nsource = {','.join(SOURCES)}\ndata_file = {self.data.data_filename()}\n"
+        )
+        return path
+
+    def _sources(self) -> dict[str, str]:
+        """Hashes of sources, kept at the first measurement only: later ones see a part of the tests."""
+        known = {path: digest for path, digest in self.hashes.items() if not path.startswith("tests")}
+        return known or hashes(path for each in SOURCES for path in (ROOT / each).rglob("*.py"))
+
+    @property
+    def hashes(self) -> dict[str, str]:
+        """Of the files as they were measured."""
+        return json.loads(self.hashes_file.read_text()) if self.hashes_file.exists() else {}
+
+    # ----------------------------------------------------------------------------------------------------------- asking
+
+    @cached_property
+    def seconds(self) -> dict[str, float]:
+        """Of each test that passed and whose file exists."""
+        known = json.loads(self.seconds_file.read_text())
+        return {name: float(taken) for name, taken in known.items() if (ROOT / name.split("::")[0]).exists()}
+
+    def tests(self, site: Site) -> list[str]:
+        """The tests that reach a place, those that are named like its file first, then the quickest."""
+        found = self._tests(site)
+        return sorted(found & set(self.seconds), key=lambda test: (-likeness(test, site.path), self.seconds[test]))
+
+    def _tests(self, site: Site) -> set[str]:
+        if is_kernel(site.path):
+            return self._of_kernel()
+        lines = self._lines(site.path)
+        if site.function and self._unchanged(site.path):
+            found = {test for line in range(site.statement[0], site.statement[1] + 1) for test in lines.get(line, ())}
+            if found:
+                return found
+        return self._of_file(site.path) or {test for path in importers(site.path) for test in self._of_file(path)}
+
+    def _of_file(self, path: str) -> set[str]:
+        return {test for tests in self._lines(path).values() for test in tests}
+
+    def _of_kernel(self) -> set[str]:
+        found = set[str]()
+        for path in importers("kernel"):
+            text = (ROOT / path).read_text(encoding="utf-8")
+            names = re.findall(r"^from \S*kernel\S* import (?:\(([^)]*)\)|(.*))$", text, re.MULTILINE)
+            words = {name.split(" as ")[-1].strip() for pair in names for part in pair for name in part.split(",")} - {
+                ""
+            }
+            for line, tests in self._lines(path).items():
+                here = text.splitlines()[line - 1 : line]
+                if any(re.search(rf"\b{word}\b", each) for each in here for word in words):
+                    found |= tests
+        return found
+
+    def _lines(self, path: str) -> dict[int, set[str]]:
+        measured = next(
+            (each for each in self.data.measured_files() if each == path or each.endswith(f"/{path}")), None
+        )
+        if measured is None:
+            return {}
+        by_line = self.data.contexts_by_lineno(measured)
+        return {line: {each.split("|")[0] for each in contexts if each} for line, contexts in by_line.items()}
+
+    def _unchanged(self, path: str) -> bool:
+        return self.hashes.get(path) == hashes([ROOT / path])[path]
+
+
+def is_kernel(path: str) -> bool:
+    """Whether a file is compiled."""
+    return path.endswith("/kernel.py") or "/kernel/" in path
+
+
+def importers(path: str) -> Iterator[str]:
+    """The files that import another, or with "kernel" any kernel."""
+    module = (
+        r"\S*\bkernel\S*"
+        if path == "kernel"
+        else re.escape(path.removesuffix(".py").removesuffix("/__init__").replace("/", "."))
+    )
+    pattern = re.compile(rf"^\s*(from|import) {module}\b", re.MULTILINE)
+    for source in (each for folder in SOURCES for each in sorted((ROOT / folder).rglob("*.py"))):
+        name = source.relative_to(ROOT).as_posix()
+        if not is_kernel(name) and pattern.search(source.read_text(encoding="utf-8")):
+            yield name
+
+
+def likeness(test: str, path: str) -> int:
+    """How many parts of the path of a test are in that of a source; its own name counts more."""
+    parts = set(path.removesuffix(".py").split("/"))
+    own, stem = Path(test.split("::")[0]), Path(path).stem.strip("_")
+    return len(parts & set(own.parts)) + 3 * (own.stem == f"test_{stem}")
+
+
+def hashes(paths: Iterable[Path]) -> dict[str, str]:
+    """Of the contents of files, by path from the root."""
+    return {path.relative_to(ROOT).as_posix(): sha256(path.read_bytes()).hexdigest()[:16] for path in paths}

@@ -1,0 +1,23 @@
+"""The list of equivalent mutants names what still stands in the sources, each with a reason."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.mutate.equivalent import listed
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.mark.parametrize(
+    ("key", "reason"), listed().items(), ids=lambda each: each[0] if isinstance(each, tuple) else ""
+)
+def test_an_equivalent_mutant_can_still_be_made(key: tuple[str, str, str, str], reason: str) -> None:
+    path, function, before, after = key
+    lines = [line.strip() for line in (ROOT / path).read_text(encoding="utf-8").splitlines()]
+    assert set(before.splitlines()) <= set(lines)
+    assert before != after
+    assert not function or f" {function.split('.')[-1]}" in "\n".join(lines)
+    assert len(reason.split()) > 3

@@ -1,0 +1,130 @@
+"""One mutant in a copy of the tree: its file is replaced, the tests that reach it are run, and the file is put back."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.mutate.covering import Covering, is_kernel
+from tests.mutate.mutant import Mutant
+from tests.mutate.site import ROOT
+
+FIRST, ALL = 12.0, 90.0  # s of tests, as they were measured: tried at first, and at most
+START, COMPILE = 60.0, 400.0  # s that pytest may take to begin, and kernels to be compiled again
+SLOWER = 4.0  # than measured, where a test is not in a loop without end
+KILLED, TIMEOUT, SURVIVED, UNREACHED = "killed", "timeout", "survived", "not reached"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What became of a mutant."""
+
+    mutant: Mutant
+    outcome: str
+    by: str  # the test that failed, or how many passed
+    seconds: float
+
+
+def copy_tree(to: Path) -> Path:
+    """Copy what git knows of, with what is not yet committed, and compile it."""
+    shutil.rmtree(to, ignore_errors=True)
+    listed = subprocess.check_output(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, text=True)
+    for name in filter(None, listed.splitlines()):
+        if (ROOT / name).is_file():
+            (to / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, to / name)
+    (to / ".venv").symlink_to(ROOT / ".venv")
+    subprocess.run([sys.executable, "-m", "compileall", "-q", "assess", "spectra", "records"], cwd=to, check=False)
+    return to
+
+
+def try_mutant(mutant: Mutant, covering: Covering, tree: Path) -> Trial:
+    """Run the tests in two parts, so that what is easily killed does not load them all."""
+    tests, started = covering.tests(mutant.site), time.monotonic()
+    if not tests:
+        return Trial(mutant, UNREACHED, "no test reaches it", 0.0)
+    first = _within(tests, covering, FIRST)
+    rest = _within(sorted(tests[len(first) :], key=covering.seconds.__getitem__), covering, ALL)
+    outcome = by = ""
+    with _Mutated(mutant, tree) as cache:
+        for part in filter(None, (first, rest)):
+            expected = sum(covering.seconds[test] for test in part)
+            limit = START + SLOWER * expected + (COMPILE if is_kernel(mutant.site.path) else 0.0)
+            outcome, by = run_tests(part, tree, limit=limit, cache=cache)
+            if outcome != SURVIVED:
+                break
+    if outcome == SURVIVED:
+        by = f"{len(first) + len(rest)} of {len(tests)} tests that reach it pass"
+    return Trial(mutant, outcome, by, time.monotonic() - started)
+
+
+def _within(tests: Sequence[str], covering: Covering, seconds: float) -> list[str]:
+    """The first tests that take so long together, one at least."""
+    taken, found = 0.0, list[str]()
+    for test in tests:
+        taken += covering.seconds[test]
+        if found and taken > seconds:
+            break
+        found.append(test)
+    return found
+
+
+class _Mutated:
+    """A mutant that stands in a tree, where no file of old code, Python's or the kernels', is in its place."""
+
+    def __init__(self, mutant: Mutant, tree: Path) -> None:
+        self.path, self.source, self.tree = tree / mutant.site.path, mutant.source, tree
+        self.cache = tree / "kernels-of-mutant" if is_kernel(mutant.site.path) else tree / "kernels"
+
+    def __enter__(self) -> Path:
+        self.original = self.path.read_text(encoding="utf-8")
+        self._write(self.source)
+        return self.cache
+
+    def __exit__(self, *_: object) -> None:
+        self._write(self.original)
+        shutil.rmtree(self.tree / "kernels-of-mutant", ignore_errors=True)
+
+    def _write(self, source: str) -> None:
+        self.path.write_text(source, encoding="utf-8")
+        for old in (self.path.parent / "__pycache__").glob(f"{self.path.stem}.*.pyc"):
+            old.unlink()
+
+
+def run_tests(tests: Sequence[str], tree: Path, *, limit: float, cache: Path) -> tuple[str, str]:
+    """Run tests until one fails; a process that runs or grows beyond its limits has been changed as well."""
+    listed = tree / "tests.txt"
+    listed.write_text("\n".join(tests), encoding="utf-8")
+    cache.mkdir(mode=0o700, exist_ok=True)
+    given = {"PYTHONPATH": str(tree), "PYTHONDONTWRITEBYTECODE": "1", "NUMBA_CACHE_DIR": str(cache)}
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rfE", "-p", "no:cacheprovider", f"@{listed}"]
+    process = subprocess.Popen(
+        command, cwd=tree, env={**os.environ, **given}, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )  # fmt: skip
+    try:
+        output, _ = process.communicate(timeout=limit)
+    except subprocess.TimeoutExpired:
+        return TIMEOUT, f"more than {limit:.0f} s"
+    finally:
+        _end(process)
+    if process.returncode == 0:
+        return SURVIVED, ""
+    failed = [line for line in output.splitlines() if line.startswith(("FAILED", "ERROR"))]
+    return KILLED, failed[0] if failed else (output.strip().splitlines() or [f"exit code {process.returncode}"])[-1]
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    """End a process with those it started; all are in the group that is named by its number."""
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        return
+    process.wait()

@@ -1,0 +1,516 @@
+"""Everything that a header states, by the published description of each format, arrives in its place and unit.
+
+The files are written here, with all lines that the reader knows. What is expected is written beside them by hand, from
+what stands in the header: an arc second is 1/3600 deg, Japan Standard Time is nine hours ahead, 1 km is 1000 m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import radians
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from records.formats import FORMATS
+from records.formats.header_overrides import NO_OVERRIDES
+from records.record import Earthquake, Record, Site
+
+N, STEP = 400, 0.01
+SHAPE = np.round(50.0 * np.sin(10 * np.pi * STEP * np.arange(N)) * np.hanning(N), 3)  # 5 Hz: within every filter below
+PEAK, AT = float(np.abs(SHAPE).max()), float(STEP * np.argmax(np.abs(SHAPE)))
+SPEED = STEP * np.concatenate([[0.0], np.cumsum((SHAPE[1:] + SHAPE[:-1]) / 2)])
+LARGEST = float(SHAPE[np.argmax(np.abs(SHAPE))])
+
+
+@dataclass(frozen=True)
+class Stated:
+    """What a header says."""
+
+    name: str  # of the file
+    id: str
+    event: str
+    station: str
+    component: str
+    azimuth: float  # deg
+    history: tuple[str, ...]
+    earthquake: Earthquake
+    site: Site
+    distance: float | None = None  # m
+    longest_period: float | None = None  # s
+    start: str = ""
+
+
+def block(values: np.ndarray, each: int, form: str) -> str:
+    fields = [format(value, form) for value in values]
+    return "".join("".join(fields[i : i + each]) + "\n" for i in range(0, len(fields), each))
+
+
+def kik_net() -> str:
+    """NIED's ASCII format: keys of 18 characters; 4(gal)/4000 is 0.001 gal a count; 2 is EW in the borehole."""
+    header = {
+        "Origin Time": "2003/09/26 04:50:00",
+        "Lat.": "41.780",
+        "Long.": "144.078",
+        "Depth. (km)": "42",
+        "Mag.": "8.0",
+        "Station Code": "TKCH08",
+        "Station Lat.": "42.4839",
+        "Station Long.": "143.1552",
+        "Station Height(m)": "253",
+        "Record Time": "2003/09/26 04:50:30",
+        "Sampling Freq(Hz)": "100Hz",
+        "Duration Time(s)": "4",
+        "Dir.": "2",
+        "Scale Factor": "4(gal)/4000",
+        "Max. Acc. (gal)": f"{np.abs(SHAPE - SHAPE.mean()).max():.3f}",
+        "Last Correction": "2003/09/26 04:50:15",
+        "Memo.": "",
+    }
+    counts = np.round(SHAPE * 1000.0).astype(int) + 7000
+    return "".join(f"{key:18}{value}\n" for key, value in header.items()) + block(counts, 8, "9d")
+
+
+OFFSET = float(np.mean(np.round(SHAPE * 1000.0) + 7000)) / 1000.0  # gal
+
+
+def dyna(**changed: str) -> str:
+    keys = {
+        "EVENT_NAME": "AMATRICE",
+        "EVENT_ID": "IT-2016-0001",
+        "EVENT_DATE_YYYYMMDD": "20160824",
+        "EVENT_TIME_HHMMSS": "013632",
+        "EVENT_LATITUDE_DEGREE": "42.6983",
+        "EVENT_LONGITUDE_DEGREE": "13.2335",
+        "EVENT_DEPTH_KM": "8.1",
+        "MAGNITUDE_W": "6.0",
+        "MAGNITUDE_L": "5.9",
+        "NETWORK": "IT",
+        "STATION_CODE": "NRC",
+        "STATION_NAME": "NORCIA",
+        "STATION_LATITUDE_DEGREE": "42.7925",
+        "STATION_LONGITUDE_DEGREE": "13.0964",
+        "STATION_ELEVATION_M": "610",
+        "SENSOR_DEPTH_M": "12.5",
+        "VS30_M/S": "498",
+        "SITE_CLASSIFICATION_EC8": "B",
+        "EPICENTRAL_DISTANCE_KM": "15.3",
+        "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS": "20160824_013630.500",
+        "SAMPLING_INTERVAL_S": "0.01",
+        "NDATA": f"{N}",
+        "DURATION_S": f"{N * STEP:.2f}",
+        "STREAM": "HGN",
+        "UNITS": "cm/s^2",
+        "PGA_CM/S^2": f"{LARGEST}",
+        "TIME_PGA_S": f"{AT:.2f}",
+        "LOW_CUT_FREQUENCY_HZ": "0.04",
+        "HIGH_CUT_FREQUENCY_HZ": "40",
+        "DATA_TYPE": "ACCELERATION",
+    }
+    return "".join(f"{key}: {value}\n" for key, value in {**keys, **changed}.items()) + block(SHAPE, 1, ".6f")
+
+
+def itaca() -> str:
+    header = [
+        "Event Date & Time             : 2009-04-06 01:32:39",
+        "Station Code / Name           : AQV / L'Aquila",
+        "Orientation                   : NS",
+        "Time Increment (s)            : 0.01",
+        f"Number of Data                : {N}",
+        "Filter Cut-off Frequency (Hz) : 0.10 - 40.00",
+        f"PGA (m/s/s)                   : {PEAK:.7E}",
+        "Accelaration time series in m/s/s",
+    ]
+    return "\n".join(header) + "\n" + block(SHAPE, 5, "16.7E")
+
+
+def afad() -> str:
+    header = [
+        "STRONG GROUND MOTION RECORDS OF TURKIYE",
+        "EARTHQUAKE DATE         : 1999/08/17 00:01:39 (HEADERS)",
+        "EPICENTER COORDINATES   : 40.76000N-29.97000E",
+        "EARTHQUAKE DEPTH (km)   : 18",
+        "EARTHQUAKE MAGNITUDE    : 7.4 Mw",
+        "STATION ID              : 5401",
+        "STATION COORDINATES     : 40.73707S-30.38006W",
+        "STATION ALTITUDE (m)    : 30",
+        "RECORD TIME             : 17/08/1999 00:01:30 (HEADERS)",
+        f"NUMBER OF DATA          : {N}",
+        "SAMPLING INTERVAL (sec) : 0.01",
+        f"RAW PGA VALUES (gal)    : (N-S) {PEAK:.6f} (E-W) {PEAK:.6f} (U-D) {PEAK:.6f}",
+        "       N-S          E-W          U-D",
+    ]
+    return "\n".join(header) + "\n" + block(np.repeat(SHAPE, 3), 3, "13.6f")
+
+
+def cosmos(**reals: float) -> str:
+    """Reals: 1-3 place, 10-12 hypocentre, 13-15 Mw, Ms, ML, 17 distance, 62-65 step, length, peak and its time."""
+    integers, numbers = np.full(100, -999), np.full(100, -999.0)
+    integers[53] = 90
+    stated = {1: 34.236, 2: -118.439, 3: 272.0, 10: 34.206, 11: -118.554, 12: 17.5, 14: 6.8, 15: 6.4, 17: 11.25}
+    stated |= {
+        62: 1000 * STEP,
+        63: N * STEP,
+        64: LARGEST,
+        65: AT,
+        **{int(key[1:]): value for key, value in reals.items()},
+    }
+    for place, value in stated.items():
+        numbers[place - 1] = value
+    lines = [
+        "Corrected acceleration    (Format v01.20 with 13 text lines)",
+        "Record of Northridge Earthquake of Mon Jan 17, 1994  4:31 PST",
+        "Hypocenter: 34.206  -118.554  H= 18km",
+        "Origin: 01/17/1994, 12:30:55.4 UTC",
+        "Statn No: 01-24087  Code:CE-24087  Arleta - Nordhoff Fire Sta",
+        "Coords: 34.236  -118.439",
+        *["text"] * 2,
+        "Sta Chan  1:  90 deg (Rcrdr Chan  1) Location:Ground",
+        *["text"] * 4,
+        " 100 Integer-header values follow on  10 lines, Format= (10I8)",
+        block(integers, 10, "8d").rstrip("\n"),
+        " 100 Real-header values follow on  20 lines, Format= (5F15.6)",
+        block(numbers, 5, "15.6f").rstrip("\n"),
+        '   1 Comment line(s) follow, each starting with a "|":',
+        "| made up",
+        f"   {N} acceleration pts, approx    4 secs, units=cm/sec2(04),Format=(8F10.5)",
+    ]
+    return "\n".join(lines) + "\n" + block(SHAPE, 8, "10.5f") + "End-of-data for Chan  1 acceleration\n"
+
+
+def csmip() -> str:
+    """OSMS 85-03: the text of volume 2 in lines 1 to 25, its event in line 3, station in 7, channel in 8."""
+    text = [""] * 25
+    text[2] = "Record of LOMA PRIETA EARTHQUAKE   OF OCT 17, 1989"
+    text[3] = "OCT 17, 1989 17:04 PDT   (ORIGIN(USGS): 10/17/89, 00:04:15.2 UTC)"
+    text[4] = "37.037N, 121.883W, H=18KM   ML=7.0"
+    text[5] = "STATION NO. 57007   37.046N, 121.803W   SMA-1  S/N 4384"
+    text[6] = "CORRALITOS - EUREKA CANYON RD      CDMG"
+    text[7] = "CHAN  3:  360 DEG"
+    text[17] = f"PEAK ACCELERATION =  {LARGEST:.3f}    CM/SEC/SEC  AT   {AT:.3f}   SEC."
+    points = f"{N} POINTS OF ACCEL DATA EQUALLY SPACED AT  .010 SEC.  (UNITS: CM/SEC/SEC)"
+    return "\n".join([*text, points]) + "\n" + block(SHAPE, 8, "10.3f") + "/&  ----------  END OF DATA FOR CHANNEL  3\n"
+
+
+def v2a() -> str:
+    text = ["text"] * 16
+    text[1] = "Site KHZ       42 24 58S  173 32 20E     Cusp file:  made up"
+    text[6] = "15 km north-east of Culverden"
+    text[7] = "2016 November 13         11:02:56.3 UT"
+    text[8] = "Epicentre  42 41 33S 173 01 19E  Bearing N53E  Dist    54km  Depth   15km Mw 7.82"
+    text[9] = f"Number of points  {N}    Duration   {N * STEP:.2f} sec"
+    text[10] = "Instrument corrected data at 0.010 sec intervals"
+    text[11] = "Bandpass filter 0.10 - 40.00 Hz"
+    text[12] = "Component S33W  Longitudinal Accelerometer Axis"
+    rms = float(np.sqrt(np.mean(SHAPE**2)))
+    text[13] = f"Acceleration:  peak  {LARGEST:.1f} mm/s/s at  {AT:.2f} sec     rms    {rms:.1f} mm/s/s"
+    return (
+        "\n".join(text)
+        + "\n"
+        + block(np.zeros(100), 10, "8.1f")
+        + "".join(block(each, 10, "8.3f") for each in (SHAPE, SPEED, SPEED))
+    )
+
+
+def smc(**reals: float) -> str:
+    """OFR 92-296A: reals 2 rate, 3-5 hypocentre, 6-8 Mw, Ms, ML, 11-13 station, 17 distance, 29-32 peaks."""
+    integers, numbers = np.full(48, -32768), np.full(50, 1.7e38)
+    integers[[1, 12, 13, 15, 16]] = [1979, 90, 230, 0, N]
+    stated = {2: 100.0, 3: 32.614, 4: -115.318, 5: 12.1, 7: 6.9, 8: 6.6, 11: 32.829, 12: -115.504, 13: -15.0, 17: 29.5}
+    stated |= {29: STEP * np.argmax(SHAPE), 30: SHAPE.max(), 31: STEP * np.argmin(SHAPE), 32: SHAPE.min()}
+    for place, value in {**stated, **{int(key[1:]): each for key, each in reals.items()}}.items():
+        numbers[place - 1] = value
+    text = [
+        "2 CORRECTED ACCELEROGRAM",
+        "*",
+        "USGS",
+        "     1979  10  15    2316 Imperial Valley",
+        "Moment Mag=           Ms=      6.9 Ml=      6.6",
+        "station = El Centro #9                   component=    230",
+        f"epicentral dist =     29.5       pk     = {LARGEST:8.1f}",
+        *["*"] * 4,
+    ]
+    data = block(SHAPE, 8, "10.3E").replace("E+0", "E+").replace("E-0", "E-")
+    return "\n".join(text) + "\n" + block(integers, 8, "10d") + block(numbers, 5, "15.7E") + data
+
+
+def at2() -> str:
+    return (
+        "PACIFIC ENGINEERING AND ANALYSIS STRONG-MOTION DATA\n"
+        "LOMA PRIETA EQ 10/18/89 0005, CORRALITOS, 090 (CDMG STATION 57007)\n"
+        f"ACCELERATION TIME HISTORY IN UNITS OF G\n{N}   0.0100  NPTS, DT\n" + block(SHAPE / 1000, 5, "16.7E")
+    )
+
+
+HEADERS = {
+    "kik-net": (
+        kik_net,
+        "K-NET/KiK-net",
+        Stated(
+            "TKCH080309260450.EW1",
+            "TKCH080309260450.EW1",
+            "2003-09-25 19:50, M8, 41.78N 144.08E",  # the evening before, in UTC
+            "TKCH08",
+            "EW1",
+            90.0,
+            ("read from K-NET/KiK-net, unit gal", f"mean of {OFFSET:.6g} gal taken off"),
+            Earthquake("2003-09-25T19:50:00Z", 8.0, "MJMA", 41.78, 144.078, 42e3),
+            Site(42.4839, 143.1552, 253.0, place="borehole"),
+        ),
+    ),
+    "dyna": (
+        dyna,
+        "ESM/ITACA DYNA",
+        Stated(
+            "a.asc",
+            "a",
+            "AMATRICE",
+            "IT.NRC NORCIA",
+            "HGN",
+            0.0,
+            ("read from ESM/ITACA DYNA, unit cm/s^2", "filtered by the source: 0.04 Hz to 40 Hz"),
+            Earthquake("2016-08-24T01:36:32Z", 6.0, "Mw", 42.6983, 13.2335, 8.1e3),
+            Site(42.7925, 13.0964, 610.0, 498.0, "EC8 B", "12.5 m deep"),
+            distance=15.3e3,
+            longest_period=20.0,  # 1 / (1.25 · 0.04 Hz)
+            start="2016-08-24T01:36:30.5Z",
+        ),
+    ),
+    "itaca": (
+        itaca,
+        "ITACA cor.acc",
+        Stated(
+            "a.acc",
+            "a",
+            "2009-04-06T01:32:39Z",
+            "AQV / L'Aquila",
+            "NS",
+            0.0,
+            ("read from ITACA cor.acc, unit m/s/s", "filtered by the source: 0.10 - 40.00 Hz"),
+            Earthquake("2009-04-06T01:32:39Z"),
+            Site(),
+            longest_period=8.0,  # 1 / (1.25 · 0.10 Hz)
+        ),
+    ),
+    "afad": (
+        afad,
+        "AFAD",
+        Stated(
+            "a.txt",
+            "a N-S",
+            "1999-08-17 00:01, M7.4, 40.76N 29.97E",
+            "5401",
+            "N-S",
+            0.0,
+            ("read from AFAD, unit gal",),
+            Earthquake("1999-08-17T00:01:39Z", 7.4, "Mw", 40.76, 29.97, 18e3),
+            Site(-40.73707, -30.38006, 30.0),
+            start="1999-08-17T00:01:30Z",
+        ),
+    ),
+    "cosmos": (
+        cosmos,
+        "COSMOS",
+        Stated(
+            "a.v2",
+            "a 90 deg",
+            "Northridge Earthquake",
+            "CE-24087 Arleta - Nordhoff Fire Sta",
+            "90 deg",
+            90.0,
+            ("read from COSMOS, unit cm/sec2", "Corrected acceleration"),
+            Earthquake("1994-01-17T12:30:55.4Z", 6.4, "ML", 34.206, -118.554, 17.5e3),  # ML before Ms
+            Site(34.236, -118.439, 272.0),
+            distance=11.25e3,
+        ),
+    ),
+    "csmip": (
+        csmip,
+        "CSMIP",
+        Stated(
+            "a.v2",
+            "a chan 3",
+            "LOMA PRIETA EARTHQUAKE",
+            "57007 CORRALITOS - EUREKA CANYON RD",
+            "360 DEG",
+            0.0,
+            ("read from CSMIP volume 2, unit CM/SEC/SEC",),
+            Earthquake("1989-10-17T00:04:15.2Z", 7.0, "ML", 37.037, -121.883, 18e3),
+            Site(37.046, -121.803),
+        ),
+    ),
+    "v2a": (
+        v2a,
+        "GeoNet V2A",
+        Stated(
+            "a.V2A",
+            "a S33W",
+            "15 km north-east of Culverden",
+            "KHZ",
+            "S33W",
+            213.0,
+            ("read from GeoNet V2A, unit mm/s/s", "Bandpass filter 0.10 - 40.00 Hz"),
+            Earthquake(
+                "2016-11-13T11:02:56.3Z", 7.82, "Mw", -(42 + 41 / 60 + 33 / 3600), 173 + 1 / 60 + 19 / 3600, 15e3
+            ),
+            Site(-(42 + 24 / 60 + 58 / 3600), 173 + 32 / 60 + 20 / 3600),
+            distance=54e3,
+        ),
+    ),
+    "smc": (
+        smc,
+        "SMC",
+        Stated(
+            "a.smc",
+            "a",
+            "Imperial Valley",
+            "El Centro #9",
+            "230",
+            230.0,
+            ("read from SMC, unit cm/s2 by the format", "corrected accelerogram"),
+            Earthquake("1979-10-15T23:16:00Z", 6.6, "ML", 32.614, -115.318, 12.1e3),  # ML before Ms
+            Site(32.829, -115.504, -15.0),
+            distance=29.5e3,
+        ),
+    ),
+    "at2": (
+        at2,
+        "PEER AT2",
+        Stated(
+            "a.AT2",
+            "a",
+            "LOMA PRIETA",
+            "CORRALITOS",
+            "090",
+            90.0,
+            ("read from PEER AT2, unit g, event of 10/18/89",),
+            Earthquake("1989-10-18"),
+            Site(),
+        ),
+    ),
+}
+"""By format: what writes a file, the reader's name, and what stands in the file."""
+
+
+def read(folder: Path, form: str, name: str, text: str) -> Record:
+    path = folder / name
+    path.write_text(text, encoding="latin-1")
+    return FORMATS[form].read(path, NO_OVERRIDES)[0]
+
+
+@pytest.mark.parametrize("name", HEADERS)
+def test_a_whole_header(tmp_path: Path, name: str) -> None:
+    write, form, stated = HEADERS[name]
+    found = read(tmp_path, form, stated.name, write())
+    assert (found.id, found.event, found.station, found.component) == (
+        stated.id, stated.event, stated.station, stated.component,
+    )  # fmt: skip
+    assert found.path == str(tmp_path / stated.name)
+    assert found.azimuth == pytest.approx(radians(stated.azimuth), abs=1e-12)
+    assert tuple(map(str, found.processing_history)) == stated.history
+    assert same(found.earthquake, stated.earthquake)
+    assert same(found.site, stated.site)
+    assert found.distance == near(stated.distance)
+    assert found.longest_period == near(stated.longest_period)
+    assert found.start == stated.start
+    assert found.warnings == ()
+    assert found.dt == STEP
+
+
+def same(one: Earthquake | Site, other: Earthquake | Site) -> bool:
+    """Whether all that is known is the same."""
+    return vars(one) == {key: near(value) for key, value in vars(other).items()}
+
+
+def near(value: Any) -> Any:
+    """The value, or if it is a number what is equal to it within rounding."""
+    return pytest.approx(value, rel=1e-12) if isinstance(value, float) else value
+
+
+# ------------------------------------------------------------------------------------------------- which of several
+
+
+@pytest.mark.parametrize(("stated", "magnitude", "scale"), [
+    ({}, 6.0, "Mw"), ({"MAGNITUDE_W": ""}, 5.9, "ML"), ({"MAGNITUDE_W": "", "MAGNITUDE_L": ""}, None, ""),
+])  # fmt: skip
+def test_the_moment_magnitude_goes_first_in_dyna(
+    tmp_path: Path, stated: dict[str, str], magnitude: float | None, scale: str
+) -> None:
+    quake = read(tmp_path, "ESM/ITACA DYNA", "a.asc", dyna(**stated)).earthquake
+    assert (quake.magnitude, quake.scale) == (magnitude, scale)
+
+
+@pytest.mark.parametrize(("stated", "magnitude", "scale"), [
+    ({"r13": 6.7}, 6.7, "Mw"), ({"r15": -999.0}, 6.8, "Ms"), ({"r14": -999.0, "r15": -999.0}, None, ""),
+])  # fmt: skip
+def test_the_moment_magnitude_goes_first_in_cosmos(
+    tmp_path: Path, stated: dict[str, float], magnitude: float | None, scale: str
+) -> None:
+    quake = read(tmp_path, "COSMOS", "a.v2", cosmos(**stated)).earthquake
+    assert (quake.magnitude, quake.scale) == (magnitude, scale)
+
+
+@pytest.mark.parametrize(("stated", "magnitude", "scale"), [
+    ({"r6": 6.5}, 6.5, "Mw"), ({"r8": 1.7e38}, 6.9, "Ms"), ({"r7": 1.7e38, "r8": 1.7e38}, None, ""),
+])  # fmt: skip
+def test_the_moment_magnitude_goes_first_in_smc(
+    tmp_path: Path, stated: dict[str, float], magnitude: float | None, scale: str
+) -> None:
+    quake = read(tmp_path, "SMC", "a.smc", smc(**stated)).earthquake
+    assert (quake.magnitude, quake.scale) == (magnitude, scale)
+
+
+@pytest.mark.parametrize(("low", "high", "history"), [
+    ("0.04", "", ["filtered by the source: from 0.04 Hz"]),
+    ("", "40", ["filtered by the source: 0 Hz to 40 Hz"]),
+    ("", "", []),
+])  # fmt: skip
+def test_a_filter_of_dyna_with_one_corner(tmp_path: Path, low: str, high: str, history: list[str]) -> None:
+    found = read(tmp_path, "ESM/ITACA DYNA", "a.asc", dyna(LOW_CUT_FREQUENCY_HZ=low, HIGH_CUT_FREQUENCY_HZ=high))
+    assert list(map(str, found.processing_history[1:])) == history
+    assert found.longest_period == (pytest.approx(20.0) if low else None)
+
+
+def test_a_channel_of_cosmos_is_named_by_its_scnl(tmp_path: Path) -> None:
+    """Station, channel, network, location, as the comment of v1.20 gives them."""
+    found = read(tmp_path, "COSMOS", "a.v2", cosmos().replace("| made up", "|<SCNL>24087.HNE.CE.01"))
+    assert (found.station, found.component) == ("CE.24087", "HNE")
+
+
+def test_unknown_numbers_of_a_header_are_none(tmp_path: Path) -> None:
+    """-999 of COSMOS and 1.7e38 of SMC are no depth and no distance."""
+    one = read(tmp_path, "COSMOS", "a.v2", cosmos(r12=-999.0, r17=-999.0))
+    other = read(tmp_path, "SMC", "a.smc", smc(r5=1.7e38, r17=1.7e38))
+    assert [(each.earthquake.depth, each.distance) for each in (one, other)] == [(None, None)] * 2
+
+
+# -------------------------------------------------------------------------------------------- what a header says twice
+
+
+def warned(folder: Path, form: str, name: str, text: str) -> list[str]:
+    return [str(each) for each in read(folder, form, name, text).warnings]
+
+
+@pytest.mark.parametrize(("write", "form", "old", "new", "words"), [
+    (cosmos, "COSMOS", "Coords: 34.236", "Coords: 34.246", "latitude"),
+    (cosmos, "COSMOS", "Coords: 34.236  -118.439", "Coords: 34.236  118.439", "longitude"),
+    (cosmos, "COSMOS", "Hypocenter: 34.206", "Hypocenter: 35.206", "epicentre's latitude"),
+    (cosmos, "COSMOS", "34.206  -118.554", "34.206  -119.554", "epicentre's longitude"),
+    (smc, "SMC", "     1979  10", "     1978  10", "year"),
+    (smc, "SMC", "epicentral dist =     29.5", "epicentral dist =     92.5", "distance"),
+    (smc, "SMC", f"pk     = {LARGEST:8.1f}", f"pk     = {-LARGEST:8.1f}", "peak"),
+    (v2a, "GeoNet V2A", "rms    ", "rms   1", "stated rms"),
+])  # fmt: skip
+def test_a_header_that_disagrees_with_its_own_numbers_is_doubted(
+    tmp_path: Path, write: Callable[[], str], form: str, old: str, new: str, words: str
+) -> None:
+    assert old in write()
+    assert [words in each for each in warned(tmp_path, form, "a.dat", write().replace(old, new))] == [True]
+
+
+@pytest.mark.parametrize(("name", "doubted"), [("IT.NRC.00.HGN.D.asc", False), ("IT.NRC.00.HGE.D.asc", True)])
+def test_a_dyna_file_named_for_another_stream_is_doubted(tmp_path: Path, name: str, doubted: bool) -> None:
+    assert bool(warned(tmp_path, "ESM/ITACA DYNA", name, dyna())) == doubted

@@ -24,7 +24,7 @@ from assess.verification.case import CaseFile, Quantity
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
-NAMES = ("name", "id", "procedure")
+NAMES = ("name", "id", "procedure", "symbol")
 """The keys by which an item of a list is found."""
 
 
@@ -102,6 +102,11 @@ def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") ->
     return CaseResult(
         file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault
     )  # fmt: skip
+
+
+def input_files(file: CaseFile) -> tuple[Path, ...]:
+    """Return the file of a case, and those that it is given beside it."""
+    return (file.path, *(file.path.parent / name for name in file.names))
 
 
 def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:

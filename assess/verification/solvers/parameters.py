@@ -21,8 +21,8 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
     Returns
     -------
     Mapping
-        `inputs`, the files read; `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by mechanism and rotation, and
-        their `largest`.
+        `inputs`, the files read; `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by
+        mechanism and rotation, and their `largest`.
     """
     import numpy as np
 

@@ -11,7 +11,6 @@ from assess.examples import source
 from assess.project.schema import FILE_NAME
 from assess.results.verification import CaseResult, QuantityResult, ValueResult
 from assess.verification.case import CaseFile
-from assess.verification.verify import input_files
 from docs.ext.markdown import cell, escape
 
 SHOWN = {".toml": "toml", ".csv": "text"}  # files that are shown, as what
@@ -49,7 +48,7 @@ def case_page(file: CaseFile, result: CaseResult, figures: Sequence[Shown]) -> s
             *_fault(result),
             "## To run it again",
             "",
-            *(_file(path) for path in (*input_files(file), *_example(file))),
+            *(_file(path) for path in (*file.paths, *_example(file))),
         )
     )
 

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from assess.results.verification import CaseResult
 from assess.verification.case import CaseFile
 from assess.verification.read import read_cases
-from assess.verification.verify import compare_case, input_files, solve_case
+from assess.verification.verify import compare_case, solve_case
 from assess.workers import process_pool
 from docs.ext.case_figures import (
     difference_share,
@@ -109,7 +109,7 @@ def _table(files: tuple[CaseFile, ...], kept: list[Path]) -> str:
 
 def _hash(file: CaseFile) -> str:
     digest = hashlib.sha256(_program().encode())
-    for path in input_files(file):
+    for path in file.paths:
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 

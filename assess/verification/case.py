@@ -81,6 +81,11 @@ class CaseFile:
         one, several = self.case.given.get("file"), self.case.given.get("files", ())
         return (*(() if one is None else (str(one),)), *map(str, several))
 
+    @property
+    def paths(self) -> tuple[Path, ...]:
+        """The file itself, and those that it is given."""
+        return (self.path, *(self.path.parent / name for name in self.names))
+
     def beside(self, name: str) -> str:
         """Return the path of a file that stands beside the case, relative to the folder of cases."""
         return (PurePosixPath(self.key).parent / name).as_posix()

@@ -24,7 +24,7 @@ from assess.verification.case import CaseFile, Quantity
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
-NAMES = ("name", "id", "procedure", "symbol")
+NAMES = ("name", "id", "procedure", "symbol", "record")
 """The keys by which an item of a list is found."""
 
 

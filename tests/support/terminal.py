@@ -1,15 +1,11 @@
-"""A terminal as a test sees it: what a command writes on stderr there, and Ctrl-C typed into it."""
+"""A terminal as a test sees it: what a command writes on stderr there."""
 
 from __future__ import annotations
 
 import os
 import pty
 import re
-import signal
-import subprocess
-import sys
 import threading
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -59,28 +55,3 @@ def terminal(screen: Screen) -> Iterator[TextIO]:
     finally:
         reader.join(10)
         os.close(master)
-
-
-def interrupt(*arguments: str | Path, at: str) -> tuple[int, Screen]:
-    """Run a command in a terminal and send Ctrl-C to all its processes once the terminal shows `at`.
-
-    Returns its exit code and the screen; fails if a process of it goes on.
-    """
-    screen = Screen(at)
-    variables = os.environ | {"PYTHONPATH": str(ROOT), "TERM": "xterm", "COLUMNS": "100"}
-    with terminal(screen) as stream:
-        command = [sys.executable, "-m", "assess", *map(str, arguments)]
-        process = subprocess.Popen(
-            command, stderr=stream, stdout=subprocess.DEVNULL, env=variables, start_new_session=True
-        )
-        assert screen.seen.wait(120), screen.plain
-        assert process.poll() is None, screen.plain
-        os.killpg(process.pid, signal.SIGINT)
-        code = process.wait(120)
-    for _ in range(100):  # multiprocessing's own tracker ends a moment later
-        try:
-            os.killpg(process.pid, 0)
-        except ProcessLookupError:
-            return code, screen
-        time.sleep(0.1)
-    raise AssertionError("a process of the command goes on")

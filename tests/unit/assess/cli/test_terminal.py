@@ -1,4 +1,4 @@
-"""Long commands in a terminal and in a pipe: progress, --quiet, --verbose, NO_COLOR, and Ctrl-C."""
+"""Long commands in a terminal: progress, --quiet, --verbose, NO_COLOR."""
 
 from __future__ import annotations
 
@@ -10,12 +10,8 @@ import pytest
 from tests.support.command import ended
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, published, tables_toml
-from tests.support.terminal import Screen, interrupt, terminal
+from tests.support.terminal import Screen, terminal
 
-LONG = {
-    "amplitude": {"from": "0 g", "to": "4 g", "count": 200},
-    "frequency": {"from": "0.4 Hz", "to": "9 Hz", "count": 300},
-}
 SHORT = {"amplitude": {"from": "0 g", "to": "4 g", "count": 3}, "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3}}
 
 
@@ -95,31 +91,3 @@ def test_quiet_and_verbose_exclude_each_other(project: Path, capsys: pytest.Capt
     assert ended("--quiet", "check", project, "--verbose") == 2
     assert "--quiet and --verbose exclude each other" in capsys.readouterr().err
     assert ended("check", project) == 0
-
-
-@pytest.mark.parametrize(
-    ("command", "stage", "stands"),
-    [
-        (("envelope", "PROJECT", "-o", "OUT", "--jobs", "2"), "envelopes", "nothing was written"),
-        (("records", "index", "RECORDS", "--jobs", "2"), "records", "the next run goes on from there"),
-    ],
-    ids=["envelope", "index"],
-)
-def test_ctrl_c_says_on_one_line_what_stands(command: tuple[str, ...], stage: str, stands: str, tmp_path: Path) -> None:
-    many = 400 if "RECORDS" in command else 12
-    project = written(tmp_path / "in" / "p", records=many, pulses=LONG, mechanisms=40)
-    places = {
-        "PROJECT": project,
-        "FOLDER": tmp_path / "in",
-        "OUT": tmp_path / "out",
-        "RECORDS": project.parent / "records",
-    }
-    code, screen = interrupt(*(places.get(word, word) for word in command), at=stage)
-    assert code == 130, screen.plain
-    last = screen.plain.strip().splitlines()[-1].strip()
-    assert last.startswith("assess: interrupted; ")
-    assert last.endswith(stands) or stands in last
-    assert "Traceback" not in screen.plain
-    if command[0] != "batch":
-        assert not (tmp_path / "out").exists()
-        assert not (project.parent / "project-results").exists()

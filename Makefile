@@ -68,7 +68,7 @@ dist: .venv/installed      ## wheel and source distribution, without a network; 
 	$(BIN)/python -m hatchling build >/dev/null
 	$(BIN)/python -m tests.distribution.contents dist
 
-wheel: dist                ## the wheel in an empty environment, with the locked versions: `new` and `run` from another folder
+wheel: dist                ## the wheel in an empty environment, with the locked versions: `new`, `run` and `verify --quick` from another folder
 	$(BIN)/python -m tests.distribution.try_wheel dist
 
 lowest:                    ## with uv: the oldest versions that pyproject.toml allows; tests of files, numbers, projects and reports with them

@@ -74,3 +74,42 @@ def histories():
 
 
 VALUES = {"oscillators/response_spectrum": response_spectrum, "yim_1980/records": histories}
+
+
+FREQUENCY, SHARE, SCALE, TAIL = 3.0, 0.75, 0.5, 120
+"""First mode [Hz], height of the block over h_e, factor on the first record, samples of rest at its end."""
+
+
+def raised_samples():
+    """Samples of the record file of the raised block, in g with seven digits."""
+    _, ground = samples(RECORDED["first"], RECORD_STEP, RECORD_DURATION)
+    return [*(float(f"{SCALE * value / g:.6E}") for value in ground), *[0.0] * TAIL]
+
+
+def raised_history():
+    """The block on a floor that moves by a_g + (h / h_e) u'', u of the 5 % first mode: both by DOP853."""
+    ground = np.array(raised_samples()) * g
+    times = np.arange(ground.size) * RECORD_STEP
+    w = 2 * pi * FREQUENCY
+    pieces, state = [], [0.0, 0.0]
+    for k, (start, end) in enumerate(pairwise(times)):
+        rate = lambda t, y: [y[1], -float(np.interp(t, times, ground)) - 0.1 * w * y[1] - w * w * y[0]]  # noqa: E731
+        out = solve_ivp(rate, (start, end), state, method="DOP853", rtol=1e-11, atol=1e-14, dense_output=True)
+        pieces.append(out.sol)
+        state = out.y[:, -1]
+        assert k == len(pieces) - 1
+
+    def floor(t: float) -> float:
+        k = min(int(t / RECORD_STEP), len(pieces) - 1)
+        u, v = pieces[k](min(max(t, times[k]), times[k + 1]))
+        a = float(np.interp(t, times, ground))
+        return a + SHARE * (-a - 0.1 * w * v - w * w * u)
+
+    alpha, R = atan(THICKNESS / HEIGHT), hypot(THICKNESS, HEIGHT) / 2
+    restitution = 1 - 1.5 * sin(alpha) ** 2
+    ratio, _, lost = rocked(floor, times, p=sqrt(3 * g / (4 * R)), alpha=alpha, restitution=restitution, rtol=1e-9)
+    assert not lost
+    return {"largest θ/α": {"raised": ratio}}
+
+
+VALUES["oscillators/raised_block"] = raised_history

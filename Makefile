@@ -15,7 +15,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs docs-links same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill faults mutate figures docs docs-links same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -98,6 +98,9 @@ docs: .venv/docs           ## the manual in build/docs/html: spelling first; a w
 docs-links: docs           ## links of the manual: within it each leads somewhere; OUTSIDE=1 asks the network for the others
 	$(BIN)/python -m docs.ext.built_links build/docs/html
 	$(if $(OUTSIDE),$(BIN)/python -m sphinx -q -j 2 -d build/docs/pages -b linkcheck docs build/docs/outside)
+
+faults: .venv/installed    ## one fault at a time planted in a copy of the program: which solved cases turn red
+	$(BIN)/python -m tests.verification.faults
 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
 	$(BIN)/python -m tests.same $(BASE)

@@ -7,9 +7,14 @@ SECONDS ?= 60
 MUTANTS ?= 150
 SEED ?= 1
 CLASS ?=
+TESTS ?=
+APART := build/apart
+LOWEST := build/lowest
+OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWarning -W ignore::FutureWarning
+RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench fuzz kill mutate figures docs same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -18,7 +23,18 @@ demo: .venv/installed      ## the main job on the shipped example; the last line
 	@echo $(DEMO)/results/report.pdf
 
 test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
-	$(BIN)/python -m pytest -n 2 --dist worksteal
+	$(BIN)/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
+
+test-wheel: dist .venv/cad .venv/browser   ## the same tests, alone in another folder: what they import is the wheel, installed
+	rm -rf $(APART)
+	mkdir -p $(APART)/tests
+	tar --extract --file dist/*.tar.gz --directory $(APART)/tests --strip-components 1
+	cd $(APART)/tests && rm -rf assess records reports spectra
+	$(PYTHON) -m venv $(APART)/env
+	$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements.lock
+	-$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-cad.lock
+	$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --no-deps dist/*.whl
+	cd $(APART)/tests && ASSESS_RECORDS=$(RECORDS) ../env/bin/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
 
 check: .venv/installed     ## style, types, direction of imports
 	$(BIN)/ruff check .
@@ -46,6 +62,24 @@ kill: .venv/installed      ## KILLS runs and indexes killed at random and at aim
 	$(BIN)/python tests/kill/study.py $(KILLS)
 	$(BIN)/python tests/kill/portfolio.py
 
+dist: .venv/installed      ## wheel and source distribution, without a network; what is in them is checked
+	rm -rf dist
+	$(BIN)/python -m hatchling build >/dev/null
+	$(BIN)/python -m tests.distribution.contents dist
+
+wheel: dist                ## the wheel in an empty environment, with the locked versions: `new` and `run` from another folder
+	$(BIN)/python -m tests.distribution.try_wheel dist
+
+lowest:                    ## with uv: the oldest versions that pyproject.toml allows; tests of files, numbers, projects and reports with them
+	rm -rf $(LOWEST)
+	uv venv --quiet --python $(PYTHON) $(LOWEST)
+	uv pip compile pyproject.toml --all-extras --resolution lowest-direct --python $(LOWEST)/bin/python --quiet --output-file $(LOWEST)/lowest.txt
+	uv pip install --quiet --python $(LOWEST)/bin/python --requirement $(LOWEST)/lowest.txt --constraint $(LOWEST)/lowest.txt --group dev --editable .
+	$(LOWEST)/bin/python -m pytest -n 2 --dist worksteal -rs $(OLD_IS_NO_FAULT) $(or $(TESTS),tests/unit tests/end_to_end tests/validation)
+
+costs: dist                ## what each dependency weighs, as Markdown, in a fresh environment with the locked versions
+	$(BIN)/python -m tests.distribution.costs dist
+
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
 	$(BIN)/python docs/notebook/write.py
@@ -66,6 +100,7 @@ catalogue: .venv/installed ## bring the Italian catalogue up to date with the so
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock
+	uv pip compile pyproject.toml --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-run.lock
 	uv pip compile --group docs --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-docs.lock
 	uv pip compile pyproject.toml --extra cad --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-cad.lock
 

@@ -228,7 +228,13 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
 
 
 def restoring_moment(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Return the restoring moment [N m] at `rotation` [rad] (same shape)."""
+    """Return the restoring moment [N m].
+
+    Parameters
+    ----------
+    branch : one direction of rocking
+    rotation : of any shape [rad]
+    """
     return np.asarray(branch.restoring_spline(rotation), dtype=np.float64)
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import signal
+from collections.abc import Generator
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from tests.support.compile_kernels import compile_kernels
+from tests.support.required import REQUIRED, fail_if_required, names_required
 
 ANYWHERE = {"deadline": None, "database": None, "suppress_health_check": [HealthCheck.function_scoped_fixture]}
 settings.register_profile("few", derandomize=True, max_examples=25, **ANYWHERE)
@@ -22,7 +24,26 @@ def pytest_xdist_setupnodes() -> None:
     compile_kernels()
 
 
-def pytest_configure() -> None:
+def pytest_configure(config: pytest.Config) -> None:
     """Hear SIGINT though a shell has started this in the background, where it is ignored by all that are started."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    config.stash[REQUIRED] = names_required(os.environ.get("ASSESS_REQUIRE", ""))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Fail a test that is skipped for want of what ASSESS_REQUIRE names."""
+    report = yield
+    fail_if_required(report, item.config.stash[REQUIRED])
+    return report
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(
+    collector: pytest.Collector,
+) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    """Fail a file of tests that is skipped for want of what ASSESS_REQUIRE names."""
+    report = yield
+    fail_if_required(report, collector.config.stash[REQUIRED])
+    return report

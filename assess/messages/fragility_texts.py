@@ -52,6 +52,12 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     "fragility-cloud-ends": "the strongest record has {intensity}, above which the curve is extrapolated: a share of "
     "{share} of the rate is of stronger motions, and these may add at most {lacking} a year; give stronger records, or "
     "a factor on them",
+    "fragility-cloud-starts": "the weakest record has {intensity}, below which the curve is extrapolated: a share of "
+    "{share} of the rate is of weaker motions; give weaker records",
+    "fragility-no-epistemic": "a target is set, but no dispersion of what is not known of the mechanisms: no rate is "
+    "shown to be within the target; give it",
+    "fragility-epistemic-above": "the rate is within the target only without the epistemic dispersion; with it, it is "
+    "{rate} a year, above the target",
     "fragility-scalar-motion": "above the ground, where one factor on the motion of the ground leaves out resonance "
     "with the building: rates may be too small, and no target is shown to be met; use amplification = {{ method = "
     '"modal-filter" }}',

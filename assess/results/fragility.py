@@ -20,7 +20,7 @@ FRAGILITY_VERSION = 1
 Method = Literal["ida", "stripes", "cloud"]
 StateName = Literal["rocking", "rotation", "overturning"]
 CurveName = Literal["empirical", "lognormal", "first"]
-Gap = Literal["motion", "runs", "hazard"]
+Gap = Literal["motion", "runs", "hazard", "epistemic"]
 LARGE_SCALE = 4.0
 """Scale factor above which the runs are drawn hollow and counted."""
 FIVE_PERCENT = NormalDist().inv_cdf(0.05)
@@ -108,7 +108,7 @@ class FragilityCurve(ShortRepr):
     lognormal : by binomial maximum likelihood; None where the data do not bound one, for the reason in `notes`
     first : of the least intensity at which each record reaches the state, censored ones included: a bound, as rocking
         is not monotone and a record may stand again at a higher intensity
-    largest_run : of a cloud, whose points are groups of records: the intensity of its strongest record
+    least_run, largest_run : of a cloud, whose points are groups of records: of its weakest and strongest record
     """
 
     measure: MeasureResult
@@ -123,6 +123,7 @@ class FragilityCurve(ShortRepr):
     first: LognormalResult | None
     notes: tuple[Message, ...] = ()
     largest_run: float | None = None
+    least_run: float | None = None
 
     @property
     def end(self) -> float:
@@ -202,8 +203,8 @@ class RiskResult(ShortRepr):
     motion_known : False where the mechanism is above the ground and its base moves as the ground, or as that times a
         number: such a rate can exceed a target, and cannot be within it
     target_rate : that the project sets [1/year]; None where it sets none
-    with_epistemic : the rate with the epistemic dispersion added to that of the records, by the root of squares
-        [1/year]; of lognormal curves where one is given
+    with_epistemic : the rate of the curve widened by the epistemic dispersion, which the target is compared with, and
+        its `below` and `above_runs`; None where no dispersion is given [1/year]
     """
 
     measure: MeasureResult
@@ -220,27 +221,37 @@ class RiskResult(ShortRepr):
     below: float | None = 0.0
     above_runs: float = 0.0
     motion_known: bool = True
+    below_with_epistemic: float | None = 0.0
+    above_runs_with_epistemic: float = 0.0
 
     @property
     def outcome(self) -> Literal["pass", "fail", "incomplete"] | None:
         """Whether the rate is within its target, also with what hazard and runs leave out; None without a target."""
         if self.target_rate is None:
             return None
-        if self.annual_rate > self.target_rate:
+        if max(self.annual_rate, self.with_epistemic or 0.0) > self.target_rate:
             return "fail"
         return "pass" if self.gap is None else "incomplete"
 
     @property
     def gap(self) -> Gap | None:
-        """What is missing to tell that the rate is within its target; None where nothing is, or without a target."""
+        """What keeps the rate from being within its target; None where nothing does, or without a target."""
         if self.target_rate is None:
             return None
+        wide = self.with_epistemic
+        if wide is not None and wide > self.target_rate >= self.annual_rate:
+            return "epistemic"
         if not self.motion_known:
             return "motion"
-        if self.annual_rate + self.above_runs > self.target_rate:
+        found = [(self.annual_rate, self.above_runs, self.below)]
+        if wide is not None:
+            found.append((wide, self.above_runs_with_epistemic, self.below_with_epistemic))
+        if any(rate + above > self.target_rate for rate, above, _ in found):
             return "runs"
-        left_out = inf if self.below is None else self.above_runs + self.beyond + self.below
-        return "hazard" if self.annual_rate + left_out > self.target_rate else None
+        below = [inf if each is None else each for _, _, each in found]
+        if any(r + a + self.beyond + b > self.target_rate for (r, a, _), b in zip(found, below, strict=True)):
+            return "hazard"
+        return "epistemic" if wide is None else None
 
 
 @dataclass(frozen=True, repr=False)

@@ -50,6 +50,15 @@ class Lognormal(ShortRepr):
         """Return the intensity at which the state is reached with each probability, any shape."""
         return np.asarray(self.median * np.exp(self.dispersion * ndtri(np.asarray(probability, dtype=np.float64))))
 
+    def convolve(self, dispersion: float) -> Lognormal:
+        """Return the lognormal of the same median whose variance has that of another independent factor added.
+
+        Parameters
+        ----------
+        dispersion : standard deviation of the natural logarithm of the factor [-]
+        """
+        return Lognormal(self.median, float(np.hypot(self.dispersion, dispersion)))
+
     @property
     def mean(self) -> float:
         """Mean of the intensity: m exp(beta^2 / 2) [unit of intensity]."""

@@ -15,12 +15,12 @@ from assess.results.program import describe_program
 from assess.results.verification import (
     VERIFICATION_VERSION,
     CaseResult,
+    Coverage,
     QuantityResult,
     ValueResult,
     VerificationResults,
 )
 from assess.verification.case import CaseFile, Quantity
-from assess.verification.read import CASES
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
@@ -45,6 +45,18 @@ def verify(cases: Sequence[CaseFile], *, quick: bool, jobs: int | None, progress
     )
 
 
+def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Coverage, ...]:
+    """Return, for each thing that is used, the keys of the cases that exercise it; none where there is no case.
+
+    Parameters
+    ----------
+    uses : in the words of `assess.results.uses`
+    cases : that were run
+    """
+    every = tuple(cases)
+    return tuple(Coverage(use, tuple(each.key for each in every if use in each.uses)) for use in uses)
+
+
 def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) -> Iterable[CaseResult]:
     """Yield the results of cases as they come, the slow ones started first."""
     ordered = sorted(cases, key=lambda each: each.case.quick)
@@ -61,29 +73,48 @@ def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) ->
 
 def run_case(file: CaseFile) -> CaseResult:
     """Solve one case and compare it; an error of the program fails the case, and is its fault."""
-    from assess.verification.solvers import SOLVERS
-
-    case = file.case
     try:
-        tree, fault = SOLVERS[case.solver](file.path.parent, case.given), ""
+        tree, fault = solve_case(file), ""
     except Exception as error:
         tree, fault = {}, "".join(traceback.format_exception_only(error)).strip()
+    return compare_case(file, tree, fault=fault)
+
+
+def solve_case(file: CaseFile) -> Mapping[str, Any]:
+    """Return the tree of numbers that the program finds for a case."""
+    from assess.verification.solvers import SOLVERS
+
+    return SOLVERS[file.case.solver](file.path.parent, file.case.given)
+
+
+def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") -> CaseResult:
+    """Compare a case with what was found for it.
+
+    Parameters
+    ----------
+    file : the case
+    tree : of numbers, as its solver returns it
+    fault : why it could not be solved, "" if it was
+    """
+    case = file.case
     quantities = tuple(_compare(each, tree) for each in case.quantities)
-    inputs = tuple(_input(path) for path in input_files(file))
+    inputs = (Input(f"{file.key}.toml", _sha256(file.path)), *_inputs(file, tree))
     return CaseResult(
         file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault
     )  # fmt: skip
 
 
-def input_files(file: CaseFile) -> tuple[Path, ...]:
-    """Return the files that a user runs again: that of the case, and its project."""
-    project = file.case.given.get("file")
-    return (file.path,) if project is None else (file.path, file.path.parent / project)
+def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
+    """Yield what a case reads beside its own file: a project with all that it names, or single files."""
+    if file.case.solver == "project":
+        folder = file.project_folder
+        yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree.get("inputs", ()))
+        return
+    yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
 
 
-def _input(path: Path) -> Input:
-    name = path.relative_to(CASES).as_posix() if path.is_relative_to(CASES) else path.name
-    return Input(name, hashlib.sha256(path.read_bytes()).hexdigest())
+def _sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
@@ -92,8 +123,8 @@ def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
 
 
 def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
-    found = _find(tree, [step.replace("{row}", row) for step in quantity.path.split(".")])
-    scaled = None if found is None else found * quantity.factor
+    found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
+    scaled = None if found is None or not divisor else found / divisor * quantity.factor
     misprint = quantity.misprints.get(row)
     reference = expected if misprint is None else misprint.reading
     agrees = scaled is not None and abs(scaled - reference) <= quantity.tolerance.around(reference)
@@ -102,10 +133,10 @@ def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any
     return ValueResult(row, expected, scaled, "misprint" if agrees else "fail", misprint.reading, misprint.reason)
 
 
-def _find(tree: Any, steps: Sequence[str]) -> float | None:
-    """Return the finite number at the end of the steps; None if there is none."""
-    for step in steps:
-        tree = _item(tree, step)
+def _find(tree: Any, path: str, row: str) -> float | None:
+    """Return the finite number at the end of the path; None if there is none."""
+    for step in path.split("."):
+        tree = _item(tree, step.replace("{row}", row))
     return float(tree) if isinstance(tree, int | float) and math.isfinite(tree) else None
 
 

@@ -43,7 +43,7 @@ def _commands(group: Shown) -> Iterator[Shown]:
 
 def pages() -> dict[str, str]:
     """Return each page by its name, as Markdown."""
-    return {f"{FOLDER}/{'-'.join(each.words)}": _page(each) for each in commands()}
+    return {f"{FOLDER}/{'-'.join(each.words)}.md": _page(each) for each in commands()}
 
 
 def first_sentence(shown: Shown) -> str:

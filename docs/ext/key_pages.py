@@ -17,7 +17,7 @@ TITLES = {"project": "Top of the file"}
 def pages() -> dict[str, str]:
     """Return each page by its name, as Markdown."""
     grouped = {name: list(found) for name, found in groupby(places(), key=lambda place: place.page)}
-    return {f"{FOLDER}/{name}": _page(name, found) for name, found in grouped.items()}
+    return {f"{FOLDER}/{name}.md": _page(name, found) for name, found in grouped.items()}
 
 
 def _page(name: str, found: list[Place]) -> str:

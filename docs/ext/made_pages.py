@@ -10,13 +10,14 @@ from pathlib import Path
 
 from sphinx.application import Sphinx
 
-from docs.ext import command_pages, key_pages, name_pages
+from docs.ext import command_pages, gallery, key_pages, name_pages
 
 MADE = "made"
 MAKERS: dict[str, Callable[[], dict[str, str]]] = {
     "keys": key_pages.pages,
     "commands": command_pages.pages,
     "names": name_pages.pages,
+    "gallery": gallery.pages,
 }
 
 
@@ -28,11 +29,10 @@ def setup(app: Sphinx) -> dict[str, bool]:
 
 def write_pages(folder: Path) -> None:
     """Write every page into a folder, and remove what earlier builds left there."""
-    pages = {f"{name}.md": text for make in MAKERS.values() for name, text in make().items()}
-    for name, text in pages.items():
-        path = folder / name
+    made = {folder / name: text for make in MAKERS.values() for name, text in make().items()}
+    for path, text in made.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8")
-    for old in set(folder.rglob("*.md")) - {folder / name for name in pages}:
+    for old in {path for path in folder.rglob("*.*") if path.is_file()} - set(made):
         old.unlink()

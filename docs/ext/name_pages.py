@@ -17,7 +17,7 @@ LONGEST_DEFAULT = 40  # characters of a default that is shown
 
 def pages() -> dict[str, str]:
     """Return each page by its name, as Markdown."""
-    return {f"{FOLDER}/{file_name(name)}": _page(name, getattr(assess, name)) for name in assess.__all__}
+    return {f"{FOLDER}/{file_name(name)}.md": _page(name, getattr(assess, name)) for name in assess.__all__}
 
 
 def file_name(name: str) -> str:

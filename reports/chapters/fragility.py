@@ -24,6 +24,11 @@ COUNTS = (
     ),
 )
 CLOUD = (say("Rates are computed from the lognormal: a cloud has too few points to integrate."),)
+WIDENED = say(
+    "A target is compared with the rate of the curve widened by the epistemic dispersion: its mean over a lognormal "
+    "factor of median 1 and that dispersion on the intensity, which leaves the median of a lognormal and adds the two "
+    "dispersions by the root of the sum of squares. Without that dispersion no rate is called within its target."
+)
 MEANS = say(
     "Masses, strengths and dimensions are those of the project, which should be means, and the confidence factor "
     "is 1; cautious values and safety factors would count twice what the dispersion holds."
@@ -108,6 +113,8 @@ def _method(results: FragilityResults) -> Section:
     if results.hazard:
         sources = listing(dict.fromkeys(Verbatim(each.source) for each in results.hazard))
         said.append(say("Hazard of the site: {sources}. Rates are its convolution with the curve.", sources=sources))
+    if any(risk.target_rate is not None for each in results.mechanisms for risk in each.risks):
+        said.append(WIDENED)
     blocks = (Prose(tuple(said)), *nonempty(fragility_tables.records(results)))
     return Section(say("Method and records"), 0, blocks, starts_page=True)
 

@@ -62,7 +62,7 @@ def overview(results: FragilityResults) -> Table:
     risks = [main_risk(each) for each in results.mechanisms]
     with_rate, with_target = any(risks), any(risk is not None and risk.target_rate is not None for risk in risks)
     columns = [MECHANISM, MEASURE, FIVE, HALF, DISPERSION, *([RATE, PROBABILITY] if with_rate else [])]
-    columns += [TARGET, Column(say("Outcome"))] if with_target else []
+    columns += [WITH_EPISTEMIC, TARGET, Column(say("Outcome"))] if with_target else []
     rows = tuple(tuple(_overview(results, each))[: len(columns)] for each in results.mechanisms)
     caption = say("Every mechanism: intensity at which 5 % and 50 % of the records overturn it, with 95 % intervals.")
     if any(state is not None and state.name != "overturning" for state in map(last_state, results.mechanisms)):
@@ -74,10 +74,12 @@ OUTCOMES = {
     "pass": Graded("pass", say("within the target")),
     "fail": Graded("fail", say("more than the target")),
 }
+ONLY_WITH = Graded("fail", say("more than the target with the epistemic dispersion"))
 GAPS = {
     "motion": Graded("incomplete", say("not known: ground motion at a height")),
     "runs": Graded("incomplete", say("not known: the runs end too soon")),
     "hazard": Graded("incomplete", say("not known: the hazard ends too soon")),
+    "epistemic": Graded("incomplete", say("not known: no epistemic dispersion")),
 }
 
 
@@ -88,6 +90,7 @@ def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Itera
     yield from (None, None, None) if curve is None else _fitted(curve)
     yield None if risk is None else risk.annual_rate
     yield None if risk is None else PERCENT * risk.probability_50_years
+    yield None if risk is None else risk.with_epistemic
     yield None if risk is None else risk.target_rate
     yield None if risk is None or risk.outcome is None else _graded(risk)
 
@@ -96,6 +99,8 @@ def _graded(risk: RiskResult) -> Graded:
     """Return the outcome of a rate beside its target, with what is missing."""
     if risk.outcome == "incomplete" and risk.gap is not None:
         return GAPS[risk.gap]
+    if risk.outcome == "fail" and risk.gap == "epistemic":
+        return ONLY_WITH
     return OUTCOMES[risk.outcome or "pass"]
 
 

@@ -58,6 +58,10 @@ GAPS: Mapping[Gap, Phrase] = {
     "hazard": say(
         "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
     ),
+    "epistemic": say(
+        "what is not known of the mechanism itself is not in the rate; give its dispersion in [analysis.fragility] "
+        "epistemic"
+    ),
 }
 
 
@@ -183,10 +187,20 @@ def how_likely(risk: RiskResult) -> Text:
 def beside_target(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
     target = quantity(risk.target_rate or 0.0, "annual rate", FIGURES)
+    wide = quantity(risk.with_epistemic or 0.0, "annual rate", RATE_FIGURES)
+    if risk.outcome == "fail" and risk.gap == "epistemic":
+        return say(
+            "With the epistemic dispersion it is {rate}, more than the target of {target}; only without that "
+            "dispersion is it within.",
+            rate=wide,
+            target=target,
+        )
     if risk.outcome == "fail":
         return say("This is more than the target of {target}.", target=target)
     if risk.gap is None:
-        return say("This is within the target of {target}.", target=target)
+        return say(
+            "With the epistemic dispersion it is {rate}, within the target of {target}.", rate=wide, target=target
+        )
     return say("Whether this is within the target of {target} is not known: {why}.", target=target, why=GAPS[risk.gap])
 
 
@@ -248,14 +262,14 @@ def epistemic(mechanism: MechanismFragility) -> Iterator[Text]:
     if parts:
         yield say(
             "Epistemic dispersion, of what is not known of the mechanism: {total} ({parts}). It is stated apart and is "
-            "not in the curves.",
+            "not in the curves; a target is compared with the rate that has it.",
             total=total,
             parts=listing(parts),
         )
     else:
         yield say(
             "Epistemic dispersion, of what is not known of the mechanism: {total}. It is stated apart and is not in "
-            "the curves.",
+            "the curves; a target is compared with the rate that has it.",
             total=total,
         )
 

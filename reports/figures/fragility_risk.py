@@ -31,6 +31,9 @@ def draw(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> Figur
                 np.array(hazard.intensity)[shown], rates[shown], color=INK, marker="o", markersize=3.0, label=words
             )
         above.axhline(risk.annual_rate, color=FAIL, linewidth=1.0, label=locale.text(say("rate of the state")))
+        if risk.with_epistemic is not None:
+            words = locale.text(say("with epistemic dispersion"))
+            above.axhline(risk.with_epistemic, color=FAIL, linewidth=1.0, linestyle=":", label=words)
         if risk.target_rate is not None:
             target = locale.text(say("target"))
             above.axhline(risk.target_rate, color=FAIL, linewidth=1.0, linestyle="--", label=target)
@@ -51,5 +54,5 @@ def draw(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> Figur
             number_by_decades(below.xaxis, locale)
         below.set_xlim(edges[0], edges[-1])
         below.set_xlabel(locale.heading(measure_text(risk.measure), risk.measure.dimension))
-        legend_below(figure, columns=3)
+        legend_below(figure, columns=2)
         return figure

@@ -30,27 +30,27 @@ def test_every_table_of_the_schema_has_its_keys_in_the_reference(keys):
         for key in table.get("properties", ()) if name in tables else ():
             assert f"[`{key}`]{{#{name.lower()}-" in text, (name, key)
     for key in schema["properties"]:
-        assert f"[`{key}`]" in keys["keys/project"], key
+        assert f"[`{key}`]" in keys["keys/project.md"], key
 
 
 def test_a_key_shows_its_unit_its_bounds_and_its_default(keys):
-    rows = dict(re.findall(r"^\| \[`(\w+)`\]\{#box-\w+\} \|(.*)$", keys["keys/bodies"], re.MULTILINE))
+    rows = dict(re.findall(r"^\| \[`(\w+)`\]\{#box-\w+\} \|(.*)$", keys["keys/bodies.md"], re.MULTILINE))
     assert "length [m]" in rows["thickness"]
     assert "above 0" in rows["thickness"]
     assert "**required**" in rows["thickness"]
-    (damping,) = re.findall(r"^\| \[`damping`\]\{#ec8spectrum-damping\} \|(.*)$", keys["keys/site"], re.MULTILINE)
+    (damping,) = re.findall(r"^\| \[`damping`\]\{#ec8spectrum-damping\} \|(.*)$", keys["keys/site.md"], re.MULTILINE)
     assert damping.endswith("| number, above 0, below 1 | 0.05 |")
 
 
 def test_choices_are_those_of_the_schema(keys):
-    (row,) = re.findall(r"^\| \[`ground_type`\].*$", keys["keys/site"], re.MULTILINE)
+    (row,) = re.findall(r"^\| \[`ground_type`\].*$", keys["keys/site.md"], re.MULTILINE)
     choices = json_schema()["$defs"]["Ec8Spectrum"]["properties"]["ground_type"]["enum"]
     assert [f'"{choice}"' for choice in choices] == re.findall(r'`("\w+")`', row.split(" | ")[2])
 
 
 @pytest.mark.parametrize("shown", command_pages.commands(), ids=lambda shown: shown.name)
 def test_every_option_of_a_command_is_on_its_page(shown):
-    page = command_pages.pages()[f"commands/{'-'.join(shown.words)}"]
+    page = command_pages.pages()[f"commands/{'-'.join(shown.words)}.md"]
     for parameter in shown.command.params:
         for option in parameter.opts if parameter.param_type_name == "option" else ():
             assert getattr(parameter, "hidden", False) or option in page, option
@@ -60,8 +60,8 @@ def test_every_option_of_a_command_is_on_its_page(shown):
 def test_every_public_name_has_a_page_with_its_arguments():
     pages = name_pages.pages()
     assert len(pages) == len(assess.__all__)
-    assert "`thickness` | size along x" in pages["names/box"]
-    assert pages["names/box"].count("# ") >= 3
+    assert "`thickness` | size along x" in pages["names/box.md"]
+    assert pages["names/box.md"].count("# ") >= 3
 
 
 def test_a_docstring_is_split_into_sentences_and_names():
@@ -76,4 +76,4 @@ def test_text_is_shown_as_it_stands():
 
 def test_every_page_made_is_in_a_table_of_contents(keys):
     listed = (ROOT / "docs" / "reference" / "keys.md").read_text(encoding="utf-8")
-    assert [name for name in keys if f"../made/{name}\n" not in listed] == []
+    assert [name for name in keys if f"../made/{name.removesuffix('.md')}\n" not in listed] == []

@@ -17,8 +17,8 @@ from reports.assessment import assessment
 from reports.language.locale import Locale
 from reports.titles import PROCEDURES
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
+from tests.support.places import NO_RECORDS, PEER
 
-RECORDS = Path(__file__).parents[3] / "shared" / "records" / "peer_at2"
 FIVE = (
     "RSN57_SFERN_ORR021.AT2",
     "RSN164_IMPVALL.H_H-CPE147.AT2",
@@ -197,12 +197,12 @@ def real_run(project: Path, text: str, *, code: int) -> dict:
 
 
 def test_five_real_records(project):
-    if not RECORDS.is_dir():
-        pytest.skip("the folder of real accelerograms is not beside this checkout")
+    if not PEER.is_dir():
+        pytest.skip(NO_RECORDS)
     text = re.sub(r"\[analysis\.pulses\][^\[]*", "", (project / "project.toml").read_text())
     text, levels = re.subn(r"levels = \[.*\]", 'levels = ["0.20 g"]', text)
     assert levels == 1
-    files = ", ".join(f'"{(RECORDS / name).as_posix()}"' for name in FIVE)
+    files = ", ".join(f'"{(PEER / name).as_posix()}"' for name in FIVE)
     old = 'synthetic = { count = 7, seed = 1, duration = "20 s" }'
     assert old in text
     quick = text.replace("[analysis]", "[analysis]\nscan = false")

@@ -12,12 +12,12 @@ import pytest
 from assess import cli
 from assess.results import Results
 from assess.results import files as results_files
+from tests.support.places import PEER, REAL_RECORDS, needs_real_records
 
-RECORDS = Path(__file__).parents[3] / "shared" / "records"
-PUBLISHED = RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"
+PUBLISHED = REAL_RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"
 WORST_MSE = 0.102  # of Table 8.8, out of the whole NGA database
 
-pytestmark = pytest.mark.skipif(not PUBLISHED.exists(), reason="third-party records (../shared/records) are not here")
+pytestmark = needs_real_records
 
 PROJECT = """
 [site]
@@ -48,7 +48,7 @@ procedures = ["asce43-05-history"]
 
 
 def assessed(folder: Path, *, files: str = "RSN*.AT2", count: int = 5, more: str = 'fit = "each"') -> Results:
-    text = PROJECT.format(files=(RECORDS / "peer_at2" / files).as_posix(), count=count, more=more)
+    text = PROJECT.format(files=(PEER / files).as_posix(), count=count, more=more)
     (folder / "project.toml").write_text(text)
     with pytest.raises(SystemExit) as ended:
         cli.main(["run", str(folder), "--no-report", "-o", str(folder / "out")])

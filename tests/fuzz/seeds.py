@@ -19,9 +19,9 @@ from records.record import Earthquake, make_record
 from records.writing import at2_text, csv_text
 from tests.fuzz import projects
 from tests.fuzz.case import Case
+from tests.support.places import REAL_RECORDS
 
 UNIT = Path(__file__).parents[1] / "unit"
-PUBLIC = Path(__file__).parents[3] / "shared" / "records"
 LARGEST = 140_000  # bytes of a public record that is used: others cost time and show no more
 OF_EACH = 3  # public records of each folder
 PROJECT = "project.toml"
@@ -130,7 +130,7 @@ def _records() -> Iterator[Case]:
     yield _record("own.csv", csv_text(_motion(0)).encode())
     for name, data in _waveforms().items():
         yield _record(name, data, "--unit", "mm/s2")
-    for folder in sorted(PUBLIC.iterdir()) if PUBLIC.is_dir() else ():
+    for folder in sorted(REAL_RECORDS.iterdir()) if REAL_RECORDS.is_dir() else ():
         small = [
             path for path in sorted(folder.glob("[!.]*")) if path.stat().st_size < LARGEST and path.suffix != ".gz"
         ]

@@ -13,7 +13,6 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from pathlib import Path
 
 from babel.messages.catalog import Catalog
 from babel.messages.extract import extract_from_dir
@@ -23,8 +22,8 @@ from assess.messages.texts import TEXTS
 from reports.language.catalogue import FOLDER
 from reports.language.units import WORDS
 from tests.languages.fixed_terms import fixed_terms
+from tests.support.places import SOURCES
 
-ROOT = Path(__file__).parents[2]
 KEYWORDS = {"say": None, "say_count": (1, 2)}
 HEAD = "# Italian sentences of the report, by the English ones. `make catalogue` keeps the entries up to date."
 DATE = datetime(2026, 11, 22, tzinfo=UTC)
@@ -45,7 +44,7 @@ class Entry:
 
 def english_entries() -> Iterator[Entry]:
     """Yield every entry, some of them more than once."""
-    for file, _, found, _, _ in extract_from_dir(ROOT / "reports", [("**.py", "python")], keywords=KEYWORDS):
+    for file, _, found, _, _ in extract_from_dir(SOURCES / "reports", [("**.py", "python")], keywords=KEYWORDS):
         one, several = found if isinstance(found, tuple) else (found, "")
         yield Entry(one, several, f"reports/{file}")
     yield from (Entry(text, "", "assess/messages/texts.py") for text in TEXTS.values())

@@ -13,7 +13,8 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
+from tests.support.places import SOURCES
+
 FOLDERS = (
     "assess/codes",
     "assess/loads",
@@ -104,13 +105,13 @@ RETURNED: Mapping[str, tuple[str, ...]] = {
 @cache
 def fixed_terms() -> tuple[str, ...]:
     """Every fixed English term that results can carry, each once, in order."""
-    files = [file for folder in FOLDERS for file in sorted((ROOT / folder).rglob("*.py"))]
+    files = [file for folder in FOLDERS for file in sorted((SOURCES / folder).rglob("*.py"))]
     found = {term for file in files for term in _of_file(file)}
     return tuple(sorted(term for term in found if any(map(str.isalpha, term)) and not IDENTIFIER.fullmatch(term)))
 
 
 def _of_file(file: Path) -> Iterator[str]:
-    tree, name = _tree(file), str(file.relative_to(ROOT))
+    tree, name = _tree(file), str(file.relative_to(SOURCES))
     for constant in CONSTANTS.get(name, ()):
         yield from _resolved(ast.Name(constant), file, tree)
     for scope in _scopes(tree):
@@ -170,7 +171,7 @@ def _assigned(name: str, file: Path, scope: ast.AST, depth: int) -> Iterator[str
             return
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.module and name in {each.name for each in node.names}:
-            other = ROOT / f"{node.module.replace('.', '/')}.py"
+            other = SOURCES / f"{node.module.replace('.', '/')}.py"
             if other.is_file():
                 yield from _assigned(name, other, _tree(other), depth)
 

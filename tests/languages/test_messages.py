@@ -18,8 +18,8 @@ from assess.project.schema import load
 from assess.results.json import dumps, loads
 from assess.study.run import run
 from tests.support.examples import example_study
+from tests.support.places import SOURCES
 
-ROOT = Path(__file__).parents[2]
 FOLDERS = ("assess", "records", "spectra")
 MAKERS = frozenset({"message", "warning", "note", "reason_message"})
 WORDS = re.compile(r"[a-z]{2,} [a-z]{2,}")
@@ -102,10 +102,10 @@ def written(value: ast.AST) -> str:
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_no_message_is_made_with_a_sentence(folder: str) -> None:
     found = set()
-    for file in sorted((ROOT / folder).rglob("*.py")):
+    for file in sorted((SOURCES / folder).rglob("*.py")):
         for call, name, value in made(ast.parse(file.read_text(encoding="utf-8"))):
             if re.search(r"[a-z]{2,} |[a-z]{2,}\0| [a-z]{2,}", written(value)) and name not in {"where", "severity"}:
-                found.add(f"{file.relative_to(ROOT)}:{call.lineno} {name}")
+                found.add(f"{file.relative_to(SOURCES)}:{call.lineno} {name}")
     assert found == set()
 
 

@@ -40,6 +40,7 @@ SHARES = {ROCKING: 0.25, HALF: 0.7, OVERTURNING: 1.0}
 """Of the intensity that overturns, at which a record of this sample reaches each state."""
 SCALES = np.geomspace(0.3, 8.0, 18)
 LARGE = 4.0
+EPISTEMIC = 0.25
 INTENSITY = np.geomspace(0.02, 3.0, 25)
 
 
@@ -132,8 +133,7 @@ def hazard() -> HazardResult:
 def risk_of(median: float, dispersion: float, state: StateResult, *, target: float | None) -> RiskResult:
     """The rate by the lognormal between rows of a power law."""
     rate = np.array(hazard().annual_rate)
-    share: FloatArray = norm.cdf(np.log(INTENSITY / median) / dispersion)
-    parts = np.array([0.5 * (a + b) for a, b in pairwise(share)]) * -np.diff(rate)
+    parts, wide = (parts_of(median, float(beta)) for beta in (dispersion, np.hypot(dispersion, EPISTEMIC)))
     total = float(parts.sum())
     return RiskResult(
         PGA,
@@ -145,7 +145,14 @@ def risk_of(median: float, dispersion: float, state: StateResult, *, target: flo
         tuple(map(float, parts / total)),
         float(rate[-1]),
         target,
+        with_epistemic=float(wide.sum()),
     )
+
+
+def parts_of(median: float, dispersion: float) -> FloatArray:
+    """The rates between rows of the hazard."""
+    share: FloatArray = norm.cdf(np.log(INTENSITY / median) / dispersion)
+    return np.array([0.5 * (a + b) for a, b in pairwise(share)]) * -np.diff(hazard().annual_rate)
 
 
 def mechanism(
@@ -174,7 +181,7 @@ def mechanism(
     )
     return MechanismFragility(
         name, label, 0.18, 1.9, name == "parapet", runs, curves, comparison, risks,
-        0.25, {"materials.stone.friction": 0.15, "mechanisms.front.thickness": 0.2},
+        EPISTEMIC, {"materials.stone.friction": 0.15, "mechanisms.front.thickness": 0.2},
     )  # fmt: skip
 
 

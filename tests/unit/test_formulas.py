@@ -23,9 +23,9 @@ from reports.language.texts import Verbatim
 from reports.render.csv import csv_lines
 from reports.render.spreadsheet import write_xlsx
 from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
+from tests.support.places import SOURCES
 from tests.support.projects import ASCE7, published, tables_toml
 
-ROOT = Path(__file__).parents[2]
 WRITERS = {  # `csv_lines` and `table_text` escape every cell, `write_xlsx` writes text as text, quoted
     r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py", "assess/risk/exports/table.py"},
     r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
@@ -36,8 +36,8 @@ LETTERS = st.text(alphabet="ab=+-@,;\"' \t:#1", max_size=30)
 
 @pytest.mark.parametrize("pattern", WRITERS)
 def test_one_module_writes_each_kind_of_table(pattern: str) -> None:
-    sources = (path for each in ("assess", "records", "reports", "spectra") for path in (ROOT / each).rglob("*.py"))
-    found = {str(path.relative_to(ROOT)) for path in sources if re.search(pattern, path.read_text(encoding="utf-8"))}
+    sources = (path for each in ("assess", "records", "reports", "spectra") for path in (SOURCES / each).rglob("*.py"))
+    found = {str(path.relative_to(SOURCES)) for path in sources if re.search(pattern, path.read_text(encoding="utf-8"))}
     assert found == WRITERS[pattern]
 
 

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from tests.support.places import SOURCES
+
 PACKAGES = ("assess", "records", "reports", "spectra")
 PARTICIPLE = re.compile(r"(ed|en|ing)$")
 PREDICATES = {"is", "has", "are", "can", "must", "looks"}  # a question: is_abandoned, must_be_given
@@ -49,8 +50,8 @@ PHRASES = {"as", "longest", "mechanism", "rotation"}  # as_given, mechanism_as_g
 @cache
 def trees() -> Mapping[Path, ast.Module]:
     """The syntax of every module, by its path from the root."""
-    paths = sorted(path for package in PACKAGES for path in (ROOT / package).rglob("*.py"))
-    return {path.relative_to(ROOT): ast.parse(path.read_text(encoding="utf-8")) for path in paths}
+    paths = sorted(path for package in PACKAGES for path in (SOURCES / package).rglob("*.py"))
+    return {path.relative_to(SOURCES): ast.parse(path.read_text(encoding="utf-8")) for path in paths}
 
 
 def functions(tree: ast.Module) -> Iterator[ast.FunctionDef]:

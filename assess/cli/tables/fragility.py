@@ -20,7 +20,7 @@ from assess.results.fragility import (
 from reports.render.csv import csv_lines
 
 HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
-RISK_HEADER = ["mechanism", "state", "curve", "rate [1/year]", "in 50 years", "target [1/year]", "outcome"]
+RISK_HEADER = ["mechanism", "state", "curve", "rate [1/year]", "in 50 years", "with epistemic", "target", "outcome"]
 OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
 
 
@@ -72,7 +72,9 @@ def _interval(found: tuple[float, float] | None) -> str:
 def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
     target = "" if risk.target_rate is None else f"{risk.target_rate:.3g}"
     rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
-    return [mechanism.name, state_name(risk.state), risk.curve, rate, probability, target, OUTCOMES[risk.outcome]]
+    wide = "not given" if risk.with_epistemic is None else f"{risk.with_epistemic:.2g}"
+    head = [mechanism.name, state_name(risk.state), risk.curve, rate, probability, wide]
+    return [*head, target, OUTCOMES[risk.outcome]]
 
 
 def state_name(state: StateResult) -> str:
@@ -91,7 +93,8 @@ def csv_text(results: FragilityResults) -> str:
     header: list[str | float | None] = ["mechanism", "state", "share", "measure", "at", "period [s]", "unit"]
     header += ["records", "events", "censored", "median", "median low", "median high", "dispersion"]
     header += ["dispersion low", "dispersion high", "first median", "first dispersion"]
-    header += ["rate [1/year]", "lognormal rate [1/year]", "first rate [1/year]"]
+    kinds = ("rate", "lognormal rate", "first rate")
+    header += [f"{kind}{which} [1/year]" for which in ("", " with epistemic") for kind in kinds]
     rows = [_csv_row(each, curve) for each in results.mechanisms for curve in each.curves]
     return csv_lines([header, *rows])
 
@@ -99,7 +102,9 @@ def csv_text(results: FragilityResults) -> str:
 def _csv_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str | float | None]:
     measure = curve.measure
     period = measure.periods_s[0] if measure.key == "sa" else None
-    rates = [_rate(mechanism, curve, name) for name in ("empirical", "lognormal", "first")]
+    risks = [_risk(mechanism, curve, name) for name in ("empirical", "lognormal", "first")]
+    rates = [None if each is None else each.annual_rate for each in risks]
+    rates += [None if each is None else each.with_epistemic for each in risks]
     first = (None, None) if curve.first is None else (curve.first.median, curve.first.dispersion)
     head = [mechanism.name, curve.state.name, curve.state.share, measure.key, measure.at, period]
     counts = [curve.records, curve.events, curve.censored]
@@ -113,6 +118,6 @@ def _numbers(fitted: LognormalResult | None) -> list[float | None]:
     return [fitted.median, *median, fitted.dispersion, *dispersion]
 
 
-def _rate(mechanism: MechanismFragility, curve: FragilityCurve, name: CurveName) -> float | None:
+def _risk(mechanism: MechanismFragility, curve: FragilityCurve, name: CurveName) -> RiskResult | None:
     same = (curve.measure, curve.state, name)
-    return next((each.annual_rate for each in mechanism.risks if (each.measure, each.state, each.curve) == same), None)
+    return next((each for each in mechanism.risks if (each.measure, each.state, each.curve) == same), None)

@@ -98,7 +98,8 @@ class Fragility(Section):
     draws: Annotated[StrictInt, Field(ge=100, le=10_000)] = 500
     """draws of the bootstrap, by earthquake"""
     epistemic: dict[Name, Annotated[Ratio, Field(ge=0, le=2)]] = Field(default_factory=dict)
-    """dispersions of what is not known, by name, like { model = 0.2 }; kept apart from that of the records"""
+    """dispersions of what is not known, by name, like { model = 0.2 }; kept apart from that of the records. A target is
+    met only with them: without any, no rate is shown to be within it"""
 
     @model_validator(mode="before")
     @classmethod

@@ -118,7 +118,7 @@ def cloud_curve(
         first=None,
         why="cloud-separated" if why is Unbounded.SEPARATED else why or "no-cloud",
     )
-    return replace(found, largest_run=float(at.max()))
+    return replace(found, least_run=float(at.min()), largest_run=float(at.max()))
 
 
 def _curve(

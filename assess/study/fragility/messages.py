@@ -13,7 +13,7 @@ from assess.results.fragility import LARGE_SCALE
 from assess.study.coarse_records import MOST_NAMES, coarse_record_messages
 from assess.study.envelope_run import envelope_cases
 from assess.study.fragility.question import FragilityQuestion
-from assess.study.fragility.risk import hazard_messages, measure_name
+from assess.study.fragility.risk import epistemic_messages, hazard_messages, measure_name
 from assess.study.fragility.runs import Runs
 from assess.study.motions import ScaledRecord
 from assess.study.rocking_case import vibrates
@@ -44,6 +44,7 @@ def study_warnings(study: Study, records: Sequence[Record], question: FragilityQ
         *_of_records(records),
         *_of_measures(records, study, question),
         *hazard_messages(question.measures, question.hazard),
+        *epistemic_messages(question),
         *coarse_record_messages(envelope_cases(study, {}), plain),
     )
 

@@ -34,6 +34,8 @@ def convert(curve: FragilityCurve, measure: MeasureResult, factor: float) -> Fra
         empirical=tuple(replace(point, intensity=factor * point.intensity) for point in curve.empirical),
         lognormal=_lognormal(curve.lognormal, factor),
         first=_lognormal(curve.first, factor),
+        least_run=None if curve.least_run is None else factor * curve.least_run,
+        largest_run=None if curve.largest_run is None else factor * curve.largest_run,
     )
 
 

@@ -2,25 +2,27 @@
 
 The share of records that reach the state at each intensity is what counts; the lognormal is beside it, and the curve
 of first exceedance bounds it. A cloud has a share for every ten records only, so that the curve of its regression
-counts.
+counts. A target is compared with the rate of the curve widened by the epistemic dispersion.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import hypot, isclose, isfinite
+from math import isclose, isfinite
 
 import numpy as np
+from scipy.special import ndtr
 
 from assess.messages.message import Message, Quantity, warning
-from assess.results.fragility import CurveName, FragilityCurve, HazardResult, LognormalResult, MeasureResult, RiskResult
+from assess.results.fragility import CurveName, FragilityCurve, HazardResult, MeasureResult, RiskResult
 from assess.risk.empirical import Empirical
 from assess.risk.hazard import HazardCurve, Probability, probability_of, rate
 from assess.risk.lognormal import Lognormal
 from assess.study.fragility.question import FragilityQuestion
 from spectra.arrays import FloatArray
 
+Drawn = Empirical | Lognormal
 NOTABLE = 0.05
 """Share of the rate from which what may be missing of it is told."""
 PARTS = 32
@@ -38,7 +40,7 @@ def risks(
     ----------
     curves : of one mechanism
     question : its hazard and target
-    epistemic : dispersion that is added for comparison [-]
+    epistemic : dispersion that curves are widened by to compare with the target [-]; None where it is not given
     motion_known : whether the records are those of the base of the mechanism
     """
     if question.hazard is None:
@@ -60,38 +62,30 @@ def same_measure(one: MeasureResult, other: MeasureResult) -> bool:
 def _of_curve(
     curve: FragilityCurve, hazard: HazardCurve, question: FragilityQuestion, epistemic: float | None
 ) -> Iterator[RiskResult]:
-    if curve.method != "cloud":
-        at = np.array([point.intensity for point in curve.empirical])
-        empirical = Empirical(at, np.array([point.share for point in curve.empirical]))
-        risk = _risk(curve, "empirical", empirical.probability, hazard, question, breaks=at)
-        yield replace(risk, notes=_notes(curve, risk, hazard, empirical.probability))
-    fitted: tuple[tuple[CurveName, LognormalResult | None], ...] = (
-        ("lognormal", curve.lognormal),
-        ("first", curve.first),
-    )
-    for name, one in fitted:
-        if one is None:
-            continue
-        drawn = Lognormal(one.median, one.dispersion).probability
+    counts = "lognormal" if curve.method == "cloud" else "empirical"
+    for name, drawn in _drawn(curve):
         risk = _risk(curve, name, drawn, hazard, question)
-        if curve.method == "cloud":
-            risk = replace(risk, notes=_notes(curve, risk, hazard, drawn))
-        if epistemic:
-            wide = Lognormal(one.median, hypot(one.dispersion, epistemic))
-            risk = replace(risk, with_epistemic=rate(wide.probability, hazard).annual_rate)
-        yield risk
+        if epistemic is not None:
+            risk = _with_epistemic(risk, curve, drawn, hazard, epistemic)
+        yield replace(risk, notes=_notes(curve, risk, hazard, drawn.probability)) if name == counts else risk
+
+
+def _drawn(curve: FragilityCurve) -> Iterator[tuple[CurveName, Drawn]]:
+    """Yield each curve that a rate is found with, by its name."""
+    if curve.method != "cloud":
+        at, share = np.array([(point.intensity, point.share) for point in curve.empirical]).T
+        yield "empirical", Empirical(at, share)
+    if curve.lognormal is not None:
+        yield "lognormal", Lognormal(curve.lognormal.median, curve.lognormal.dispersion)
+    if curve.first is not None:
+        yield "first", Lognormal(curve.first.median, curve.first.dispersion)
 
 
 def _risk(
-    curve: FragilityCurve,
-    name: CurveName,
-    probability: Probability,
-    hazard: HazardCurve,
-    question: FragilityQuestion,
-    breaks: Sequence[float] | FloatArray = (),
+    curve: FragilityCurve, name: CurveName, drawn: Drawn, hazard: HazardCurve, question: FragilityQuestion
 ) -> RiskResult:
     edges = np.geomspace(hazard.intensity[0], hazard.intensity[-1], PARTS + 1)
-    found = rate(probability, hazard, breaks=breaks, edges=edges)
+    found = rate(drawn.probability, hazard, breaks=_kinks(drawn), edges=edges)
     return RiskResult(
         measure=curve.measure,
         state=curve.state,
@@ -101,9 +95,48 @@ def _risk(
         intensity=tuple(edges.tolist()),
         contribution=tuple(found.shares.tolist()),
         beyond=found.beyond,
-        below=found.below if isfinite(found.below) else None,
+        below=_finite(found.below),
         target_rate=question.target_rate,
-        above_runs=_above_runs(curve, probability, hazard),
+        above_runs=_above_runs(curve, drawn.probability, hazard),
+    )
+
+
+def _kinks(drawn: Drawn) -> FloatArray:
+    return drawn.intensity if isinstance(drawn, Empirical) else np.empty(0)
+
+
+def _finite(below: float) -> float | None:
+    return below if isfinite(below) else None
+
+
+def _with_epistemic(
+    risk: RiskResult, curve: FragilityCurve, drawn: Drawn, hazard: HazardCurve, epistemic: float
+) -> RiskResult:
+    """Return a risk with the rate of its widened curve, and with what that may lack at most.
+
+    What is run ends at one intensity, but under the factor of the epistemic dispersion a motion below it counts as one
+    above it with the probability Phi(ln(im / end) / epistemic). There the state may be likelier than the curve says by
+    one less its value at the end.
+    """
+    if not epistemic:
+        return replace(
+            risk,
+            with_epistemic=risk.annual_rate,
+            below_with_epistemic=risk.below,
+            above_runs_with_epistemic=risk.above_runs,
+        )
+    wide, kinks = drawn.convolve(epistemic).probability, _kinks(drawn)
+    left = 1.0 - float(drawn.probability(curve.end))
+
+    def lacking(at: FloatArray) -> FloatArray:
+        return np.minimum(left * ndtr(np.log(at / curve.end) / epistemic), 1.0 - wide(at))
+
+    found, more = rate(wide, hazard, breaks=kinks), rate(lacking, hazard, breaks=(curve.end,))
+    return replace(
+        risk,
+        with_epistemic=found.annual_rate,
+        below_with_epistemic=_finite(found.below + more.below),
+        above_runs_with_epistemic=more.annual_rate,
     )
 
 
@@ -132,6 +165,8 @@ def _notes(
     if risk.below is None or risk.below > NOTABLE * risk.annual_rate:
         said.append(warning("fragility-hazard-starts", intensity=Quantity(first, dimension, 3), share=starts))
     said.extend(_beyond_runs(curve, risk, hazard, probability))
+    if risk.gap == "epistemic" and risk.with_epistemic is not None:
+        said.append(warning("fragility-epistemic-above", rate=Quantity(risk.with_epistemic, "ratio", 2)))
     return tuple(said)
 
 
@@ -141,6 +176,7 @@ def _beyond_runs(
     """Tell where motions of the hazard are stronger than any run, and of a cloud what the rate has of them."""
     at, lacking = Quantity(curve.end, curve.measure.dimension, 3), Quantity(risk.above_runs, "ratio", 2)
     if curve.method == "cloud":
+        yield from _below_runs(curve, risk, hazard, probability)
         above = _rate_above(curve.end, probability, hazard)
         if above + risk.above_runs > NOTABLE * risk.annual_rate:
             share = Quantity(above / risk.annual_rate if risk.annual_rate else 0.0, "ratio", 2)
@@ -148,6 +184,19 @@ def _beyond_runs(
     elif risk.above_runs > NOTABLE * risk.annual_rate:
         share = Quantity(curve.empirical[-1].share, "ratio", 2)
         yield warning("fragility-runs-end", intensity=at, share=share, lacking=lacking)
+
+
+def _below_runs(
+    curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
+) -> Iterator[Message]:
+    """Tell of a cloud which share of the rate is of motions weaker than any record."""
+    least = curve.least_run
+    if least is None or least <= hazard.intensity[0]:
+        return
+    below = rate(lambda at: np.where(at < least, probability(at), 0.0), hazard, breaks=(least,)).annual_rate
+    if below > NOTABLE * risk.annual_rate:
+        share = Quantity(below / risk.annual_rate, "ratio", 2)
+        yield warning("fragility-cloud-starts", intensity=Quantity(least, curve.measure.dimension, 3), share=share)
 
 
 def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:
@@ -159,6 +208,12 @@ def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | No
     if hazard.distance_km is not None and hazard.distance_km > FAR:
         distance = Quantity(1000.0 * hazard.distance_km, "distance", 2)
         yield warning("fragility-hazard-far", "analysis.risk.curve", distance=distance)
+
+
+def epistemic_messages(question: FragilityQuestion) -> Iterator[Message]:
+    """Yield a warning where a target is set, and no dispersion of what is not known of the mechanisms."""
+    if question.target_rate is not None and question.hazard is not None and not question.epistemic:
+        yield warning("fragility-no-epistemic", "analysis.fragility.epistemic")
 
 
 def measure_name(measure: MeasureResult) -> str:

@@ -10,11 +10,15 @@ from pathlib import Path
 from typing import Any
 
 from assess.verification.solvers.free_rocking import solve_free_rocking
+from assess.verification.solvers.joints import solve_joints
+from assess.verification.solvers.parameters import solve_parameters
 from assess.verification.solvers.project import solve_project
 
 Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 
 SOLVERS: dict[str, Solver] = {
     "free-rocking": solve_free_rocking,
+    "joints": solve_joints,
+    "parameters": solve_parameters,
     "project": solve_project,
 }

@@ -26,11 +26,8 @@ from spectra.ntc import Hazard, Place, elastic_spectrum
 from spectra.nzs1170_5 import site_spectrum
 from spectra.spectrum import Spectrum
 from spectra.table import table_spectrum
+from tests.support.places import PEER, needs_real_records
 
-PEER = Path(__file__).resolve().parents[4] / "shared" / "records" / "peer_at2"
-REAL = pytest.mark.skipif(
-    not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there"
-)
 SMOOTH = design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0)
 
 
@@ -74,7 +71,7 @@ def test_every_code_has_its_requirements_and_its_making() -> None:
     assert {each.code for each in MAKING.values()} == set(REQUIREMENTS)
 
 
-@REAL
+@needs_real_records
 @pytest.mark.parametrize("code", list(MAKING))
 @pytest.mark.parametrize(
     "spectrum",
@@ -98,7 +95,7 @@ def test_a_suite_of_real_records_meets_its_code_as_judged_from_its_files_and_fac
     assert len(days) == len(factors)
 
 
-@REAL
+@needs_real_records
 def test_nzs_factors_are_its_least_squares_over_the_period_times_the_family_factor() -> None:
     spectrum = site_spectrum(subsoil="C", z=0.3, r=1.0)
     found = made(real(), "nzs1170.5", spectrum, count=3)

@@ -1,7 +1,6 @@
 """Recordings of one earthquake, and one motion in two files with other digits, against pairs known beforehand."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +9,7 @@ from records.candidates import PERIODS, Candidate
 from records.description import read_candidates
 from records.event_groups import event_groups, same_motion
 from records.formats.header_overrides import HeaderOverrides
-
-RECORDS = Path(__file__).parents[4] / "shared" / "records"
+from tests.support.places import REAL_RECORDS, needs_real_records
 
 
 def candidate(number: int, *, event: str = "", digits: float = 0.0) -> Candidate:
@@ -57,10 +55,10 @@ def test_none_and_many() -> None:
     assert len(set(event_groups([*many, *many[:100]], one_per_event=False).tolist())) == 500
 
 
-@pytest.mark.skipif(not RECORDS.is_dir(), reason="the records are not here")
+@needs_real_records
 def test_rio_dell_in_two_formats() -> None:
     """PEER AT2, and the same as FEMA P-695 has it, with a sample more; beside another record of the earthquake."""
     files = ["plain/SortedEQFile_(121321).txt", "peer_at2/RIO270.AT2", "peer_at2/CPM000.AT2", "peer_at2/Rinaldi228.AT2"]
-    found = read_candidates([RECORDS / file for file in files], overrides=HeaderOverrides("g"))
+    found = read_candidates([REAL_RECORDS / file for file in files], overrides=HeaderOverrides("g"))
     assert event_groups([(one,) for one in found], one_per_event=True).tolist() == [0, 0, 0, 1]
     assert event_groups([(one,) for one in found], one_per_event=False).tolist() == [0, 0, 1, 2]

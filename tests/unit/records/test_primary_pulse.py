@@ -1,7 +1,5 @@
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.constants import g
@@ -11,8 +9,8 @@ from records.primary_pulse import PERIODS, PrimaryPulse, primary_pulses
 from records.pulses import SHAPES, Shape, mavroeidis_papageorgiou, pulse_record, shape
 from records.reading import read_records
 from records.record import Record, make_record, scale
+from tests.support.places import PEER, needs_real_records
 
-PEER = Path(__file__).parents[3].parent / "shared" / "records" / "peer_at2"
 EVERY = [*SHAPES.values(), mavroeidis_papageorgiou(gamma=1.4, nu=1.0)]
 
 
@@ -180,7 +178,7 @@ def found_in(name: str, one: str) -> tuple[Record, PrimaryPulse]:
     return record, primary_pulses(record, shape=shape(one))[0]
 
 
-@pytest.mark.skipif(not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there")
+@needs_real_records
 @pytest.mark.parametrize(
     ("name", "low", "high"),
     [

@@ -1,7 +1,6 @@
 """Response spectra against scipy's integrators and closed forms, compiled and as plain Python."""
 
 from itertools import accumulate
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +13,7 @@ from records.kernel import advance, peak_displacements
 from records.reading import read_records
 from records.record import Record, make_record, scale
 from records.response import displacement_spectrum, response_spectrum
+from tests.support.places import PEER, needs_real_records
 
 
 def noise(npts: int = 400, dt: float = 0.01, seed: int = 5) -> Record:
@@ -71,12 +71,10 @@ def test_a_maximum_between_samples_of_any_motion_is_found(shape: str) -> None:
     np.testing.assert_allclose(displacement_spectrum(record, periods), expected, rtol=1e-7)
 
 
+@needs_real_records
 def test_real_records_and_what_maxima_at_samples_would_be() -> None:
     """At periods of twenty samples and less, where spectra at samples and at a twentieth of the period were low."""
-    folder = Path(__file__).resolve().parents[4] / "shared" / "records" / "peer_at2"
-    files = sorted(folder.glob("RSN*.AT2"))[:3]
-    if not files:
-        pytest.skip("third-party records (../shared/records) are not here")
+    files = sorted(PEER.glob("RSN*.AT2"))[:3]
     low = []
     for (record,) in map(read_records, files):
         period = record.dt * np.array([1.7, 8.0, 20.0, 33.0])

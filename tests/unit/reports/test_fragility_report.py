@@ -108,7 +108,8 @@ def test_the_first_sentences_name_intensities_with_intervals_and_the_rate_beside
     assert f"a probability of {100 * risk.probability_50_years:.2g} % in 50 years" in said
     assert said.endswith("This is more than the target of 0.0001 1/year.")
     within = replace(front, risks=tuple(replace(each, target_rate=0.9) for each in front.risks))
-    assert summary(within).endswith("This is within the target of 0.9 1/year.")
+    wide = f"With the epistemic dispersion it is {risk.with_epistemic:.2g} 1/year,"
+    assert summary(within).endswith(f"{wide} within the target of 0.9 1/year.")
 
 
 def test_without_a_hazard_the_rate_is_not_answered(results: FragilityResults) -> None:
@@ -205,14 +206,16 @@ def test_a_run_of_one_record_and_one_state_has_its_figure_on_the_width_of_the_pa
         ({"motion_known": False}, "not shaken by the motion there", "ground motion at a height"),
         ({"above_runs": 1.0}, "stronger motions than those that were run", "the runs end too soon"),
         ({"beyond": 1.0}, "stronger or more frequent motions than the hazard lists", "the hazard ends too soon"),
+        ({"with_epistemic": None}, "give its dispersion in [analysis.fragility] epistemic", "no epistemic dispersion"),
+        ({"with_epistemic": 0.5}, "it is 0.5 1/year, more than the target of", "target with the epistemic dispersion"),
     ],
 )
 def test_a_target_that_is_open_says_why(results: FragilityResults, change: dict, said: str, cell: str) -> None:
     mechanism = results.mechanisms[0]
-    target = 2.0 * max(risk.annual_rate for risk in mechanism.risks)
+    target = 2.0 * max(risk.with_epistemic for risk in mechanism.risks)
     met = {"target_rate": target, "motion_known": True, "above_runs": 0.0, "beyond": 0.0, "below": 0.0}
     for changes, expected, shown in (
-        (met, "This is within the target", "within the target"),
+        (met, "within the target of", "within the target"),
         (met | change, said, cell),
     ):
         one = replace(mechanism, risks=tuple(replace(each, **changes) for each in mechanism.risks))

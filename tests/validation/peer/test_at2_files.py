@@ -7,11 +7,11 @@ import pytest
 from scipy.constants import g
 
 from records.reading import read_records
+from tests.support.places import REAL_RECORDS, needs_real_records
 
-FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
-INDEX = FOLDER / "INDEX.csv"
+INDEX = REAL_RECORDS / "INDEX.csv"
 
-pytestmark = pytest.mark.skipif(not INDEX.exists(), reason="third-party records (../shared/records) are not here")
+pytestmark = needs_real_records
 
 NUMBERED = {"14383980": "Chino Hills 2008 (ev 14383980)"}  # titled by the number of the event
 
@@ -29,7 +29,7 @@ def test_the_index_lists_sixty_two_files() -> None:
 
 @pytest.mark.parametrize("row", rows(), ids=lambda row: Path(row["file"]).name)
 def test_a_file_is_as_the_index_says(row: dict[str, str]) -> None:
-    (record,) = read_records(FOLDER / row["file"])
+    (record,) = read_records(REAL_RECORDS / row["file"])
     assert record.npts == int(row["npts"])
     assert record.dt == float(row["dt_s"])
     assert record.pga / g == pytest.approx(float(row["pga_g"]), rel=5e-6)  # six printed digits

@@ -2,7 +2,6 @@
 
 import gzip
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,11 +12,11 @@ from records.reading import read_records
 from records.record import Record
 from records.response import response_spectrum
 from records.rotation import rotd_spectrum
+from tests.support.places import REAL_RECORDS, needs_real_records
 
-FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
-FILE = FOLDER / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"
+FILE = REAL_RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"
 
-pytestmark = pytest.mark.skipif(not FILE.exists(), reason="third-party records (../shared/records) are not here")
+pytestmark = needs_real_records
 
 
 def sampled(record: Record, period: np.ndarray) -> np.ndarray:
@@ -43,7 +42,7 @@ def test_ordinates_are_the_printed_ones_and_what_samples_miss(station: int, comp
     with gzip.open(FILE, "rt", encoding="utf-8") as file:
         entry = json.load(file)[station]
     (published,) = (spectrum[key] for spectrum in entry["spectra"] if key in spectrum)
-    (record,) = read_records(FOLDER / "peer_at2" / entry["fnames"][component])
+    (record,) = read_records(REAL_RECORDS / "peer_at2" / entry["fnames"][component])
     period, printed = np.array(entry["period"]), np.array(published)
     between = (period >= 0.1) & (period <= 5.0)
     np.testing.assert_allclose(sampled(record, period[between]), printed[between], rtol=5e-6)
@@ -58,7 +57,7 @@ def test_rotd50_is_the_printed_one_and_what_samples_miss(station: int) -> None:
     with gzip.open(FILE, "rt", encoding="utf-8") as file:
         entry = json.load(file)[station]
     published = next(spectrum["rotd50"] for spectrum in entry["spectra"] if "rotd50" in spectrum and "h1" in spectrum)
-    first, second = (read_records(FOLDER / "peer_at2" / name)[0] for name in entry["fnames"])
+    first, second = (read_records(REAL_RECORDS / "peer_at2" / name)[0] for name in entry["fnames"])
     period = np.array(entry["period"])
     some = np.flatnonzero((period >= 0.1) & (period <= 5.0))[::6]
     ratio = rotd_spectrum(first, second, period[some], percentile=50) / g / np.array(published)[some]

@@ -3,7 +3,6 @@
 import csv
 from collections.abc import Iterator
 from itertools import groupby
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,11 +10,11 @@ from scipy.constants import g
 
 from records.reading import read_records
 from records.record import Record
+from tests.support.places import REAL_RECORDS, needs_real_records
 
-FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
-INDEX = FOLDER / "INDEX.csv"
+INDEX = REAL_RECORDS / "INDEX.csv"
 
-pytestmark = pytest.mark.skipif(not INDEX.exists(), reason="third-party records (../shared/records) are not here")
+pytestmark = needs_real_records
 
 IN_G = ("SortedEQFile", "ARL360")  # of the plain files, whose unit is not in the file; the others are in m/s2
 
@@ -31,9 +30,9 @@ def files() -> Iterator[tuple[str, list[dict[str, str]]]]:
 def read_listed(name: str) -> tuple[Record, ...]:
     """The records of a file; unit and step are given where the file states neither."""
     if not name.startswith("plain/"):
-        return read_records(FOLDER / name)
+        return read_records(REAL_RECORDS / name)
     unit = "g" if any(word in name for word in IN_G) else "m/s2"
-    return read_records(FOLDER / name, unit=unit, step=0.02 if "ARL360" in name else None)
+    return read_records(REAL_RECORDS / name, unit=unit, step=0.02 if "ARL360" in name else None)
 
 
 def test_the_index_lists_131_components_in_121_files() -> None:
@@ -69,21 +68,21 @@ def same_motion(one: Record, other: Record, *, printed: float) -> None:
 
 
 def test_el_centro_in_three_files_of_plain_numbers_is_one_motion() -> None:
-    first, second = (read_records(FOLDER / "plain" / name)[0] for name in ("elCentro.AT2", "elCentro.at2"))
-    (bare,) = read_records(FOLDER / "plain" / "ARL360.g3", unit="g", step=0.02)
+    first, second = (read_records(REAL_RECORDS / "plain" / name)[0] for name in ("elCentro.AT2", "elCentro.at2"))
+    (bare,) = read_records(REAL_RECORDS / "plain" / "ARL360.g3", unit="g", step=0.02)
     same_motion(first, second, printed=1e-12)
     same_motion(first, bare, printed=1e-12)
 
 
 def test_two_columns_without_units_hold_the_same_motion_as_the_at2_file() -> None:
-    (plain,) = read_records(FOLDER / "plain" / "SortedEQFile_(121321).txt", unit="g")
-    (record,) = read_records(FOLDER / "peer_at2" / "RIO270.AT2")
+    (plain,) = read_records(REAL_RECORDS / "plain" / "SortedEQFile_(121321).txt", unit="g")
+    (record,) = read_records(REAL_RECORDS / "peer_at2" / "RIO270.AT2")
     assert plain.dt == record.dt
     np.testing.assert_allclose(plain.acceleration[1:], record.acceleration, rtol=6e-6)  # six decimals of 0.1…
 
 
 def test_components_of_one_station_lie_level_at_right_angles_or_upright() -> None:
-    azimuths = [record.azimuth for record in read_records(FOLDER / "geonet_v2a" / "20161113_110259_WTMC_20.V2A")]
+    azimuths = [record.azimuth for record in read_records(REAL_RECORDS / "geonet_v2a" / "20161113_110259_WTMC_20.V2A")]
     assert azimuths[0] is not None
     assert azimuths[1] is not None
     assert np.degrees(azimuths[:2]) == pytest.approx([332.0, 242.0])
@@ -103,4 +102,4 @@ def test_components_of_one_station_lie_level_at_right_angles_or_upright() -> Non
     ],
 )
 def test_an_earthquake_is_called_by_what_the_header_has(name: str, event: str) -> None:
-    assert read_records(FOLDER / name)[0].event == event
+    assert read_records(REAL_RECORDS / name)[0].event == event

@@ -14,12 +14,9 @@ from records.errors import RecordError
 from records.plausibility import record_warning
 from records.reading import read_records
 from records.record import Record
+from tests.support.places import REAL_RECORDS, needs_real_records
 
-FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
-
-pytestmark = pytest.mark.skipif(
-    not (FOLDER / "INDEX.csv").exists(), reason="third-party records (../shared/records) are not here"
-)
+pytestmark = needs_real_records
 
 TWICE = {  # file: where its step or rate stands; another place says it again
     "knet/AOM0041801241951.EW": r"Sampling Freq\(Hz\) (\d+)",
@@ -43,7 +40,7 @@ NUMBERS = re.compile(r"[\s0-9.eE+-]+")
 
 
 def text_of(name: str) -> str:
-    return (FOLDER / name).read_bytes().decode("latin-1")
+    return (REAL_RECORDS / name).read_bytes().decode("latin-1")
 
 
 def mutated(folder: Path, name: str, text: str) -> tuple[Record, ...]:
@@ -97,7 +94,7 @@ def test_lines_that_lost_bytes_are_refused_or_doubted(tmp_path: Path, name: str)
 def test_no_digit_of_a_header_changes_step_size_peak_or_direction_unsaid(tmp_path: Path, name: str) -> None:
     """To a thousandth: a step that differs by less is within the rounding of what repeats it."""
     text, chance = text_of(name), random.Random(name)
-    whole = read_records(FOLDER / name)
+    whole = read_records(REAL_RECORDS / name)
     end = re.search(r"(?:^[-+ 0-9.eE\r]+\n){30}", text, re.MULTILINE)  # where samples begin
     assert end is not None
     digits = [i for i in range(end.start()) if text[i].isdigit()]

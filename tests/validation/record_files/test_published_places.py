@@ -8,17 +8,13 @@ part of the project.
 
 from dataclasses import dataclass
 from math import degrees
-from pathlib import Path
 
 import pytest
 
 from records.reading import read_records
+from tests.support.places import REAL_RECORDS, needs_real_records
 
-FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
-
-pytestmark = pytest.mark.skipif(
-    not (FOLDER / "INDEX.csv").exists(), reason="third-party records (../shared/records) are not here"
-)
+pytestmark = needs_real_records
 
 
 @dataclass(frozen=True)
@@ -51,7 +47,7 @@ PUBLISHED = {
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_a_file_says_what_is_published_of_it(name: str) -> None:
     published = PUBLISHED[name]
-    found = read_records(FOLDER / name)
+    found = read_records(REAL_RECORDS / name)
     for record, azimuth in zip(found, published.azimuths, strict=True):
         assert record.earthquake.time == published.origin
         assert (record.earthquake.latitude, record.earthquake.longitude) == pytest.approx(published.epicentre, abs=2e-5)
@@ -63,6 +59,6 @@ def test_a_file_says_what_is_published_of_it(name: str) -> None:
 
 def test_western_longitudes_are_negative() -> None:
     """The Alaska network's BMR, Bremner River: 60.9677 N, 144.6051 W by the file's text and its numbers alike."""
-    (record,) = read_records(FOLDER / "cosmos" / "us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c")
+    (record,) = read_records(REAL_RECORDS / "cosmos" / "us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c")
     assert (record.site.latitude, record.site.longitude) == pytest.approx((60.9677, -144.6051), abs=1e-4)
     assert record.warnings == ()

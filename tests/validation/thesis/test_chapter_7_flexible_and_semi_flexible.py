@@ -8,7 +8,6 @@ peaks of free rocking are even the same: they follow from energy and restitution
 from __future__ import annotations
 
 from math import atan2
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,9 +15,7 @@ from chapter_7 import MODELS, RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES
 
 from assess.dynamics.history import free_rocking
 from records.reading import read_records
-
-FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records" / "peer_at2"
-
+from tests.support.places import PEER, needs_real_records
 
 # ------------------------------------------------------------------------------------------------------- free rocking
 
@@ -82,10 +79,10 @@ def test_histories_of_frames_by_their_statistics(even):
     assert over[1].sum() == pytest.approx(over[0].sum(), rel=0.2)
 
 
-@pytest.mark.skipif(not FOLDER.exists(), reason="third-party records (../shared/records) are not here")
+@needs_real_records
 @pytest.mark.parametrize("even", [True, False])
 def test_histories_of_frames_under_loma_prieta(even):
-    motions = [record for path in sorted(FOLDER.glob("*LOMAP*")) for record in read_records(path)]
+    motions = [record for path in sorted(PEER.glob("*LOMAP*")) for record in read_records(path)]
     assert len(motions) == 8
     ratio, over = suites(motions, [1.25, -1.25], even=even)  # the thesis' factor
     both = ~over.any(axis=0) & (ratio > 0.02).all(axis=0)

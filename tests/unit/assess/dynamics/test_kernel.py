@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,8 +21,7 @@ from assess.dynamics.history import Jobs, Peaks, peaks
 from assess.dynamics.kernel.events import REST
 from assess.oscillator import Branch, Oscillator, interpolant
 from records.record import Record, make_record
-
-PEER = Path(__file__).parents[4].parent / "shared" / "records" / "peer_at2"
+from tests.support.places import PEER, needs_real_records
 
 
 def branch(p: float, alpha: float, restitution: float) -> Branch:
@@ -231,7 +229,7 @@ def test_linearised_equation_is_that_of_dop853(case: str) -> None:
     )
 
 
-@pytest.mark.skipif(not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there")
+@needs_real_records
 @pytest.mark.parametrize("scale", [1.0, -1.0])
 def test_exact_equation_under_a_real_record(scale: float) -> None:
     text = (PEER / "A-ELC180.AT2").read_text().splitlines()

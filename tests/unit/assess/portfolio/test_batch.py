@@ -19,9 +19,9 @@ from assess.portfolio.executors import processes
 from assess.portfolio.ledger import open_ledger
 from assess.portfolio.shard import Shard
 from assess.results.program import describe_program
+from tests.support.places import SOURCES
 from tests.support.portfolios import assess, table, task
 
-ROOT = Path(__file__).parents[4]
 HOSTILE = ("../../up", "a\0b", "=cmd()", "CON", "Wall", "wall", "x" * 3000, "é", "\ud800", "'; DROP TABLE rows; --", "")
 
 
@@ -179,7 +179,7 @@ def test_a_project_that_ends_its_process_is_a_row_and_the_others_are_done(tmp_pa
 
 def start(place: Path, number: int, seconds: float) -> subprocess.Popen[bytes]:
     command = [sys.executable, "-m", "tests.support.portfolios", str(place), str(number), str(seconds)]
-    return subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)})
+    return subprocess.Popen(command, cwd=SOURCES, env={**os.environ, "PYTHONPATH": str(SOURCES)})
 
 
 @pytest.mark.parametrize("after", [1, 7, 19])

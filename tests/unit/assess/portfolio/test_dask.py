@@ -17,10 +17,10 @@ from assess.errors import AssessError
 from assess.portfolio.batch import Order
 from assess.portfolio.executors import dask
 from assess.portfolio.projects import Task
+from tests.support.places import SOURCES
 from tests.support.portfolios import assess, table, task
 
 pytest.importorskip("distributed")
-ROOT = Path(__file__).parents[4]
 
 
 @contextmanager
@@ -30,11 +30,11 @@ def cluster(folder: Path, *, workers: int = 2, allowed_failures: int = 3) -> Ite
     where = ["--scheduler-file", str(file), "--no-dashboard"]
     one = ["--nthreads", "1", "--no-nanny", "--local-directory", str(folder)]
     commands = [["dask_scheduler", "--host", "127.0.0.1", "--port", "0"], *[["dask_worker", *one]] * workers]
-    told = {"DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": str(allowed_failures), "PYTHONPATH": str(ROOT)}
+    told = {"DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": str(allowed_failures), "PYTHONPATH": str(SOURCES)}
     with ExitStack() as ended, (folder / "log").open("wb") as log:
         for name, *options in commands:
             command = [sys.executable, "-m", f"distributed.cli.{name}", *options, *where]
-            process = subprocess.Popen(command, env={**os.environ, **told}, cwd=ROOT, stdout=log, stderr=log)
+            process = subprocess.Popen(command, env={**os.environ, **told}, cwd=SOURCES, stdout=log, stderr=log)
             ended.callback(process.wait)
             ended.callback(process.kill)
         yield _address(file)

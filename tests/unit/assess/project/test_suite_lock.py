@@ -23,9 +23,9 @@ from reports.chapters import annex_suite
 from reports.chapters.suite import sentences
 from tests.support.command import ended
 from tests.support.letters import letters
+from tests.support.places import PEER, needs_real_records
 from tests.support.projects import ASCE7, Table, published, study_of, tables_toml
 
-PEER = Path(__file__).resolve().parents[5] / "shared" / "records" / "peer_at2"
 SELECT = 'files = ["motions/*.AT2"]\nselect = { count = 3, scale_limits = [0.001, 1000.0] }\nfactor = 1.1'
 LOCKED = f'lock = "{NAME}"\n{SELECT}'
 SLOW, QUICK, SLUGGISH = published(), published(3.36, 0.34, 0.62), published(0.9, 0.14, 9.0)
@@ -272,7 +272,7 @@ def test_the_command_makes_a_suite_for_a_code(folder: Path, capsys: pytest.Captu
     assert "--for needs --target" in capsys.readouterr().err
 
 
-@pytest.mark.skipif(not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there")
+@needs_real_records
 def test_a_suite_made_for_ntc_2018_has_no_fault_at_the_limit_state_that_decides(tmp_path: Path) -> None:
     """SLC decides, whose PGA and periods are not those of the site's own SLV."""
     hazard = [

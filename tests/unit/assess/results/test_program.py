@@ -14,8 +14,7 @@ import pytest
 from assess.results import Input
 from assess.results.program import PACKAGES, describe_program, licence_of, origin_of, package_folder, sources_digest
 from assess.results.stamp import stamp, this_program
-
-ROOT = Path(__file__).resolve().parents[4]
+from tests.support.places import ROOT, SOURCES
 
 
 def about(**fields: str) -> Message:
@@ -32,8 +31,8 @@ def test_the_program_is_this_one() -> None:
     assert found.licence == "MIT"
     assert (ROOT / "LICENSE").read_text().startswith(f"{found.licence} License")
     assert found.origin == origin_of(metadata("rocking-assess")) != ""
-    assert package_folder() == ROOT
-    assert found.sha256 == sources_digest(ROOT)
+    assert package_folder() == SOURCES
+    assert found.sha256 == sources_digest(SOURCES)
 
 
 def test_the_origin_is_the_author_and_the_sources_or_else_the_project() -> None:
@@ -64,11 +63,11 @@ def test_the_digest_changes_with_any_source_and_nothing_else(tmp_path: Path) -> 
 
 def test_the_digest_of_this_program_takes_little_time() -> None:
     """30 ms on an idle machine; five tries, as other tests run beside it."""
-    sources_digest(ROOT)
+    sources_digest(SOURCES)
     taken = []
     for _ in range(5):
         start = time.perf_counter()
-        sources_digest(ROOT)
+        sources_digest(SOURCES)
         taken.append(time.perf_counter() - start)
     assert min(taken) < 0.1
 

@@ -14,8 +14,9 @@ from scipy.stats import norm
 
 from assess.dynamics.history import Jobs, make_solver
 from assess.errors import ProjectError
-from assess.results.fragility import FragilityCurve, FragilityResults, HazardResult
+from assess.results.fragility import FragilityCurve, FragilityResults, HazardResult, MechanismFragility, RiskResult
 from assess.results.json import dumps_fragility, loads_fragility
+from assess.risk.empirical import Empirical
 from assess.study.fragility.fragility import run_fragility
 from assess.study.fragility.measures import measure
 from assess.study.fragility.question import FragilityQuestion
@@ -132,6 +133,16 @@ def test_a_block_rocks_at_its_uplift_acceleration(pulses: FragilityResults) -> N
 
 NOISES = tuple(noise(seed, npts=700, bell=1.0) for seed in range(12))
 ONE_SIDED = published(2.0, 0.15, sides="one", restitution=0.4)
+
+
+class Epistemic(dict[str, float]):
+    """Dispersions by name that a cache can tell apart."""
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(tuple(self.items()))
+
+
+SMALL = Epistemic({"model": 0.01})
 
 
 @cache
@@ -256,8 +267,107 @@ def test_epistemic_dispersion_stays_apart(folder: Path) -> None:
     assert found.curves == plain.curves
     for one, other in zip(found.risks, plain.risks, strict=True):
         assert one.annual_rate == other.annual_rate
-        if one.curve != "empirical":
-            assert one.with_epistemic == pytest.approx(one.annual_rate * exp(0.5 * (2.0 * 0.5) ** 2), rel=1e-3)
+        assert one.with_epistemic == pytest.approx(one.annual_rate * exp(0.5 * (2.0 * 0.5) ** 2), rel=1e-3)
+        assert other.with_epistemic is None
+
+
+def overturning(found: MechanismFragility, curve: str = "empirical") -> RiskResult:
+    """The rate of overturning by one curve."""
+    (risk,) = (each for each in found.risks if (each.state.name, each.curve) == ("overturning", curve))
+    return risk
+
+
+POWER_LAW = np.geomspace(1e-3, 50.0, 300)
+
+
+@pytest.mark.parametrize(("method", "factor", "name"), [("ida", 1.0, "empirical"), ("cloud", 0.8, "lognormal")])
+def test_a_target_is_compared_with_the_rate_that_has_the_epistemic_dispersion(
+    folder: Path, method: str, factor: float, name: str
+) -> None:
+    """On k_0 im^-2 the dispersion of 0.5 multiplies a rate by exp(0.5): a target between the two is not met."""
+    at = POWER_LAW
+    plain = noise_results(folder, method=method, factor=factor).mechanisms[0]
+    used = next(each.measure for each in plain.curves if each.state.name == "overturning" and each.lognormal)
+    hazard = HazardResult(used, "rows", tuple(at), tuple(1e-4 * at**-2.0))
+    asked = {"method": method, "factor": factor, "hazard": hazard}
+    known, open_ = Epistemic({"model": 0.5}), Epistemic()
+    bare = overturning(noise_results(folder, **asked).mechanisms[0], name).annual_rate
+    for target, epistemic, outcome, gap in (
+        (1.3 * bare, known, "fail", "epistemic"),
+        (1.3 * bare, open_, "incomplete", "epistemic"),
+        (100.0 * bare, known, "pass", None),
+        (100.0 * bare, open_, "incomplete", "epistemic"),
+        (0.9 * bare, open_, "fail", None),
+        (100.0 * bare, Epistemic({"model": 0.0}), "pass", None),
+    ):
+        found = noise_results(folder, target_rate=target, epistemic=epistemic, **asked)
+        risk = overturning(found.mechanisms[0], name)
+        assert risk.annual_rate == pytest.approx(bare)
+        assert risk.outcome == outcome
+        assert gap is None or risk.gap == gap
+        told = {note.key for note in (*found.warnings, *risk.notes)}
+        assert ("fragility-no-epistemic" in told) == (epistemic == {})
+        assert ("fragility-epistemic-above" in told) == (outcome == "fail" and epistemic != {})
+
+
+def test_the_widened_curve_has_its_own_bounds_of_what_was_not_run(folder: Path) -> None:
+    """Nothing overturns up to 0.2 g: every stronger motion might, and by the factor some of the weaker ones too."""
+    at = POWER_LAW
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
+    rate = 1e-6 * 0.2**-2.0  # of motions stronger than any run
+    asked = {"hazard": hazard, "largest": 0.2, "samples": 5, "epistemic": Epistemic({"model": 0.5})}
+    for factor, gap in ((1.5, "runs"), (2.0, None)):
+        risk = overturning(noise_results(folder, target_rate=factor * rate, **asked).mechanisms[0])
+        assert (risk.annual_rate, risk.with_epistemic) == (0.0, 0.0)
+        assert risk.above_runs == pytest.approx(rate, rel=1e-3)
+        assert risk.above_runs_with_epistemic == pytest.approx(rate * exp(0.5 * (2.0 * 0.5) ** 2), rel=1e-3)
+        assert risk.gap == gap
+
+
+def test_motions_weaker_than_the_weakest_record_of_a_cloud_are_told(folder: Path) -> None:
+    """The share of the rate that rests on the tail of the curve below every record, of a hazard of weak motions."""
+    plain = cloud_of(folder, 0.8)
+    one = next(each for each in plain.curves if each.state.name == "overturning" and each.lognormal is not None)
+    weakest = min(run.intensity[plain.measures.index(one.measure)] for run in plain.runs)
+    assert one.least_run == pytest.approx(weakest)
+    beta = one.lognormal.dispersion
+    z = np.log(weakest / one.lognormal.median) / beta
+    for k, start in ((1.0, 1e-6), (3.0, 1e-6), (1.0, 1.0)):
+        at = np.geomspace(start * weakest, 1e6 * weakest, 200)
+        hazard = HazardResult(one.measure, "rows", tuple(at), tuple(1e-4 * (at / weakest) ** -k))
+        (risk,) = (each for each in cloud_of(folder, 0.8, hazard).risks if each.state.name == "overturning")
+        share = norm.cdf(z + k * beta) - norm.cdf(z) * exp(-k * beta * (z + 0.5 * k * beta))  # by parts
+        found = [note for note in risk.notes if note.key == "fragility-cloud-starts"]
+        assert share > 0.05
+        assert [each.values["share"].value for each in found] == (
+            [] if start == 1.0 else [pytest.approx(share, rel=1e-3)]
+        )
+
+
+def test_the_ends_of_a_cloud_are_in_the_unit_of_each_measure(folder: Path) -> None:
+    """PGA/(g tan alpha) is PGA by a factor: its curve is that of PGA, and so are its weakest and strongest record."""
+    found = cloud_of(folder, 0.8)
+    for each in found.curves:
+        units = [run.intensity[found.measures.index(each.measure)] for run in found.runs]
+        assert (each.least_run, each.largest_run) == (pytest.approx(min(units)), pytest.approx(max(units)))
+
+
+def test_weak_motions_below_the_hazard_count_for_the_widened_curve(folder: Path) -> None:
+    """The hazard begins where the counted curve is zero and the widened one is not: what it lacks is a bound."""
+    plain = curve(noise_results(folder)).empirical
+    first = next(point.intensity for point in plain if point.share > 0.0)
+    at = np.geomspace(0.8 * first, 100.0 * first, 100)
+    hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-4 * (at / first) ** -2.0))
+    asked = {"hazard": hazard, "epistemic": Epistemic({"model": 0.6})}
+    risk = overturning(noise_results(folder, **asked).mechanisms[0])
+    shares = Empirical(np.array([each.intensity for each in plain]), np.array([each.share for each in plain]))
+    below = quad(lambda u: float(shares.convolve(0.6).probability(first * np.exp(u))) * 2e-4 * np.exp(-2.0 * u),
+                 np.log(0.8) - 20.0, np.log(0.8), epsrel=1e-10, limit=400)[0]  # fmt: skip
+    assert risk.below_with_epistemic == pytest.approx(below, rel=1e-3)
+    assert risk.below_with_epistemic > 10.0 * risk.below
+    target = risk.with_epistemic + 0.5 * below
+    risk = overturning(noise_results(folder, target_rate=target, **asked).mechanisms[0])
+    assert (risk.outcome, risk.gap) == ("incomplete", "hazard")
 
 
 def test_no_confidence_factor_enters(folder: Path) -> None:
@@ -332,7 +442,8 @@ def test_a_target_is_met_only_with_what_the_hazard_leaves_out(folder: Path) -> N
     hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
     for target, outcome in ((5e-5, "incomplete"), (2e-3, "pass"), (1e-30, "fail"), (None, None)):
         (risk,) = (
-            each for each in noise_results(folder, hazard=hazard, target_rate=target).mechanisms[0].risks
+            each
+            for each in noise_results(folder, hazard=hazard, target_rate=target, epistemic=SMALL).mechanisms[0].risks
             if (each.state.name, each.curve) == ("overturning", "lognormal")
         )  # fmt: skip
         assert risk.beyond == pytest.approx(1e-4)
@@ -345,7 +456,9 @@ def test_motions_stronger_than_any_run_keep_a_target_open(folder: Path) -> None:
     hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
     for factor, outcome, gap in ((0.5, "incomplete", "runs"), (2.0, "pass", None)):
         target = factor * 1e-6 * 0.2**-2.0  # of the rate with which the largest intensity run is exceeded
-        found = noise_results(folder, hazard=hazard, target_rate=target, largest=0.2, samples=5).mechanisms[0]
+        found = noise_results(
+            folder, hazard=hazard, target_rate=target, largest=0.2, samples=5, epistemic=SMALL
+        ).mechanisms[0]
         (risk,) = (each for each in found.risks if (each.state.name, each.curve) == ("overturning", "empirical"))
         assert risk.annual_rate == 0.0
         assert risk.above_runs == pytest.approx(1e-6 * (0.2**-2.0 - 50.0**-2.0), rel=1e-5)
@@ -373,7 +486,8 @@ def test_the_motion_of_the_ground_meets_no_target_upstairs(folder: Path, amplifi
     )  # fmt: skip
     at = np.geomspace(1e-3, 50.0, 300)
     hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-6 * at**-2.0))
-    asked = FragilityQuestion(samples=5, draws=100, hazard=hazard, target_rate=0.5, largest_factor=100.0)
+    asked = FragilityQuestion(samples=5, draws=100, hazard=hazard, target_rate=0.5, largest_factor=100.0,
+                              epistemic=SMALL)  # fmt: skip
     study = replace(study_of(folder, text), records=NOISES, artificial=None, fragility=asked)
     found = run_fragility(study, jobs=1).mechanisms[0]
     (risk,) = (each for each in found.risks if (each.state.name, each.curve) == ("overturning", "empirical"))

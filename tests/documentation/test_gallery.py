@@ -1,0 +1,68 @@
+"""The gallery shows every value of a case beside ours, draws it, and runs a case again only where something changed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from assess.verification.read import read_cases
+from assess.verification.verify import compare_case
+from docs.ext import gallery
+from docs.ext.case_figures import difference_share, draw_agreement
+from docs.ext.case_pages import Shown, case_page, number
+
+FREE_ROCKING = next(each for each in read_cases() if each.key == "housner_1963/free_rocking")
+TREE = {"period_p": {"0.1": 1.868581, "0.5": 5.267832, "0.9": 12.5}}
+
+
+@pytest.fixture
+def result():
+    return compare_case(FREE_ROCKING, TREE)
+
+
+def test_a_page_has_source_values_tolerance_and_file(result):
+    page = case_page(FREE_ROCKING, result, [Shown("a.svg", "A figure", half=False)])
+    assert "Housner, G. W. (1963)" in page
+    assert "| 0.1 | 1.868581 | 1.868581 | 0 | 1.9e−06 | pass |" in page
+    assert "| 0.9 | 11.97289 | 12.5 | 0.53 | 1.2e−05 | **fail** |" in page
+    assert "![A figure](a.svg)" in page
+    assert "seven digits of the closed form" in page
+    assert 'solver = "free-rocking"' in page
+
+
+def test_the_figure_has_every_value(result):
+    over, within = draw_agreement(result).axes
+    points = [line.get_xydata()[0] for line in over.lines if line.get_marker() == "o"]
+    assert sorted(map(tuple, points)) == [(1.868581, 1.868581), (5.267832, 5.267832), (11.972892, 12.5)]
+    shares = [line.get_xdata()[0] for line in within.lines if line.get_marker() == "o"]
+    assert sorted(shares) == [0.0, 0.0, 1.5]
+
+
+def test_a_difference_is_told_in_tolerances(result):
+    (quantity,) = result.quantities
+    assert difference_share(quantity, quantity.values[2]) == pytest.approx((12.5 - 11.972892) / 11.972892e-6)
+
+
+def test_a_case_runs_again_only_when_something_changed(monkeypatch, tmp_path):
+    runs: list[str] = []
+    monkeypatch.setattr(gallery, "KEPT", tmp_path)
+    monkeypatch.setattr(gallery, "solve_case", lambda file: runs.append(file.key) or TREE)
+    folder = gallery.keep_case(FREE_ROCKING)
+    assert gallery.keep_case(FREE_ROCKING) == folder
+    assert runs == [FREE_ROCKING.key]
+    monkeypatch.setattr(gallery, "_program", lambda: "another")
+    assert gallery.keep_case(FREE_ROCKING) != folder
+    assert len(runs) == 2
+
+
+def test_files_of_a_case_are_its_page_its_figures_and_its_row(monkeypatch, tmp_path: Path):
+    monkeypatch.setattr(gallery, "KEPT", tmp_path)
+    monkeypatch.setattr(gallery, "solve_case", lambda file: TREE)
+    names = {path.name for path in gallery.keep_case(FREE_ROCKING).iterdir()}
+    page = gallery.page_name(FREE_ROCKING)
+    assert names == {f"{page}.md", f"{page}-agreement.svg", "row.txt"}
+
+
+def test_numbers_are_written_with_a_minus():
+    assert (number(-0.00012, digits=2), number(None)) == ("−0.00012", "–")

@@ -29,7 +29,7 @@ class Covering:
     """The measurement in a folder."""
 
     def __init__(self, folder: Path) -> None:
-        self.folder, self.data = folder, CoverageData(str(folder / "coverage.db"))
+        self.folder, self.file = folder, folder / "coverage.db"
         self.seconds_file, self.hashes_file = folder / "seconds.json", folder / "hashes.json"
 
     # ------------------------------------------------------------------------------------------------------- measuring
@@ -51,9 +51,7 @@ class Covering:
 
     def _settings(self) -> Path:
         path = self.folder / "coveragerc"
-        path.write_text(
-            f"[run]\nrelative_files = true\nsource = {','.join(SOURCES)}\ndata_file = {self.data.data_filename()}\n"
-        )
+        path.write_text(f"[run]\nrelative_files = true\nsource = {','.join(SOURCES)}\ndata_file = {self.file}\n")
         return path
 
     def _sources(self) -> dict[str, str]:
@@ -81,7 +79,7 @@ class Covering:
 
     def _tests(self, site: Site) -> set[str]:
         if is_kernel(site.path):
-            return self._of_kernel()
+            return self._of_kernel(site.path)
         lines = self._lines(site.path)
         if site.function and self._unchanged(site.path):
             found = {test for line in range(site.statement[0], site.statement[1] + 1) for test in lines.get(line, ())}
@@ -92,9 +90,9 @@ class Covering:
     def _of_file(self, path: str) -> set[str]:
         return {test for tests in self._lines(path).values() for test in tests}
 
-    def _of_kernel(self) -> set[str]:
+    def _of_kernel(self, kernel: str) -> set[str]:
         found = set[str]()
-        for path in importers("kernel"):
+        for path in importers(f"{kernel.partition('kernel')[0]}kernel"):
             text = (ROOT / path).read_text(encoding="utf-8")
             names = re.findall(r"^from \S*kernel\S* import (?:\(([^)]*)\)|(.*))$", text, re.MULTILINE)
             words = {name.split(" as ")[-1].strip() for pair in names for part in pair for name in part.split(",")} - {
@@ -106,13 +104,14 @@ class Covering:
                     found |= tests
         return found
 
+    @cached_property
+    def _data(self) -> CoverageData:
+        data = CoverageData(str(self.file))
+        data.read()
+        return data
+
     def _lines(self, path: str) -> dict[int, set[str]]:
-        measured = next(
-            (each for each in self.data.measured_files() if each == path or each.endswith(f"/{path}")), None
-        )
-        if measured is None:
-            return {}
-        by_line = self.data.contexts_by_lineno(measured)
+        by_line = self._data.contexts_by_lineno(path)
         return {line: {each.split("|")[0] for each in contexts if each} for line, contexts in by_line.items()}
 
     def _unchanged(self, path: str) -> bool:
@@ -125,12 +124,8 @@ def is_kernel(path: str) -> bool:
 
 
 def importers(path: str) -> Iterator[str]:
-    """The files that import another, or with "kernel" any kernel."""
-    module = (
-        r"\S*\bkernel\S*"
-        if path == "kernel"
-        else re.escape(path.removesuffix(".py").removesuffix("/__init__").replace("/", "."))
-    )
+    """The files that import a file, or anything of a folder, but kernels."""
+    module = re.escape(path.removesuffix(".py").removesuffix("/__init__").replace("/", "."))
     pattern = re.compile(rf"^\s*(from|import) {module}\b", re.MULTILINE)
     for source in (each for folder in SOURCES for each in sorted((ROOT / folder).rglob("*.py"))):
         name = source.relative_to(ROOT).as_posix()

@@ -8,7 +8,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -32,9 +32,13 @@ def main() -> int:
     ]
     if asked.again:
         drawn = [each for each in drawn if _name(each) in _survivors(asked.seed)]
-    trials = list(_trials(drawn, covering, processes=asked.processes))
-    minutes = (time.monotonic() - started) / 60
-    FOLDER.joinpath("report.md").write_text(report(trials, seed=asked.seed, minutes=minutes), encoding="utf-8")
+    trials, minutes = list[Trial](), 0.0
+    for trial in _trials(
+        drawn, covering, processes=asked.processes
+    ):  # the report of a run that is interrupted is of use
+        trials.append(trial)
+        minutes = (time.monotonic() - started) / 60
+        FOLDER.joinpath("report.md").write_text(report(trials, seed=asked.seed, minutes=minutes), encoding="utf-8")
     counts = Counter(map(outcome, trials))
     left = [_name(trial.mutant) for trial in trials if outcome(trial) == "survived"]
     FOLDER.joinpath(f"survivors-{asked.seed}.json").write_text(json.dumps(left))
@@ -56,7 +60,8 @@ def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) ->
             trees.put(tree)
 
     with ThreadPoolExecutor(processes) as pool:
-        for number, trial in enumerate(pool.map(one, mutants), 1):
+        tried = as_completed([pool.submit(one, mutant) for mutant in mutants])
+        for number, trial in enumerate((each.result() for each in tried), 1):
             site = trial.mutant.site
             where = f"{site.path}:{site.place[0][0]} {trial.mutant.operator}"
             sys.stdout.write(

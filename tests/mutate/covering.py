@@ -1,8 +1,9 @@
 """Which tests reach a line, and how long each takes: measured once, and again for test files that have changed.
 
-Two things are not seen by measuring. Compiled kernels leave no trace, so that the tests of a kernel are those of the
+Three things are not seen by measuring. Compiled kernels leave no trace, so that the tests of a kernel are those of the
 lines that name what other files import from it. What is run when a file is imported belongs to no test, so that the
-tests of a table or a default are those of its whole file, or of the files that import it.
+tests of a table or a default are those of its whole file, or of the files that import it. What a test has cached is
+not run again by the next, so that with a test go those of its file, and of the files that share a cache with it.
 """
 
 from __future__ import annotations
@@ -73,9 +74,24 @@ class Covering:
         return {name: float(taken) for name, taken in known.items() if (ROOT / name.split("::")[0]).exists()}
 
     def tests(self, site: Site) -> list[str]:
-        """The tests that reach a place, those that are named like its file first, then the quickest."""
-        found = self._tests(site)
-        return sorted(found & set(self.seconds), key=lambda test: (-likeness(test, site.path), self.seconds[test]))
+        """The tests that reach a place, by name and then by time; then those with which they share caches."""
+        reached = self._tests(site) & set(self.seconds)
+        files = {shared for test in reached for shared in self._sharing(test.split("::")[0])}
+        beside = {test for test in self.seconds if test.split("::")[0] in files} - reached
+        by_time = self.seconds.__getitem__
+        named = sorted(reached, key=lambda test: (-likeness(test, site.path), by_time(test)))
+        return [*named, *sorted(beside, key=by_time)]
+
+    @cached_property
+    def _caches(self) -> dict[str, set[str]]:
+        """The test files that import each module of tests/support that caches what it makes."""
+        kept = [path.stem for path in (ROOT / "tests/support").glob("*.py") if "@cache" in path.read_text()]
+        texts = {test.split("::")[0]: "" for test in self.seconds}
+        texts = {path: (ROOT / path).read_text(encoding="utf-8") for path in texts}
+        return {name: {path for path, text in texts.items() if f"tests.support.{name} " in text} for name in kept}
+
+    def _sharing(self, file: str) -> set[str]:
+        return {file}.union(*(files for files in self._caches.values() if file in files))
 
     def _tests(self, site: Site) -> set[str]:
         if is_kernel(site.path):

@@ -51,7 +51,7 @@ def try_mutant(mutant: Mutant, covering: Covering, tree: Path) -> Trial:
     if not tests:
         return Trial(mutant, UNREACHED, "no test reaches it", 0.0)
     first = _within(tests, covering, FIRST)
-    rest = _within(sorted(tests[len(first) :], key=covering.seconds.__getitem__), covering, ALL)
+    rest = _within(tests[len(first) :], covering, ALL)
     outcome = by = ""
     with _Mutated(mutant, tree) as cache:
         for part in filter(None, (first, rest)):

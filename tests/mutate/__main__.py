@@ -16,7 +16,7 @@ from tests.mutate.covering import Covering
 from tests.mutate.mutant import Mutant, draw
 from tests.mutate.report import outcome, report, score, table
 from tests.mutate.site import ROOT
-from tests.mutate.trial import Trial, copy_tree, try_mutant
+from tests.mutate.trial import Trial, collect, copy_tree, try_mutant
 
 FOLDER = ROOT / "build/mutate"
 
@@ -48,9 +48,11 @@ def main() -> int:
 
 def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) -> Iterator[Trial]:
     """Try mutants, each process in its own copy of the tree, and say what became of each."""
+    copies = [copy_tree(FOLDER / f"tree-{number}") for number in range(processes)]
+    covering.collected = collect(copies[0])
     trees: SimpleQueue[Path] = SimpleQueue()
-    for number in range(processes):
-        trees.put(copy_tree(FOLDER / f"tree-{number}"))
+    for tree in copies:
+        trees.put(tree)
 
     def one(mutant: Mutant) -> Trial:
         tree = trees.get()

@@ -27,9 +27,10 @@ SOURCES = ("assess", "spectra", "records")
 
 
 class Covering:
-    """The measurement in a folder."""
+    """The measurement in a folder; collected: the tests that there are where mutants are tried."""
 
     def __init__(self, folder: Path) -> None:
+        self.collected = list[str]()
         self.folder, self.file = folder, folder / "coverage.db"
         self.seconds_file, self.hashes_file = folder / "seconds.json", folder / "hashes.json"
 
@@ -71,7 +72,7 @@ class Covering:
     def seconds(self) -> dict[str, float]:
         """Of each test that passed and whose file exists."""
         known = json.loads(self.seconds_file.read_text())
-        return {name: float(taken) for name, taken in known.items() if (ROOT / name.split("::")[0]).exists()}
+        return {name: float(known[name]) for name in self.collected if name in known}
 
     def tests(self, site: Site) -> list[str]:
         """The tests that reach a place, by name and then by time; then those with which they share caches."""
@@ -101,10 +102,19 @@ class Covering:
             found = {test for line in range(site.statement[0], site.statement[1] + 1) for test in lines.get(line, ())}
             if found:
                 return found
-        return self._of_file(site.path) or {test for path in importers(site.path) for test in self._of_file(path)}
+        return self._of_file(site.path) or self._of_importers(site.path)
 
     def _of_file(self, path: str) -> set[str]:
         return {test for tests in self._lines(path).values() for test in tests}
+
+    def _of_importers(self, path: str) -> set[str]:
+        """The tests of the files that import one without functions, directly or through others without functions."""
+        found, seen, now = set[str](), {path}, [path]
+        while now and not found:
+            now = [each for one in now for each in importers(one) if each not in seen]
+            seen |= set(now)
+            found = {test for each in now for test in self._of_file(each)}
+        return found
 
     def _of_kernel(self, kernel: str) -> set[str]:
         found = set[str]()
@@ -141,8 +151,9 @@ def is_kernel(path: str) -> bool:
 
 def importers(path: str) -> Iterator[str]:
     """The files that import a file, or anything of a folder, but kernels."""
-    module = re.escape(path.removesuffix(".py").removesuffix("/__init__").replace("/", "."))
-    pattern = re.compile(rf"^\s*(from|import) {module}\b", re.MULTILINE)
+    parent, _, name = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".").rpartition(".")
+    whole = rf"(from|import) {re.escape(parent)}\.{name}\b"
+    pattern = re.compile(rf"^\s*({whole}|from {re.escape(parent)} import (\([^)]*|.*)\b{name}\b)", re.MULTILINE)
     for source in (each for folder in SOURCES for each in sorted((ROOT / folder).rglob("*.py"))):
         name = source.relative_to(ROOT).as_posix()
         if not is_kernel(name) and pattern.search(source.read_text(encoding="utf-8")):

@@ -24,7 +24,7 @@ from assess.verification.case import CaseFile, Quantity
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
-NAMES = ("name", "id", "procedure")
+NAMES = ("name", "id", "procedure", "symbol", "record")
 """The keys by which an item of a list is found."""
 
 
@@ -104,13 +104,24 @@ def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") ->
     )  # fmt: skip
 
 
+def input_files(file: CaseFile) -> tuple[Path, ...]:
+    """Return the file of a case, and those that it is given beside it."""
+    return (file.path, *(file.path.parent / name for name in file.names))
+
+
 def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
     """Yield what a case reads beside its own file: a project with all that it names, or single files."""
-    if file.case.solver == "project":
+    if "inputs" in tree:
         folder = file.project_folder
-        yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree.get("inputs", ()))
+        yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree["inputs"])
         return
     yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
+    if "example" in file.case.given:
+        from assess.examples import EXAMPLES, source
+
+        name = file.case.given["example"]
+        project = EXAMPLES[name].file
+        yield Input(f"{file.project_folder}/{project}", _sha256(source(name) / project))
 
 
 def _sha256(path: Path) -> str:

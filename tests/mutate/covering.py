@@ -22,7 +22,7 @@ from coverage import CoverageData
 
 from tests.mutate.site import ROOT, Site
 
-SUITES = ("tests/unit", "tests/properties", "tests/validation", "tests/languages")
+SUITES = ("tests/unit", "tests/properties", "tests/validation", "tests/verification", "tests/languages")
 SOURCES = ("assess", "spectra", "records")
 
 

@@ -14,7 +14,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs docs-links same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -82,15 +82,21 @@ costs: dist                ## what each dependency weighs, as Markdown, in a fre
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
+	$(BIN)/python docs/images/guide.py
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 
 mutate: .venv/mutate       ## MUTANTS of physics and codes drawn by SEED, 95 % of them to be killed: docs/robustness.md
 	$(BIN)/python -m tests.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
 
-docs: .venv/docs           ## the manual in build/docs/html; a warning is an error, and nothing is read from the network
+docs: .venv/docs           ## the manual in build/docs/html: spelling first; a warning is an error, and nothing is read from the network
+	$(BIN)/codespell -D - -D docs/spelling.txt README.md CONTRIBUTING.md CHANGELOG.md docs assess spectra records reports
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d build/docs/pages -b html docs build/docs/html
 	@echo build/docs/html/index.html
+
+docs-links: docs           ## links of the manual: within it each leads somewhere; OUTSIDE=1 asks the network for the others
+	$(BIN)/python -m docs.ext.built_links build/docs/html
+	$(if $(OUTSIDE),$(BIN)/python -m sphinx -q -j 2 -d build/docs/pages -b linkcheck docs build/docs/outside)
 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
 	$(BIN)/python -m tests.same $(BASE)

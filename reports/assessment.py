@@ -10,6 +10,7 @@ from typing import Literal
 from assess.results import SCHEMA_VERSION, Results
 from assess.results.fragility import FragilityResults
 from assess.results.inputs import Resolved
+from assess.results.verification import VerificationResults
 from reports.chapters import (
     annex_envelopes,
     annex_histories,
@@ -32,6 +33,7 @@ from reports.chapters import (
     site,
     uncertainty,
     verdict,
+    verification,
 )
 from reports.document import Document, Section
 from reports.figures.building import building_of
@@ -128,6 +130,29 @@ def fragility_report(results: FragilityResults) -> Document:
         subject=say("Fragility of masonry by rocking dynamics"),
         sections=_numbered([*fragility.sections(results), *inputs]),
         data=tuple(fragility_data.tables(results)),
+    )
+
+
+def verification_report(results: VerificationResults, language: str | None = None) -> Document:
+    """Return the annex of `assess verify`: outcome, program, theory, every solved case, and what is not covered.
+
+    Parameters
+    ----------
+    results : of `assess verify`
+    language : in place of the project's
+    """
+    project = {**results.project}
+    run = Results(
+        SCHEMA_VERSION, results.program, results.inputs, (), project, None, (), (), None, (), (), report=results.report
+    )  # fmt: skip
+    named = bool(project_text(run, "title"))
+    return replace(
+        assessment(run),
+        title=front_matter.title(run) if named else say("Verification of the program by solved cases"),
+        subject=say("Verification of the program by solved cases (NTC 2018, 10.2)"),
+        sections=_numbered(verification.sections(results)),
+        data=(),
+        locale=locale_of(run, language),
     )
 
 

@@ -89,6 +89,24 @@ def write_document(
     return path
 
 
+def write_pages(document: Document, folder: Path, *, name: str, jobs: int = 0) -> Path:
+    """Write a document in its locale into `folder` as PDF and HTML alone; return the PDF.
+
+    Parameters
+    ----------
+    document : of any chapters
+    folder : to write into
+    name : of the PDF
+    jobs : processes to use, 0 for as many as there are cores; the files are the same
+    """
+    with processes(jobs or available_cores(), document) as submit:
+        drawings = trace_figures(document, submit)
+        path = write_pdf(document, folder / name, drawings=drawings)
+        pictures = {figure: picture(drawing.result()) for figure, drawing in drawings.items()}
+    write_html(document, path.with_suffix(".html"), pictures=pictures)
+    return path
+
+
 def _write_tables(document: Document, folder: Path) -> None:
     write_csv(document, folder / "tables")
     write_xlsx(document, folder / "tables.xlsx")

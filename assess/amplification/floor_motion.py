@@ -65,7 +65,7 @@ class Srss:
     """Thesis 3.48: first mode S_a h / h_e and ground by the square root of the sum of squares, at `height` [m].
 
     For pulses S_a is that of the pulse: so the envelopes that 8.3.1 scales are made, though its text says 3.47
-    (test_critical_walls_8_3_1). Known limits: S_a is (nearly) absolute, so the ground counts twice, sqrt(2) at h_e of
+    (test_walls_of_casa_grande). Known limits: S_a is (nearly) absolute, so the ground counts twice, sqrt(2) at h_e of
     a rigid structure, where 1 is right; the frequency content stays that of the ground.
     """
 

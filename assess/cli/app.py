@@ -19,6 +19,7 @@ from assess.cli.report import report
 from assess.cli.run import run
 from assess.cli.schema import schema
 from assess.cli.spectrum import spectrum
+from assess.cli.verify import verify
 
 app = typer.Typer(
     help="Seismic assessment of masonry walls: rocking dynamics and code checks, in a report to sign.",
@@ -32,7 +33,21 @@ app = typer.Typer(
         "default_map": {"help": False, "records": {"help": False}},
     },
 )
-for command in (new, check, run, batch, parameters, spectrum, envelope, fragility, geometry, report, diff, schema):
+for command in (
+    new,
+    check,
+    run,
+    batch,
+    parameters,
+    spectrum,
+    envelope,
+    fragility,
+    geometry,
+    report,
+    diff,
+    verify,
+    schema,
+):
     app.command()(command)
 app.add_typer(records, name="records")
 

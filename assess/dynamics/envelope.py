@@ -164,7 +164,13 @@ def polarities(oscillator: Oscillator) -> tuple[int, ...]:
 
 
 def uplift_acceleration(oscillator: Oscillator, equation: Equation) -> float:
-    """Return the acceleration at the base that starts rocking [m/s2]."""
+    """Return the acceleration at the base that starts rocking [m/s2].
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    equation : "exact" or "linearised"
+    """
     if equation == "linearised":
         return min(g * branch.linearised.multiplier for branch in oscillator.branches)
     return min(float(branch.restoring[0] / branch.excitation[0]) for branch in oscillator.branches)

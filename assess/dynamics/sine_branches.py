@@ -60,6 +60,11 @@ def impact_in_pulse(omega: float, restitution: float) -> tuple[float, ...]:
 
     (eta |y'_i| - 1 - A (sin theta_i + Omega cos theta_i) / (1 + Omega^2)) exp((2 pi - theta_i) / Omega)
     + A Omega / (1 + Omega^2) = 0, where theta_i is the phase of landing; and no second landing before the end.
+
+    Parameters
+    ----------
+    omega : Omega, 2 pi f_p over p [-]
+    restitution : eta, the same on both sides [-]
     """
     _check(omega, restitution)
 
@@ -79,6 +84,11 @@ def impact_after_pulse(omega: float, restitution: float) -> tuple[float, ...]:
 
     y'_e^2 - (1 - y_e)^2 = 1 / eta^2 - 1 at the end of the pulse, where the left side is -4 D+ D-; the body overturns
     where it exceeds the right side. Between `last_in_pulse` and `without_impact`.
+
+    Parameters
+    ----------
+    omega : Omega, 2 pi f_p over p [-]
+    restitution : eta, the same on both sides [-]
     """
     _check(omega, restitution)
 

@@ -19,6 +19,14 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "the body rocks before it slides, a case that A.1 does not cover",
     "ground-motion": "the ground motion is applied unamplified although the mechanism is above ground: "
     "unconservative where the building amplifies it",
+    # the annex of verification
+    "annex-other-sources": "the annex of verification {file} was made by other sources of the program than this run; "
+    "make it again with `assess verify`",
+    "annex-failures": "of the {cases} solved cases in the annex of verification {file}, {failures} fail; rely on no "
+    "result that they concern before the cause is known",
+    "annex-quick": "the annex of verification {file} has the quick cases only; make it again without --quick",
+    "annex-uncovered": "no solved case that passes in the annex of verification {file} exercises what this project "
+    "uses of: {uses}",
     # loads
     "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
     "displacements and histories; give {missing} (until: the displacement of its point of application at which it "

@@ -16,6 +16,7 @@ from assess.outputs.digest import digest
 
 MANIFEST = ".assess-manifest.json"
 RESULTS, ENVELOPES, FRAGILITY = "results.json", "envelopes.json", "fragility.json"
+VERIFICATION = "verification.json"
 RECORDS, PORTFOLIO = "records", "portfolio"
 """The sets of files, named after their results: each command replaces and removes files of its own set only."""
 REPORT = ("report.pdf", "report.html", "tables.xlsx")

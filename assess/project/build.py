@@ -39,8 +39,10 @@ from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_
 from assess.project.study_messages import project_messages
 from assess.project.survey import survey_of
 from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
+from assess.project.uses import uses_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
+from assess.project.verification import annex_messages, annex_of
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
@@ -91,14 +93,27 @@ def build_to_decide(project: Project) -> Study:
         return deciding_part_of(project)[0]
 
 
+def uses_of_project(project: Project) -> tuple[str, ...]:
+    """Return what a project uses of the program, in the words of `assess.results.uses`.
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : as `build`
+    """
+    with locate_errors(str(project.path)):
+        return uses_of(project.content, deciding_part_of(project)[0])
+
+
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     report = report_matter_of(content, project.folder)
     study, files, messages = deciding_part_of(project, executor=executor)
     spectrum, solids = files.spectrum, files.solids
+    annex = annex_of(project, uses_of(content, study))
     return replace(
         study,
+        annex=annex,
         inputs=tuple(inputs_of(project, files.named.records)),
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
@@ -109,6 +124,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
             *project_messages(content, solids, study),
             *messages,
+            *annex_messages(annex),
         ),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})

@@ -11,6 +11,7 @@ from assess.project.fragility import hazard_files
 from assess.project.locked_records import files_of_lock
 from assess.project.report_matter import picture_files
 from assess.project.schema import Project
+from assess.project.verification import annex_files
 from assess.results import Input
 from records.paths import relative_path
 from records.record import Record
@@ -24,7 +25,8 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
     used = record_files(content.records, [project.folder / record.path for record in records])
-    for path in dict.fromkeys([*bodies, *tables, *used, *hazard_files(content), *picture_files(content)]):
+    named = [*hazard_files(content), *picture_files(content), *annex_files(project)]
+    for path in dict.fromkeys([*bodies, *tables, *used, *named]):
         yield Input(relative_path(path, project.folder), file_sha256(path))
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from assess.errors import ResultsError
 from assess.results.fragility import FragilityResults
-from assess.results.json import REMEDY, loads, loads_fragility
+from assess.results.json import REMEDY, loads, loads_fragility, loads_verification
 from assess.results.run import Results
+from assess.results.verification import VerificationResults
 
 NAMES = ("results.json", "envelopes.json")
 """Files of results, as `assess run` and `assess envelope` write them."""
@@ -27,6 +28,11 @@ def read(path: Path) -> Results:
 def read_fragility(path: Path) -> FragilityResults:
     """Read the results of `assess fragility`, as `read` does those of `assess run`."""
     return loads_fragility(_text(path), source=str(path))
+
+
+def read_verification(path: Path) -> VerificationResults:
+    """Read the results of `assess verify`, as `read` does those of `assess run`."""
+    return loads_verification(_text(path), source=str(path))
 
 
 def _text(path: Path) -> str:

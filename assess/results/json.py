@@ -27,6 +27,7 @@ from assess.results import (
 )
 from assess.results.fragility import FRAGILITY_VERSION, FragilityResults
 from assess.results.shape import faults
+from assess.results.verification import VERIFICATION_VERSION, VerificationResults
 
 T = TypeVar("T")
 
@@ -45,6 +46,11 @@ def dumps(results: Results) -> str:
 def dumps_fragility(results: FragilityResults) -> str:
     """Return the text of fragility.json, as `dumps` does that of results.json."""
     return _lines(_normal(results, _fragility_type()))
+
+
+def dumps_verification(results: VerificationResults) -> str:
+    """Return the text of verification.json, as `dumps` does that of results.json."""
+    return _lines(_normal(results, _verification_type()))
 
 
 def _lines(plain: Mapping[str, Any]) -> str:
@@ -104,6 +110,17 @@ def loads_fragility(text: str, *, source: str = "results") -> FragilityResults:
     return _loads(text, source, FRAGILITY_TREE)
 
 
+def loads_verification(text: str, *, source: str = "results") -> VerificationResults:
+    """Return results from the text of verification.json, as `loads` does from that of results.json.
+
+    Parameters
+    ----------
+    text : of the file
+    source : its name, for errors
+    """
+    return _loads(text, source, VERIFICATION_TREE)
+
+
 def _loads(text: str, source: str, tree: Tree[T]) -> T:
     found = _validate_at_once(text, tree) or _validate_step_by_step(text, source, tree)
     if wrong := next(faults(found), None):
@@ -152,6 +169,11 @@ def _fragility_type() -> TypeAdapter[FragilityResults]:
     return TypeAdapter(FragilityResults)
 
 
+@cache
+def _verification_type() -> TypeAdapter[VerificationResults]:
+    return TypeAdapter(VerificationResults)
+
+
 @dataclass(frozen=True)
 class Tree(Generic[T]):
     """A tree of results: its type, its version, and what to do about a file that holds none."""
@@ -162,6 +184,9 @@ class Tree(Generic[T]):
 
 
 RESULTS_TREE = Tree(_results_type, SCHEMA_VERSION, REMEDY)
+VERIFICATION_TREE = Tree(
+    _verification_type, VERIFICATION_VERSION, "give a verification.json that `assess verify` wrote"
+)
 FRAGILITY_TREE = Tree(_fragility_type, FRAGILITY_VERSION, "give a fragility.json that `assess fragility` wrote")
 
 

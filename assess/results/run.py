@@ -17,6 +17,7 @@ from assess.results.sensitivity import SensitivityResult
 from assess.results.site import RecordResult, SpectrumResult
 from assess.results.sweeps import SweepResult
 from assess.results.uncertainty import UncertaintyResult
+from assess.results.verification import AnnexResult
 from assess.short_repr import ShortRepr
 
 SCHEMA_VERSION = 2
@@ -29,6 +30,7 @@ class Results(ShortRepr):
     project : maps each key, written with dots, to its resolved value
     stamp : of the inputs and the program, the same in every output of these results; "" in results of older versions
     uncertainty : None where the project gives no uncertain numbers, and in results of older versions
+    verification : the annex of verification that the run names; None where there is none
     """
 
     schema_version: int
@@ -49,3 +51,4 @@ class Results(ShortRepr):
     report: ReportMatter = NO_MATTER
     controls: tuple[Control, ...] = ()
     uncertainty: UncertaintyResult | None = None
+    verification: AnnexResult | None = None

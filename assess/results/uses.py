@@ -23,9 +23,10 @@ USES: Mapping[str, Term] = {
     # where a wall cracks, and what an impact leaves
     "crack sorrentino": Term("the height of the crack by the rule of Sorrentino"),
     "crack minimum": Term("the height of the crack of the least multiplier"),
-    "restitution thesis": Term("the restitution of the thesis for each kind of mechanism"),
-    "restitution housner": Term("Housner’s restitution"),
-    "restitution sorrentino": Term("Sorrentino’s restitution of a cracked wall"),
+    "restitution thesis": Term("the default restitution of each kind of mechanism"),
+    "restitution housner": Term("Housner’s restitution of one block (thesis 3.44)"),
+    "restitution sorrentino": Term("restitution about the new base hinge of a cracked wall (thesis 3.46)"),
+    "restitution one-sided": Term("rebound of one-sided rocking (thesis 3.45)"),
     "restitution momentum": Term("the restitution from the balance of momentum with all masses"),
     # joints
     "rigid": Term("rigid joints"),

@@ -5,17 +5,17 @@ Values stand in the unit of the source, as it prints them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 from functools import cached_property
 from statistics import median
-from typing import Any, ClassVar, Literal
+from typing import Literal
 
-from assess.results.inputs import Input, Program
+from assess.results.inputs import Input, Program, Resolved
+from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.short_repr import ShortRepr
 
 VERIFICATION_VERSION = 1
-STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
-"""How the tables of a case are read: no unknown key, no text for a number, no number that is not finite."""
 Standing = Literal["published", "derived", "own arithmetic"]
 """Where an expected value comes from: read in the source; from the formulas of the source, computed here another way;
 or arithmetic of our own that no source prints."""
@@ -32,7 +32,6 @@ class Source(ShortRepr):
     place : pages, tables, equations; where the values were read
     """
 
-    __pydantic_config__: ClassVar = STRICT
     citation: str
     standing: Standing
     place: str
@@ -47,7 +46,6 @@ class Tolerance(ShortRepr):
     reason : why so much, as a sentence
     """
 
-    __pydantic_config__: ClassVar = STRICT
     reason: str
     absolute: float = 0.0
     relative: float = 0.0
@@ -74,10 +72,28 @@ class ValueResult(ShortRepr):
     misprint: str = ""
 
     @property
+    def reference(self) -> float:
+        """What it is compared with: the reading of a misprint, else the expected value."""
+        return self.expected if self.reading is None else self.reading
+
+    @property
     def difference(self) -> float | None:
         """Found less what it is compared with, in the unit of the quantity."""
-        reference = self.expected if self.reading is None else self.reading
-        return None if self.found is None else self.found - reference
+        return None if self.found is None else self.found - self.reference
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Median and largest of differences [-], None where there are none."""
+
+    median: float | None
+    worst: float | None
+
+
+def spread_of(differences: Iterable[float]) -> Spread:
+    """Return the spread of differences."""
+    found = tuple(differences)
+    return Spread(median(found), max(found)) if found else Spread(None, None)
 
 
 @dataclass(frozen=True, repr=False)
@@ -88,6 +104,12 @@ class QuantityResult(ShortRepr):
     unit: str
     tolerance: Tolerance
     values: tuple[ValueResult, ...]
+
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """Difference of each value over what its tolerance allows [-]; without a tolerance there is none."""
+        allowed = ((each.difference, self.tolerance.around(each.reference)) for each in self.values)
+        return tuple(abs(difference) / most for difference, most in allowed if difference is not None and most > 0.0)
 
 
 @dataclass(frozen=True, repr=False)
@@ -114,8 +136,22 @@ class CaseResult(ShortRepr):
     @property
     def outcome(self) -> CaseOutcome:
         """Pass if it ran, and every value agrees, those held for misprints with their reading."""
-        values = [value for each in self.quantities for value in each.values]
-        return "fail" if self.fault or not values or any(each.outcome == "fail" for each in values) else "pass"
+        return "fail" if self.fault or not self.values or any(v.outcome == "fail" for v in self.values) else "pass"
+
+    @property
+    def values(self) -> tuple[ValueResult, ...]:
+        """The values of all its quantities."""
+        return tuple(value for each in self.quantities for value in each.values)
+
+    @property
+    def misprints(self) -> int:
+        """Number of printed values that are held for misprints."""
+        return sum(each.reading is not None for each in self.values)
+
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """Differences over what the tolerance of each allows [-]."""
+        return tuple(share for each in self.quantities for share in each.shares)
 
 
 @dataclass(frozen=True, repr=False)
@@ -131,39 +167,65 @@ class VerificationResults(ShortRepr):
     """The cases that were run, whole.
 
     quick : whether only the quick cases were
-    project : title of the project whose cases these are, "" for all; coverage : of what that project uses
+    coverage : what the project uses for which the cases were chosen; empty for all cases
+    inputs : that project file; project : its values that the report needs, by key; report : its front matter
     """
 
     schema_version: int
     program: Program
     quick: bool
     cases: tuple[CaseResult, ...]
-    project: str = ""
     coverage: tuple[Coverage, ...] = ()
+    inputs: tuple[Input, ...] = ()
+    project: dict[str, Resolved] = field(default_factory=dict)
+    report: ReportMatter = NO_MATTER
 
     @property
     def failures(self) -> tuple[CaseResult, ...]:
         """The cases that fail."""
         return tuple(each for each in self.cases if each.outcome == "fail")
 
+    @property
+    def passed_uses(self) -> frozenset[str]:
+        """What at least one case exercises that passes."""
+        return frozenset(word for each in self.cases if each.outcome == "pass" for word in each.uses)
+
+    @property
+    def quantities(self) -> tuple[QuantityResult, ...]:
+        """The quantities of all cases."""
+        return tuple(each for case in self.cases for each in case.quantities)
+
     @cached_property
-    def differences(self) -> tuple[float, ...]:
-        """Difference of each value over what its tolerance allows [-]; exact values are left out."""
-        return tuple(
-            abs(value.difference) / allowed
-            for case in self.cases
-            for each in case.quantities
+    def shares(self) -> Spread:
+        """Differences over what the tolerance of each allows [-]; values without a tolerance are left out."""
+        return spread_of(share for case in self.cases for share in case.shares)
+
+    @cached_property
+    def relative(self) -> Spread:
+        """Differences over the value with which each is compared [-]; zeros are left out."""
+        return spread_of(
+            abs(value.difference / value.reference)
+            for each in self.quantities
             for value in each.values
-            if value.difference is not None
-            and (allowed := each.tolerance.around(value.expected if value.reading is None else value.reading)) > 0
+            if value.difference is not None and value.reference != 0.0
         )
 
-    @property
-    def median_difference(self) -> float | None:
-        """Median of `differences` [-]; None if there are none."""
-        return median(self.differences) if self.differences else None
 
-    @property
-    def worst_difference(self) -> float | None:
-        """Largest of `differences` [-]; None if there are none."""
-        return max(self.differences, default=None)
+@dataclass(frozen=True, repr=False)
+class AnnexResult(ShortRepr):
+    """The annex of verification that a run names.
+
+    path : of verification.json, relative to the project file; sha256 : of it; pdf_sha256 : of the PDF beside it, "" if
+        there is none
+    program : that made it; cases, failures : their numbers; quick : whether only the quick cases were run
+    uncovered : what the project uses, in the words of `assess.results.uses`, and no case that passes exercises
+    """
+
+    path: str
+    sha256: str
+    pdf_sha256: str
+    program: Program
+    cases: int
+    failures: int
+    quick: bool
+    uncovered: tuple[str, ...]

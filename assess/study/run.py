@@ -103,6 +103,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
         stamp=stamp("run", program, study.inputs),
         controls=controls,
         report=study.report,
+        verification=study.annex,
         uncertainty=uncertainty(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
     )
 

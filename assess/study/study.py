@@ -15,6 +15,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.results import NO_MATTER, Input, ReportMatter, Resolved
 from assess.results.uncertainty import UncertainInput
+from assess.results.verification import AnnexResult
 from assess.study.fragility.question import FragilityQuestion
 from assess.study.grounding import Grounded
 from records.band import Band
@@ -126,6 +127,7 @@ class Study:
     report : what the report states besides the analysis
     scan : whether histories are run at rising PGA for the capacity
     sampling : how its uncertain numbers are sampled; None if that is not requested
+    annex : of verification that the report names; None if there is none
     """
 
     spectrum: Spectrum | None
@@ -163,6 +165,7 @@ class Study:
     report: ReportMatter = NO_MATTER
     scan: bool = True
     sampling: Sampling | None = None
+    annex: AnnexResult | None = None
 
 
 @dataclass(frozen=True)

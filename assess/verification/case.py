@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, ClassVar
 
-from assess.results.verification import STRICT, Source, Tolerance
+from assess.results.verification import Source, Tolerance
+
+STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
+"""How the tables of a case are read: no unknown key, no text for a number, no number that is not finite."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +26,7 @@ class Quantity:
     """What is compared: the expected values by their rows.
 
     path : place of the value in the tree that the solver returns, with dots; `{row}` stands for the row. Items of
-        lists are found by their `name`, `id` or `procedure`, or by their number
+        lists are found by their `name`, `id`, `procedure` or `symbol`, or by their number
     over : place of a value that the found one is divided by; none if empty
     values : expected, by row; one row named "" for a single value
     factor : what the found value is multiplied by to get the unit of the source
@@ -71,3 +74,19 @@ class CaseFile:
     key: str
     path: Path
     case: Case
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The files that it is given, relative to its own: `file`, and those of `files`."""
+        one, several = self.case.given.get("file"), self.case.given.get("files", ())
+        return (*(() if one is None else (str(one),)), *map(str, several))
+
+    def beside(self, name: str) -> str:
+        """Return the path of a file that stands beside the case, relative to the folder of cases."""
+        return (PurePosixPath(self.key).parent / name).as_posix()
+
+    @property
+    def project_folder(self) -> str:
+        """The folder of its project, relative to that of the cases; an example has one of its own."""
+        example = self.case.given.get("example")
+        return self.beside(str(PurePosixPath(self.names[0]).parent)) if example is None else f"examples/{example}"

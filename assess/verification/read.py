@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
@@ -35,6 +35,11 @@ def read_cases(folder: Path = CASES) -> tuple[CaseFile, ...]:
 def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[CaseFile, ...]:
     """Return the cases of some keys, or of the sources that stand before the slash of keys; all where none is wanted.
 
+    Parameters
+    ----------
+    cases : all of them
+    wanted : keys or sources
+
     Raises
     ------
     AssessError : there is no such case
@@ -46,6 +51,17 @@ def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[Case
             hint = f'did you mean "{near[0]}"?' if near else "list them with `assess verify --list`"
             raise AssessError(f'case "{name}" is not known; {hint}')
     return tuple(each for each in cases if not wanted or any(_is_of(each.key, name) for name in wanted))
+
+
+def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFile, ...]:
+    """Return the cases that share something with what a project uses.
+
+    Parameters
+    ----------
+    cases : all of them
+    uses : in the words of `assess.results.uses`
+    """
+    return tuple(each for each in cases if set(each.case.uses) & set(uses))
 
 
 def _is_of(key: str, name: str) -> bool:
@@ -91,8 +107,9 @@ def _faults(case: Case, folder: Path) -> Iterator[str]:
         yield f'solver: "{case.solver}" is not known; known: {", ".join(SOLVERS)}'
     if case.solver == "project" and len(case.given.keys() & {"file", "example"}) != 1:
         yield "given: a project is a `file` beside the case, or an `example`"
-    if "file" in case.given and not (folder / str(case.given["file"])).is_file():
-        yield f"given.file: there is no {case.given['file']} beside the case"
+    for name in CaseFile("", folder, case).names:
+        if not (folder / name).is_file():
+            yield f"given: there is no file {name} beside the case"
     names = [each.name for each in case.quantities]
     if not names or len(set(names)) < len(names):
         yield "quantities: give each name once, and one at least"

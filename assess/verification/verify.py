@@ -15,16 +15,16 @@ from assess.results.program import describe_program
 from assess.results.verification import (
     VERIFICATION_VERSION,
     CaseResult,
+    Coverage,
     QuantityResult,
     ValueResult,
     VerificationResults,
 )
 from assess.verification.case import CaseFile, Quantity
-from assess.verification.read import CASES
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
-NAMES = ("name", "id", "procedure")
+NAMES = ("name", "id", "procedure", "symbol")
 """The keys by which an item of a list is found."""
 
 
@@ -43,6 +43,18 @@ def verify(cases: Sequence[CaseFile], *, quick: bool, jobs: int | None, progress
     return VerificationResults(
         VERIFICATION_VERSION, describe_program(), quick, tuple(found[each.key] for each in chosen)
     )
+
+
+def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Coverage, ...]:
+    """Return, for each thing that is used, the keys of the cases that exercise it; none where there is no case.
+
+    Parameters
+    ----------
+    uses : in the words of `assess.results.uses`
+    cases : that were run
+    """
+    every = tuple(cases)
+    return tuple(Coverage(use, tuple(each.key for each in every if use in each.uses)) for use in uses)
 
 
 def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) -> Iterable[CaseResult]:
@@ -86,21 +98,28 @@ def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") ->
     """
     case = file.case
     quantities = tuple(_compare(each, tree) for each in case.quantities)
-    inputs = tuple(_input(path) for path in input_files(file))
+    inputs = (Input(f"{file.key}.toml", _sha256(file.path)), *_inputs(file, tree))
     return CaseResult(
         file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault
     )  # fmt: skip
 
 
 def input_files(file: CaseFile) -> tuple[Path, ...]:
-    """Return the files that a user runs again: that of the case, and its project."""
-    project = file.case.given.get("file")
-    return (file.path,) if project is None else (file.path, file.path.parent / project)
+    """Return the file of a case, and those that it is given beside it."""
+    return (file.path, *(file.path.parent / name for name in file.names))
 
 
-def _input(path: Path) -> Input:
-    name = path.relative_to(CASES).as_posix() if path.is_relative_to(CASES) else path.name
-    return Input(name, hashlib.sha256(path.read_bytes()).hexdigest())
+def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
+    """Yield what a case reads beside its own file: a project with all that it names, or single files."""
+    if file.case.solver == "project":
+        folder = file.project_folder
+        yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree.get("inputs", ()))
+        return
+    yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
+
+
+def _sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:

@@ -1,4 +1,4 @@
-"""Draw the pictures of README.md and docs/: a rocking wall with its oscillator, the signs, the waist.
+"""Draw the pictures of README.md and docs/: a rocking wall with its oscillator, the signs, the waist, the verdict.
 
     make figures        SVG in docs/images, beside this file
 
@@ -14,6 +14,7 @@ from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
+from flow import draw_verdict
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, FancyArrowPatch, FancyBboxPatch, Polygon
@@ -223,7 +224,12 @@ def _leader() -> dict[str, object]:
     return {"arrowstyle": "-", "color": MUTED, "lw": 0.6}
 
 
-PICTURES: dict[str, Callable[[], Figure]] = {"wall": draw_wall, "signs": draw_signs, "waist": draw_waist}
+PICTURES: dict[str, Callable[[], Figure]] = {
+    "wall": draw_wall,
+    "signs": draw_signs,
+    "waist": draw_waist,
+    "verdict": draw_verdict,
+}
 
 
 if __name__ == "__main__":

@@ -8,9 +8,10 @@ from hashlib import sha256
 from assess.codes.check import Check, Family
 from assess.codes.families import FAMILIES
 from assess.results import Results
+from assess.results.uses import USES
 from reports.chapters import controls
 from reports.document import Block, Facts, Prose, Section, Writing
-from reports.language.texts import Paragraph, Phrase, Text, Verbatim, listing, say, say_count
+from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, say, say_count
 from reports.titles import procedure_title
 
 ITALIAN_BASES = ("ntc2018", "dmi2008")
@@ -45,7 +46,7 @@ def sections(results: Results) -> list[Section]:
     """Return the chapter: analysis, program and controls, each with its own heading, and the box for the judgement."""
     return [
         Section(title(results), 0, (Prose(tuple(analysis(results))),)),
-        Section(say("Program"), 1, (Facts(tuple(program(results))), Prose((documents(),)))),
+        Section(say("Program"), 1, (Facts(tuple(program(results))), Prose((documents(), *verification(results))))),
         Section(say("Automatic controls"), 1, tuple(controls.blocks(results))),
         Section(say("Judgement"), 1, tuple(_judgement())),
     ]
@@ -139,6 +140,39 @@ def documents() -> Text:
         "Theory, field of use and examples that reproduce published cases, with their project files, come with the "
         "program. The same program and inputs give the same results, to the last digit, on one machine."
     )
+
+
+def verification(results: Results) -> Iterator[Text]:
+    """Yield what the annex of verification says: cases, failures, its hashes, and what no case exercises."""
+    annex = results.verification
+    if annex is None:
+        yield say(
+            "These results name no annex of verification. The command {command} solves published cases again with this "
+            "program and writes one.",
+            command=Verbatim("assess verify --for PROJECT"),
+        )
+        return
+    yield say_count(
+        "Annex of verification: {file}, SHA-256 {hash}, with {number} solved case, of which {failures} fail.",
+        "Annex of verification: {file}, SHA-256 {hash}, with {number} solved cases, of which {failures} fail.",
+        annex.cases,
+        file=Verbatim(annex.path),
+        hash=Verbatim(annex.sha256),
+        failures=count(annex.failures),
+    )
+    if annex.pdf_sha256:
+        yield say("SHA-256 of its PDF: {hash}.", hash=Verbatim(annex.pdf_sha256))
+    if annex.program.sha256 != results.program.sha256:
+        yield say(
+            "It was made by other sources of the program than these results: version {version}, SHA-256 {hash}.",
+            version=Verbatim(annex.program.version),
+            hash=Verbatim(annex.program.sha256),
+        )
+    if annex.quick:
+        yield say("It has the quick cases only.")
+    if annex.uncovered:
+        uses = listing([USES[use] if use in USES else Verbatim(use) for use in annex.uncovered])
+        yield say("Used here, and exercised by no solved case that passes: {uses}.", uses=uses)
 
 
 def _judgement() -> Iterator[Block]:

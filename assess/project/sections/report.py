@@ -104,6 +104,9 @@ class Report(Section):
     """keys of that list which the building cannot have, like ["corner", "chimney"]"""
     not_examined: dict[Line, Paragraph] = Field(default_factory=dict)
     """keys of that list which are possible and were not examined, each with the reason"""
+    verification: InputFile | None = None
+    """the verification.json that the report names, written by `assess verify --for PROJECT`; if absent that of the
+    folder NAME-verification beside this file, where there is one"""
     sources: dict[str, Source] = Field(default_factory=dict)
     """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
     "assumed: …\""""

@@ -11,14 +11,20 @@ from typing import Any
 
 from assess.verification.solvers.free_rocking import solve_free_rocking
 from assess.verification.solvers.joints import solve_joints
+from assess.verification.solvers.motion import solve_motion
 from assess.verification.solvers.parameters import solve_parameters
 from assess.verification.solvers.project import solve_project
+from assess.verification.solvers.pulses import solve_pulses
+from assess.verification.solvers.spectrum import solve_spectra
 
 Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 
 SOLVERS: dict[str, Solver] = {
     "free-rocking": solve_free_rocking,
     "joints": solve_joints,
+    "motion": solve_motion,
     "parameters": solve_parameters,
     "project": solve_project,
+    "pulses": solve_pulses,
+    "spectra": solve_spectra,
 }

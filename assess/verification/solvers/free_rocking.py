@@ -19,7 +19,9 @@ def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
     Returns
     -------
     Mapping
-        `period_p`, by tilt: the time between the first and the third impact times p of the equation [-].
+        By tilt: `first_p` and `period_p`, the time of the first impact and that between the first and the third times p
+        of the equation [-]. `amplitude` of the last tilt, by number of impacts: the peak after it over the overturning
+        rotation [-].
     """
     from dataclasses import replace
 
@@ -34,9 +36,13 @@ def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
         rocking = replace(rocking, positive=branch, negative=branch)
     side = rocking.positive
     p = side.linearised.p
-    periods = {}
+    tree: dict[str, dict[str, Any]] = {"first_p": {}, "period_p": {}, "amplitude": {}}
     for tilt in given["tilts"]:
         rotation = tilt * side.linearised.overturning
         found = free_rocking(rocking, rotation=rotation, duration=given["duration"], equation=given["equation"])
-        periods[f"{tilt:g}"] = p * float(found.impact_time[2] - found.impact_time[0])
-    return {"period_p": periods}
+        row = f"{tilt:g}"
+        tree["first_p"][row] = p * float(found.impact_time[0])
+        tree["period_p"][row] = p * float(found.impact_time[2] - found.impact_time[0])
+        peaks = abs(found.peak_rotation) / side.linearised.overturning
+        tree["amplitude"] = {str(number): float(peak) for number, peak in enumerate(peaks[:20], 1)}
+    return tree

@@ -14,7 +14,8 @@ def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     ----------
     folder : of the case, not read
     given : by joint `shape`, a function of `assess.interfaces.shapes`, its `sizes` [m], across them `inner` ones if it
-        is hollow; `stiffness` [Pa/m] and `strength` [Pa], either absent if infinite; `force` [N]; `rotations` [rad]
+        is hollow; `stiffness` [Pa/m] and `strength` [Pa], either absent if infinite; `force` [N]; `rotations`, one at
+        least [rad]
 
     Returns
     -------
@@ -36,7 +37,7 @@ def _joint(given: Mapping[str, Any]) -> Mapping[str, Any]:
     inner = {"inner": given["inner"]} if "inner" in given else {}
     section = getattr(shapes, given["shape"])(*given["sizes"], **inner)
     law, force = JointLaw(given.get("stiffness", inf), given.get("strength", inf)), given["force"]
-    rotations = given.get("rotations", [])
+    rotations = given["rotations"]
     found = contact(section, law, normal_force=force, rotation=rotations)
     by_rotation = {"resultant": found.resultant, "depth": found.depth, "crushed": found.crushed_depth}
     tree: dict[str, Any] = {

@@ -13,22 +13,6 @@ from spectra.nzs1170_5 import (
     vertical_spectrum,
 )
 
-PERIODS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5)
-TABLE_3_1 = {  # for modal and time-history analysis
-    "A": (1.00, 2.35, 2.35, 2.35, 1.89, 1.60, 1.40, 1.24, 1.12, 1.03, 0.95, 0.70, 0.53, 0.42, 0.35, 0.26, 0.20, 0.16),
-    "B": (1.00, 2.35, 2.35, 2.35, 1.89, 1.60, 1.40, 1.24, 1.12, 1.03, 0.95, 0.70, 0.53, 0.42, 0.35, 0.26, 0.20, 0.16),
-    "C": (1.33, 2.93, 2.93, 2.93, 2.36, 2.00, 1.74, 1.55, 1.41, 1.29, 1.19, 0.88, 0.66, 0.53, 0.44, 0.32, 0.25, 0.20),
-    "D": (1.12, 3.00, 3.00, 3.00, 3.00, 3.00, 2.84, 2.53, 2.29, 2.09, 1.93, 1.43, 1.07, 0.86, 0.71, 0.52, 0.40, 0.32),
-    "E": (1.12, 3.00, 3.00, 3.00, 3.00, 3.00, 3.00, 3.00, 3.00, 3.00, 3.00, 2.21, 1.66, 1.33, 1.11, 0.81, 0.62, 0.49),
-}
-
-
-@pytest.mark.parametrize("subsoil", list(TABLE_3_1))
-def test_table_3_1(subsoil):
-    """The formulas of the commentary round to the table; tolerance: its last digit."""
-    spectrum = site_spectrum(subsoil=subsoil, z=0.5, r=1.0)
-    np.testing.assert_allclose(spectrum.acceleration(PERIODS) / (0.5 * g), TABLE_3_1[subsoil], atol=0.0051, rtol=0)
-
 
 def test_class_c_by_hand():
     """Z = 0.4, R = N = 1: C(0) = 0.532, C(0.2) = 1.172, C(1) = 0.4757, C(2) = 0.264, C(4) = 0.099."""

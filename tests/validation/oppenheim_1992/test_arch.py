@@ -16,21 +16,10 @@ from assess.mechanisms.chain import Block, mirror_point
 from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.schema import load
+from tests.validation.derive.arches import sectors as arch
 
 R, T, ANGLE = 10.0, 1.5, radians(157.5)
 INNER, OUTER = R - T / 2, R + T / 2
-
-
-def arch(count):
-    """Sectors of a ring, per metre and unit density, from left to right, and their joints from inside to outside."""
-    angles = pi / 2 + np.linspace(ANGLE / 2, -ANGLE / 2, count + 1)
-    half = ANGLE / count / 2
-    mass = half * (OUTER**2 - INNER**2)
-    reach = 2 / 3 * (OUTER**3 - INNER**3) / (OUTER**2 - INNER**2) * sin(half) / half
-    polar = half * (OUTER**4 - INNER**4) / 2 - mass * reach**2
-    middles = (angles[1:] + angles[:-1]) / 2
-    voussoirs = [Block(mass, (reach * cos(a), reach * sin(a)), polar) for a in middles]
-    return voussoirs, [((INNER * cos(a), INNER * sin(a)), (OUTER * cos(a), OUTER * sin(a))) for a in angles]
 
 
 @pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 5e-5), (16, 0.3538, 5e-5)])

@@ -8,7 +8,7 @@ between, whose first harmonic is smaller by sinc^2(pi / 400): printed thresholds
 from __future__ import annotations
 
 from decimal import Decimal, getcontext
-from math import asin, exp, pi, sqrt, tan
+from math import asin, pi, tan
 
 import numpy as np
 import pytest
@@ -67,20 +67,6 @@ def bounds(body: Oscillator, omegas: object, highest: float, equation: Equation)
     grid = np.array([0.0, highest]) * amplitude
     found = envelope(body, SHAPES["sine"], np.asarray(omegas) * frequency, grid, equation=equation, threads=1)
     return found.lower_bound / amplitude
-
-
-@pytest.mark.parametrize("omega", ONE_SINE)
-def test_without_impact(omega: float) -> None:
-    A = sine.without_impact(omega)
-    assert pytest.approx(ONE_SINE[omega], rel=1e-12) == A
-    assert (sqrt(A**2 - 1) - omega) * exp((2 * pi - asin(1 / A)) / omega) == pytest.approx(A, rel=1e-7)
-
-
-@pytest.mark.parametrize("omega", HALF_SINE)
-def test_half_sine(omega: float) -> None:
-    A = sine.half_sine(omega)
-    assert pytest.approx(HALF_SINE[omega], abs=5.1e-10) == A
-    assert (sqrt(A**2 - 1) - omega) * exp((pi - asin(1 / A)) / omega) == pytest.approx(-A, rel=1e-10)
 
 
 @pytest.mark.parametrize("omega", [1e-3, 1e-2, 0.05])

@@ -1,7 +1,8 @@
-"""Thesis Tables 4.1, 4.4, 5.1-5.6 and 7.1: the published parameters among themselves, and the bodies made for them.
+"""Thesis Tables 4.1, 4.4, 5.1-5.6 and 7.1: the published parameters among themselves, and the examples made for them.
 
-Mehrotra (2019). The radius is not tabled. It follows from the restitution by 3.44 (two-sided) or 3.45 (one-sided), and
-what then comes out must be a body: k = I / (M R^2) > 1.
+Mehrotra (2019). What the program computes is in solved cases, "table_4_1" to "table_5_5" and "table_7_1". The radius is
+not tabled. It follows from the restitution by 3.44 (two-sided) or 3.45 (one-sided), and what then comes out must be a
+body: k = I / (M R^2) > 1.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ TABLE_4_4 = {
     "dharahara": (0.50, 0.12, 0.98),
     "narayan": (1.39, 0.24, 0.91),
 }
-TABLE_5_5 = {"side-aisle-base": (1.85, 1.11), "side-aisle-midpoint": (2.21, 4.82)}  # p [1/s], lambda [-]
+TABLE_5_5 = {"side-aisle-base": 1.11, "side-aisle-midpoint": 4.82}  # lambda [-]
 DEPTHS = {"spire-whole": 1, "spire-two-thirds": 2 / 3, "spire-third": 1 / 3}  # h_c / H; the others 1 / 2
 TRANSCRIPT = Path(__file__).parents[4] / "shared" / "reference" / "goldens" / "table_5_1.csv"
 TABLE_5_1 = {  # h_c = H/2 at 45 deg stands in it twice; the last row is h_c = H/3
@@ -169,10 +170,9 @@ def test_the_corners_of_table_5_4_do_not_follow_3_44(name):
 
 
 def test_dharahara_of_table_4_4_is_that_of_table_7_1(mechanisms):
-    """R0 30.44 m, alpha0 0.125: the restitution of Table 4.4; lambda is alpha0 cut short."""
-    p, slenderness, restitution, radius = parameters(mechanisms["nepal_monuments"]["dharahara"])
+    """R0 30.44 m, alpha0 0.125; lambda is alpha0 cut short."""
+    p, slenderness, _, radius = parameters(mechanisms["nepal_monuments"]["dharahara"])
     assert (radius, slenderness) == (pytest.approx(30.44), pytest.approx(0.125))
-    assert restitution == pytest.approx(TABLE_4_4["dharahara"][2], abs=OFF)
     assert int(slenderness * 100) / 100 == TABLE_4_4["dharahara"][1]
     assert 1.26 < g / (p**2 * radius) < 4 / 3
 
@@ -215,13 +215,9 @@ def test_the_spire_is_4_m_high():
 
 
 @pytest.mark.parametrize("name", TABLE_5_1)
-def test_the_mesh_of_the_spire_against_table_5_1(name, mechanisms):
-    """p and slenderness fitted by two numbers for twelve, restitution and elevation not fitted."""
-    p, slenderness, restitution, _ = parameters(mechanisms["san_leonardo_spire"][name])
-    assert p == pytest.approx(TABLE_5_1[name][0], rel=0.007)
-    assert slenderness == pytest.approx(TABLE_5_1[name][1], rel=0.013)
-    assert restitution == pytest.approx(TABLE_5_1[name][2], abs=0.009)
-    assert mechanisms["san_leonardo_spire"][name].elevation == pytest.approx(ELEVATIONS[name], abs=OFF)
+def test_restitution_of_the_mesh_of_the_spire_against_table_5_1(name, mechanisms):
+    """Not fitted; the table takes the spire as rocking both ways, so by 3.44."""
+    assert parameters(mechanisms["san_leonardo_spire"][name])[2] == pytest.approx(TABLE_5_1[name][2], abs=0.009)
 
 
 @pytest.mark.parametrize("name", [name for name in TABLE_5_1 if name != "spire-75"])
@@ -253,31 +249,21 @@ def test_radius_and_wall_of_the_spire_are_the_least_squares_fit():
     assert found.x == pytest.approx([RADIUS, WALL], abs=OFF)
 
 
-def test_the_belfry_of_three_blocks_against_table_5_4(mechanisms):
-    """p and lambda fitted by the piers' sizes, the restitution not: momentum kept over the mechanism."""
-    branch = mechanisms["san_leonardo_tower"]["portal-frame-blocks"].oscillator.positive
-    p, slenderness, restitution = TABLE_5_4["portal-frame"]
-    assert branch.linearised.p == pytest.approx(p, rel=1e-3)
-    assert branch.overturning == pytest.approx(slenderness, rel=1e-3)
-    assert branch.restitution == pytest.approx(restitution, abs=OFF)
-
-
 @pytest.mark.parametrize(
-    ("name", "p", "multiplier", "by_angle"),
-    [("side-aisle-base", -0.0313, 0.108, 1.04), ("side-aisle-midpoint", 0.1304, 0.184, 4.66)],
+    ("name", "multiplier", "by_angle"),
+    [("side-aisle-base", 0.108, 1.04), ("side-aisle-midpoint", 0.184, 4.66)],
 )
-def test_the_side_aisle_of_three_blocks_against_table_5_5(name, p, multiplier, by_angle, mechanisms):
-    """p by the distance from the table. Its lambda is not K phi_cr / (g B) of blocks like these, but is within 7 % of
+def test_the_side_aisle_of_three_blocks_against_table_5_5(name, multiplier, by_angle, mechanisms):
+    """Its lambda is not K phi_cr / (g B) of blocks like these, but is within 7 % of
     that with the angle of the half vault AB in the place of its rotation phi_cr, as 3.37 can be read; sizes chosen so.
     """
     mechanism = mechanisms["san_leonardo_church"][name]
     found = mechanism.oscillator.positive.linearised
     (xa, za), (xb, zb) = mechanism.positive.hinges[:2]
     angle = atan2(zb - za, xb - xa) - found.critical
-    assert found.p / TABLE_5_5[name][0] - 1 == pytest.approx(p, abs=5e-4)
     assert found.multiplier == pytest.approx(multiplier, abs=5e-4)
     assert found.stiffness * angle / (g * found.excitation) == pytest.approx(by_angle, abs=5e-3)
-    assert by_angle == pytest.approx(TABLE_5_5[name][1], rel=0.07)
+    assert by_angle == pytest.approx(TABLE_5_5[name], rel=0.07)
 
 
 def test_the_steepest_crack_of_the_spire_controls(mechanisms):

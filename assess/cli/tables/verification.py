@@ -1,0 +1,71 @@
+"""The cases of `assess verify` on the terminal: a line for each, and what they come to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from assess.cli.tables.text_table import on_one_line
+from assess.messages.plural import count_noun
+from assess.results.verification import CaseResult, Spread, ValueResult, VerificationResults
+
+WIDEST = 160  # characters of a line
+MOST = 5  # values that fail, of one case
+
+
+def verification_text(results: VerificationResults, *, seconds: float) -> str:
+    """Write a line for each case, what is wrong with those that fail, and the totals.
+
+    Parameters
+    ----------
+    results : of `assess verify`
+    seconds : that it took
+    """
+    return "".join(f"{on_one_line(line, WIDEST)}\n" for line in (*_cases(results), *_totals(results, seconds)))
+
+
+def _cases(results: VerificationResults) -> Iterator[str]:
+    width = max((len(each.key) for each in results.cases), default=0)
+    for case in results.cases:
+        worst = f"worst {max(case.shares):.2g} of the tolerance" if case.shares else "exact"
+        misprints = f", {count_noun(case.misprints, 'misprint')}" if case.misprints else ""
+        said = case.fault or f"{count_noun(len(case.values), 'value')}, {worst}{misprints}"
+        word = "FAIL" if case.outcome == "fail" else "pass"
+        yield f"{word}  {case.key:<{width}}  {said}"
+        if case.outcome == "fail" and not case.fault:
+            yield from _wrong(case)
+
+
+def _wrong(case: CaseResult) -> Iterator[str]:
+    wrong = [(each.name, value) for each in case.quantities for value in each.values if value.outcome == "fail"]
+    for name, value in wrong[:MOST]:
+        yield f"      {name}{f', {value.row}' if value.row else ''}: {_beside(value)}"
+    if len(wrong) > MOST:
+        yield f"      and {len(wrong) - MOST} more"
+
+
+def _beside(value: ValueResult) -> str:
+    found = "none found" if value.found is None else f"{value.found:.6g} found"
+    return f"{value.reference:.6g} expected, {found}"
+
+
+def _totals(results: VerificationResults, seconds: float) -> Iterator[str]:
+    values = sum(len(each.values) for each in results.quantities)
+    parts = (
+        count_noun(len(results.cases), "case"),
+        f"{len(results.quantities)} quantities",
+        count_noun(values, "value"),
+        count_noun(sum(each.misprints for each in results.cases), "misprint"),
+        f"{len(results.failures)} failed",
+    )
+    yield f"{', '.join(parts)}, in {seconds:.0f} s{' (quick cases only)' if results.quick else ''}"
+    if results.shares.worst is not None:
+        yield f"difference over tolerance: {_spread(results.shares)}; relative: {_spread(results.relative)}"
+    bare = [each.use for each in results.coverage if not each.cases]
+    if bare:
+        yield f"used by the project, without a case: {', '.join(bare)}"
+
+
+def _spread(spread: Spread) -> str:
+    if spread.median is None or spread.worst is None:
+        return "none"
+    return f"median {spread.median:.2g}, worst {spread.worst:.2g}"

@@ -1,0 +1,147 @@
+"""`assess verify`: solved cases run again on this machine, and the annex that tells of them."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from assess.cli.options import Jobs
+from assess.cli.report import Language
+
+if TYPE_CHECKING:
+    from assess.project.schema import Project
+    from assess.results.verification import VerificationResults
+    from assess.verification.case import CaseFile
+
+
+def verify(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[CASE]...", help="Keys of cases, or of their sources (default: all)."),
+    ] = None,
+    project: Annotated[
+        Path | None,
+        typer.Option("--for", metavar="PROJECT", help="Run the cases that share something with what a project uses."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="DIR",
+            help="Output folder (default: verification, or NAME-verification beside the project file NAME.toml; none "
+            "where cases are named, with --list and with --json).",
+        ),
+    ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Run only the cases that take no time.")] = False,
+    listed: Annotated[bool, typer.Option("--list", help="List the cases and run none.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print verification.json.")] = False,
+    language: Annotated[
+        Language | None, typer.Option("--language", help="Language of the annex (default: that of the project, or en).")
+    ] = None,
+    cases: Annotated[
+        Path | None,
+        typer.Option("--cases", metavar="DIR", help="Read the cases from this folder, such as the one written before."),
+    ] = None,
+    jobs: Jobs = None,
+) -> None:
+    """Run solved cases and compare them with their sources.
+
+    Writes verification.pdf and verification.html, the annex that NTC 2018 10.2 asks for, verification.json, and the
+    folder `cases` with every input file. Prints a line for each case and ends with 1 where one fails.
+    """
+    begun = time.perf_counter()
+    from assess.errors import AssessError
+    from assess.verification.read import CASES, cases_for, choose_cases, read_cases
+
+    if cases is not None and not cases.is_dir():
+        raise AssessError(f"{cases}: is no folder; give one with files of cases")
+    every = read_cases(cases or CASES)
+    chosen = choose_cases(every, names or ())
+    loaded, uses = (None, ()) if project is None else _project(project)
+    chosen = chosen if loaded is None else cases_for(chosen, uses)
+    if listed:
+        print(_list(chosen), end="")
+        return
+    if not chosen:
+        raise AssessError("there is no such case; list them with `assess verify --list`")
+    folder = output
+    if folder is None and not (names or as_json):
+        folder = Path("verification") if loaded is None else loaded.folder / f"{loaded.path.stem}-verification"
+    results = _run(chosen, folder, loaded, uses, quick=quick, jobs=jobs, language=language)
+    if as_json:
+        from assess.results.json import dumps_verification
+
+        print(dumps_verification(results), end="")
+    else:
+        from assess.cli.tables.verification import verification_text
+
+        print(verification_text(results, seconds=time.perf_counter() - begun), end="")
+        if folder is not None:
+            print(folder / "verification.pdf")
+    raise typer.Exit(1 if results.failures else 0)
+
+
+def _project(path: Path) -> tuple[Project, tuple[str, ...]]:
+    """Return a project as read, and what it uses."""
+    from assess.project.schema import load
+
+    loaded = load(path)
+    from assess.project.build import uses_of_project
+
+    return loaded, uses_of_project(loaded)
+
+
+def _run(
+    chosen: tuple[CaseFile, ...],
+    folder: Path | None,
+    loaded: Project | None,
+    uses: tuple[str, ...],
+    *,
+    quick: bool,
+    jobs: int | None,
+    language: str | None,
+) -> VerificationResults:
+    """Run cases and write what was asked for; all of it or nothing."""
+    from dataclasses import replace
+
+    from assess.cli.optional_folder import optional_folder
+    from assess.cli.progress import progress
+    from assess.outputs.manifest import VERIFICATION
+    from assess.verification.verify import coverage_of
+    from assess.verification.verify import verify as run_cases
+
+    wanted = (VERIFICATION, "verification.pdf", "verification.html")
+    place = optional_folder(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
+    with place as stage, progress() as shown:
+        results = run_cases(chosen, quick=quick, jobs=jobs, progress=shown.count)
+        results = replace(results, coverage=coverage_of(uses, results.cases))
+        if loaded is not None:
+            from assess.project.verification import with_project
+
+            results = with_project(results, loaded)
+        if stage is not None:
+            from assess.results.json import dumps_verification
+            from assess.verification.writing import write_cases
+            from reports.assessment import verification_report
+            from reports.writing import write_pages
+
+            shown.step("annex")
+            (stage / VERIFICATION).write_bytes(dumps_verification(results).encode())
+            write_cases(chosen, results.cases, stage / "cases")
+            write_pages(verification_report(results, language), stage, name="verification.pdf", jobs=jobs or 0)
+    return results
+
+
+def _list(cases: tuple[CaseFile, ...]) -> str:
+    """Write the key, standing and title of each case."""
+    width = max((len(each.key) for each in cases), default=0)
+    lines = (f"{each.key:<{width}}  {each.case.source.standing:<14}  {each.case.title}" for each in cases)
+    text = "".join(f"{line}\n" for line in lines)
+    if not text:
+        sys.stderr.write("assess: note: no case\n")
+    return text

@@ -1,0 +1,107 @@
+"""The annex of verification beside a project: found for a run, and signed with the project's front matter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from assess.errors import ProjectError, ResultsError
+from assess.messages.message import Message, warning, whole_number
+from assess.outputs.manifest import VERIFICATION
+from assess.project.file_digests import file_sha256
+from assess.project.report_matter import report_matter_of
+from assess.project.schema import Project, resolve
+from assess.results import Input
+from assess.results.files import read_verification
+from assess.results.program import describe_program
+from assess.results.verification import AnnexResult, VerificationResults
+from records.paths import relative_path
+
+SHOWN = ("report.language", "report.paper", "report.units")
+"""Keys that say how the annex of a project looks."""
+
+
+def with_project(results: VerificationResults, project: Project) -> VerificationResults:
+    """Return results with the front matter of the project whose cases these are.
+
+    Parameters
+    ----------
+    results : of the cases
+    project : as read
+    """
+    values = {key: each for key, each in resolve(project).items() if key in ("title", *SHOWN)}
+    return replace(
+        results,
+        inputs=(Input(project.path.name, project.sha256),),
+        project=values,
+        report=report_matter_of(project.content, project.folder),
+    )
+
+
+def annex_file(project: Project) -> Path | None:
+    """Return the verification.json that a project names, or that stands in its default place; None if there is none."""
+    named = project.content.report.verification
+    if named is not None:
+        return named
+    place = project.folder / f"{project.path.stem}-verification" / VERIFICATION
+    return place if place.is_file() else None
+
+
+def annex_files(project: Project) -> tuple[Path, ...]:
+    """Return the files of the annex that the report names: its results, and the PDF beside them."""
+    file = annex_file(project)
+    return () if file is None else tuple(each for each in (file, file.with_suffix(".pdf")) if each.is_file())
+
+
+def annex_messages(annex: AnnexResult | None) -> Iterator[Message]:
+    """Yield what limits the annex that a run names.
+
+    Parameters
+    ----------
+    annex : of the run; None yields nothing
+    """
+    if annex is None:
+        return
+    where = "report.verification"
+    if annex.program.sha256 != describe_program().sha256:
+        yield warning("annex-other-sources", where, file=annex.path)
+    if annex.failures:
+        failures, cases = whole_number(annex.failures), whole_number(annex.cases)
+        yield warning("annex-failures", where, file=annex.path, failures=failures, cases=cases)
+    if annex.quick:
+        yield warning("annex-quick", where, file=annex.path)
+    if annex.uncovered:
+        yield warning("annex-uncovered", where, file=annex.path, uses=", ".join(annex.uncovered))
+
+
+def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:
+    """Return what a run says of its annex; None if there is none.
+
+    Parameters
+    ----------
+    project : as read
+    uses : what it uses, in the words of `assess.results.uses`
+
+    Raises
+    ------
+    ProjectError : the file cannot be read as verification.json
+    """
+    file = annex_file(project)
+    if file is None:
+        return None
+    try:
+        found = read_verification(file)
+    except ResultsError as error:
+        raise ProjectError(f"report.verification: {error}") from None
+    pdf = file.with_suffix(".pdf")
+    return AnnexResult(
+        path=relative_path(file, project.folder),
+        sha256=file_sha256(file),
+        pdf_sha256=file_sha256(pdf) if pdf.is_file() else "",
+        program=found.program,
+        cases=len(found.cases),
+        failures=len(found.failures),
+        quick=found.quick,
+        uncovered=tuple(use for use in uses if use not in found.passed_uses),
+    )

@@ -1,0 +1,165 @@
+"""The annex of `assess verify`: what NTC 2018 10.2 asks of a program, shown by solved cases that a reader reruns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from assess.results.uses import USES
+from assess.results.verification import VerificationResults
+from reports.chapters import verification_case, verification_words
+from reports.chapters.cells import OUTCOMES
+from reports.chapters.verification_figures import figures
+from reports.document import Banner, Block, Code, Column, Facts, Graded, Items, Prose, Section, Table, Writing
+from reports.language.texts import Text, Verbatim, count, listing, quantity, say, say_count
+
+
+def sections(results: VerificationResults) -> list[Section]:
+    """Return the chapters: outcome, program, theory and field of use, differences, cases, what is not covered."""
+    return [
+        Section(say("Outcome"), 0, tuple(_outcome(results))),
+        Section(say("Program and how to run the cases again"), 0, tuple(_program(results))),
+        Section(say("Theory and field of use"), 0, tuple(verification_words.theory(results))),
+        Section(say("Differences"), 0, tuple(figures(results)), starts_page=True),
+        Section(say("Solved cases"), 0, (Prose(verification_words.READING),), starts_page=True),
+        *(verification_case.section(each, place) for place, each in enumerate(results.cases, start=1)),
+        Section(say("What is not covered"), 0, tuple(_uncovered(results)), starts_page=True),
+        Section(say("Judgement"), 0, tuple(_judgement())),
+    ]
+
+
+def _outcome(results: VerificationResults) -> Iterator[Block]:
+    failed = len(results.failures)
+    if failed:
+        headline = say_count(
+            "{number} solved case does not agree with its source.",
+            "{number} solved cases do not agree with their sources.",
+            failed,
+        )
+    else:
+        headline = say_count(
+            "The {number} solved case agrees with its source.",
+            "All {number} solved cases agree with their sources.",
+            len(results.cases),
+        )
+    yield Banner("fail" if failed else "incomplete" if results.quick else "pass", headline)
+    yield Prose(tuple(_totals(results)))
+    yield overview(results)
+
+
+def _totals(results: VerificationResults) -> Iterator[Text]:
+    values = [value for each in results.quantities for value in each.values]
+    yield say(
+        "{values} values of {quantities} quantities in {cases} cases were computed again and compared; {misprints} "
+        "printed values are held for misprints and compared with their likeliest reading.",
+        values=count(len(values)),
+        quantities=count(len(results.quantities)),
+        cases=count(len(results.cases)),
+        misprints=count(sum(each.misprints for each in results.cases)),
+    )
+    standings = [each.source.standing for each in results.cases]
+    yield say(
+        "Standing of the expected values: published in {published} cases, derived from the formulas of a source in "
+        "{derived}, own arithmetic in {own}.",
+        published=count(standings.count("published")),
+        derived=count(standings.count("derived")),
+        own=count(standings.count("own arithmetic")),
+    )
+    share, relative = results.shares, results.relative
+    if share.median is not None and share.worst is not None:
+        yield say(
+            "Difference over tolerance: median {median}, largest {worst}.",
+            median=quantity(share.median, figures=2),
+            worst=quantity(share.worst, figures=2),
+        )
+    if relative.median is not None and relative.worst is not None:
+        yield say(
+            "Relative difference: median {median}, largest {worst}.",
+            median=quantity(relative.median, figures=2),
+            worst=quantity(relative.worst, figures=2),
+        )
+    if results.quick:
+        yield say("Only the quick cases were run; the others are left out.")
+
+
+def overview(results: VerificationResults) -> Table:
+    """Tabulate the cases: source, standing, number of values, largest difference, outcome."""
+    columns = (
+        Column(say("Case"), share=0.36),
+        Column(say("Source")),
+        Column(say("Standing"), share=0.12),
+        Column(say("Values"), "ratio"),
+        Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
+        Column(say("Outcome")),
+    )
+    rows = tuple(
+        (
+            Verbatim(each.title),
+            Verbatim(verification_words.short(each.source.citation)),
+            verification_words.STANDINGS[each.source.standing],
+            len(each.values),
+            max(each.shares, default=None),
+            Graded(each.outcome, OUTCOMES[each.outcome]),
+        )
+        for each in results.cases
+    )
+    return Table("cases", say("Solved cases, in the order of their pages."), columns, rows, small=True)
+
+
+def _program(results: VerificationResults) -> Iterator[Block]:
+    made = results.program
+    said = (
+        (say("Program"), made.name),
+        (say("Version"), made.version),
+        (say("Licence"), made.licence),
+        (say("Origin"), made.origin),
+        (say("SHA-256 of the program"), made.sha256),
+        *((say("Project file"), f"{each.path}, SHA-256 {each.sha256}") for each in results.inputs),
+    )
+    yield Facts(tuple((label, Verbatim(text)) for label, text in said if text))
+    yield Prose(verification_words.RELIABILITY)
+    yield Prose(verification_words.AGAIN)
+    yield Code(("assess verify", "assess verify --cases cases", *_examples(results)))
+
+
+def _examples(results: VerificationResults) -> Iterator[str]:
+    """Yield commands that run one case again, and a project as any other."""
+    yield from (f"assess verify {each.key}" for each in results.cases[:1])
+    projects = [each.path for case in results.cases for each in case.inputs[1:2] if each.path.endswith(".toml")]
+    yield from (f"assess run cases/{path}" for path in projects[:1])
+
+
+def _uncovered(results: VerificationResults) -> Iterator[Block]:
+    covered = results.passed_uses
+    if results.coverage:
+        yield _coverage(results)
+        bare = [each.use for each in results.coverage if each.use not in covered]
+        words = say("The project uses these, and no solved case that passes exercises them: {uses}.", uses=_words(bare))
+        yield Prose((words if bare else say("A solved case that passes exercises each thing that the project uses."),))
+    else:
+        bare = [use for use in USES if use not in covered]
+        if bare:
+            yield Prose((say("The program can do these, and no solved case of this annex exercises them:"),))
+            yield Items(tuple(_named(use) for use in bare))
+    yield Prose(verification_words.LIMITS)
+
+
+def _coverage(results: VerificationResults) -> Table:
+    columns = (Column(say("Used by the project"), share=0.45), Column(say("Cases that exercise it")))
+    rows = tuple(
+        (_named(each.use), listing(map(Verbatim, each.cases), "") if each.cases else say("no case"))
+        for each in results.coverage
+    )
+    return Table("coverage", say("What the project uses, and the solved cases."), columns, rows, small=True)
+
+
+def _words(uses: list[str]) -> Text:
+    return listing([_named(use) for use in uses])
+
+
+def _named(use: str) -> Text:
+    return say("{word}: {meaning}", word=Verbatim(use), meaning=USES[use]) if use in USES else Verbatim(use)
+
+
+def _judgement() -> Iterator[Block]:
+    yield Prose((verification_words.JUDGEMENT,))
+    yield Writing(say("Engineer’s judgement of the program and of these cases"), 32.0)

@@ -82,6 +82,7 @@ costs: dist                ## what each dependency weighs, as Markdown, in a fre
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
+	$(BIN)/python docs/images/tutorial.py
 	$(BIN)/python docs/images/guide.py
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py

@@ -1,6 +1,6 @@
 # The verbs of the project. A fresh machine needs Python 3.11+ with pip, and make.
 PYTHON ?= python3
-BIN := .venv/bin
+BIN := .venv/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 DEMO := build/demo
 KILLS ?= 120
 SECONDS ?= 60
@@ -8,13 +8,14 @@ MUTANTS ?= 150
 SEED ?= 1
 CLASS ?=
 TESTS ?=
+SHARD ?= 1/1
 APART := build/apart
 LOWEST := build/lowest
 OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWarning -W ignore::FutureWarning
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs docs-links same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill faults mutate figures docs docs-links same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -25,7 +26,7 @@ demo: .venv/installed      ## the main job on the shipped example; the last line
 test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
 	$(BIN)/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
 
-test-wheel: dist .venv/cad .venv/browser   ## the same tests, alone in another folder: what they import is the wheel, installed
+test-wheel: dist .venv/browser   ## the same tests, or a SHARD of them, alone in another folder: what they import is the wheel, installed
 	rm -rf $(APART)
 	mkdir -p $(APART)/tests
 	tar --extract --file dist/*.tar.gz --directory $(APART)/tests --strip-components 1
@@ -34,7 +35,7 @@ test-wheel: dist .venv/cad .venv/browser   ## the same tests, alone in another f
 	$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements.lock
 	-$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-cad.lock
 	$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --no-deps dist/*.whl
-	cd $(APART)/tests && ASSESS_RECORDS=$(RECORDS) ../env/bin/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
+	cd $(APART)/tests && ASSESS_SHARD=$(SHARD) ASSESS_RECORDS=$(RECORDS) ../env/bin/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
 
 check: .venv/installed     ## style, types, direction of imports
 	$(BIN)/ruff check .
@@ -67,7 +68,7 @@ dist: .venv/installed      ## wheel and source distribution, without a network; 
 	$(BIN)/python -m hatchling build >/dev/null
 	$(BIN)/python -m tests.distribution.contents dist
 
-wheel: dist                ## the wheel in an empty environment, with the locked versions: `new` and `run` from another folder
+wheel: dist                ## the wheel in an empty environment, with the locked versions: `new`, `run` and `verify --quick` from another folder
 	$(BIN)/python -m tests.distribution.try_wheel dist
 
 lowest:                    ## with uv: the oldest versions that pyproject.toml allows; tests of files, numbers, projects and reports with them
@@ -77,8 +78,8 @@ lowest:                    ## with uv: the oldest versions that pyproject.toml a
 	uv pip install --quiet --python $(LOWEST)/bin/python --requirement $(LOWEST)/lowest.txt --constraint $(LOWEST)/lowest.txt --group dev --editable .
 	$(LOWEST)/bin/python -m pytest -n 2 --dist worksteal -rs $(OLD_IS_NO_FAULT) $(or $(TESTS),tests/unit tests/end_to_end tests/validation)
 
-costs: dist                ## what each dependency weighs, as Markdown, in a fresh environment with the locked versions
-	$(BIN)/python -m tests.distribution.costs dist
+costs: .venv/cad           ## what each dependency weighs, as a table in Markdown
+	$(BIN)/python -m tests.distribution.costs
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
@@ -98,6 +99,9 @@ docs: .venv/docs           ## the manual in build/docs/html: spelling first; a w
 docs-links: docs           ## links of the manual: within it each leads somewhere; OUTSIDE=1 asks the network for the others
 	$(BIN)/python -m docs.ext.built_links build/docs/html
 	$(if $(OUTSIDE),$(BIN)/python -m sphinx -q -j 2 -d build/docs/pages -b linkcheck docs build/docs/outside)
+
+faults: .venv/installed    ## one fault at a time planted in a copy of the program: which solved cases turn red
+	$(BIN)/python -m tests.verification.faults
 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
 	$(BIN)/python -m tests.same $(BASE)

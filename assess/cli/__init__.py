@@ -11,6 +11,7 @@ import signal
 import sys
 from typing import NoReturn
 
+from assess.cli.stderr import begin
 from assess.errors import AssessError
 from assess.outputs.signals import Terminated, raise_on_signals
 from records.errors import RecordError
@@ -25,6 +26,7 @@ MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: collecting garbage more often t
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run one command with `arguments`, those of the process if None, and end the process."""
     gc.set_threshold(MADE_BETWEEN_COLLECTIONS)
+    begin()
     try:
         with raise_on_signals():
             from assess.cli.app import app
@@ -35,9 +37,10 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except OSError as error:
         _end(f"error: {_file_error(error)}", INPUT_IS_WRONG)
     except Terminated as signalled:
-        _end("interrupted" if signalled.number == signal.SIGINT else "terminated", BY_SIGNAL + signalled.number)
-    except KeyboardInterrupt:
-        _end("interrupted", BY_SIGNAL + signal.SIGINT)
+        what = "interrupted" if signalled.number == signal.SIGINT else "terminated"
+        _end(_with_notes(what, signalled), BY_SIGNAL + signalled.number)
+    except KeyboardInterrupt as interrupt:
+        _end(_with_notes("interrupted", interrupt), BY_SIGNAL + signal.SIGINT)
     except Exception as error:
         from assess.cli.usage import usage_error
 
@@ -46,6 +49,11 @@ def main(arguments: list[str] | None = None) -> NoReturn:
             _end(f"error: {wrong}", INPUT_IS_WRONG)
         _end(f"internal error: {type(error).__name__}: {error} (log: {_log()})", BUG)
     sys.exit(code or 0)
+
+
+def _with_notes(what: str, stop: BaseException) -> str:
+    """Return what ended the command, and what then stands as far as it has said so."""
+    return "; ".join((what, *getattr(stop, "__notes__", ())))
 
 
 def _end(line: str, code: int) -> NoReturn:

@@ -19,36 +19,29 @@ from assess.cli.report import report
 from assess.cli.run import run
 from assess.cli.schema import schema
 from assess.cli.spectrum import spectrum
+from assess.cli.summary import summary
+from assess.cli.verbosity import Quiet, Verbose, with_verbosity
 from assess.cli.verify import verify
+
+OPTIONS = ("help", "quiet", "verbose", "install_completion", "show_completion")
 
 app = typer.Typer(
     help="Seismic assessment of masonry walls: rocking dynamics and code checks, in a report to sign.",
     invoke_without_command=True,
-    add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={
         "help_option_names": ["-h", "--help"],
-        # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
-        "default_map": {"help": False, "records": {"help": False}},
+        # else typer 0.29 imports pydantic (0.2 s) for options that are absent
+        "default_map": {**dict.fromkeys(OPTIONS, False), "records": {"help": False}},
     },
 )
-for command in (
-    new,
-    check,
-    run,
-    batch,
-    parameters,
-    spectrum,
-    envelope,
-    fragility,
-    geometry,
-    report,
-    diff,
-    verify,
-    schema,
-):
-    app.command()(command)
+COMMANDS = (
+    new, check, run, batch, parameters, spectrum, envelope,
+    fragility, geometry, report, diff, summary, verify, schema,
+)  # fmt: skip
+for command in COMMANDS:
+    app.command()(with_verbosity(command))
 app.add_typer(records, name="records")
 
 
@@ -66,6 +59,8 @@ def _assess(
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
     ] = False,
+    quiet: Quiet = False,
+    verbose: Verbose = False,
 ) -> None:
     if context.invoked_subcommand is None:
         print(context.get_help())

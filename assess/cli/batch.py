@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -58,29 +57,26 @@ def batch(
     keep: Keep = "rows" if rows_only else "results" if no_report else "report"
     if scheduler is not None and jobs is not None:
         raise typer.BadParameter("--jobs is of this machine's processes; the scheduler has workers of its own")
+    from assess.cli.interruption import on_interruption
     from assess.cli.progress import progress
-    from assess.outputs.signals import Terminated
+    from assess.cli.stderr import print_note
     from assess.verbs import batch as run_batch
 
     whole = source.resolve()
     folder = output or whole.parent / f"{whole.name if whole.is_dir() else whole.stem}-results"
-    try:
-        with progress() as shown:
-            found = run_batch(
-                source,
-                folder,
-                template=template,
-                jobs=jobs or 0,
-                resume=resume,
-                scheduler=scheduler,
-                shard=shard,
-                keep=keep,
-                tell=lambda line: print(f"assess: note: {line}", file=sys.stderr),
-                progress=shown.count,
-            )
-    except (Terminated, KeyboardInterrupt):
-        print(f"assess: note: what is done is kept in {folder}; go on with --resume", file=sys.stderr)
-        raise
+    with on_interruption(f"what is done is kept in {folder}; go on with --resume"), progress() as shown:
+        found = run_batch(
+            source,
+            folder,
+            template=template,
+            jobs=jobs or 0,
+            resume=resume,
+            scheduler=scheduler,
+            shard=shard,
+            keep=keep,
+            tell=print_note,
+            progress=shown.count,
+        )
     print(summary(found), end="")
     raise typer.Exit(found.exit_code)
 

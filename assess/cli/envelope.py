@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -37,10 +36,11 @@ def envelope(
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.interruption import NOTHING_WRITTEN, on_interruption
     from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
+    from assess.cli.stderr import print_messages
     from assess.cli.tables.envelopes import csv_text, json_text, table_text
-    from assess.cli.tables.messages import messages_text
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps
@@ -49,7 +49,7 @@ def envelope(
 
     wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
     place = optional_folder(output, command="assess envelope", owner=ENVELOPES, wanted=wanted)
-    with place as stage, progress() as shown:
+    with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
         results = envelope_of_study(study, jobs=jobs or available_cores(), progress=shown.count)
@@ -60,7 +60,7 @@ def envelope(
             (stage / ENVELOPES).write_bytes(dumps(results).encode())
             write_document(envelope_report(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=shown.step)
     if as_json or as_csv:  # the table includes them
-        print(messages_text(results.warnings), end="", file=sys.stderr)
+        print_messages(results.warnings)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "envelopes.pdf")

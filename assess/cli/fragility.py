@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from assess.cli.completions import export_formats
 from assess.cli.options import Jobs, ProjectPath, refuse_both
 
 FORMATS = ("nrml", "pelicun", "csv")
@@ -39,6 +39,7 @@ def fragility(
             metavar="FORMATS",
             help="Also write the curves for other programs: nrml, pelicun, csv, or several with commas; needs -o.",
             callback=check_formats,
+            autocompletion=export_formats,
         ),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print fragility.json.")] = False,
@@ -57,10 +58,11 @@ def fragility(
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.interruption import NOTHING_WRITTEN, on_interruption
     from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
+    from assess.cli.stderr import print_messages
     from assess.cli.tables.fragility import csv_text, table_text
-    from assess.cli.tables.messages import messages_text
     from assess.outputs.manifest import FRAGILITY
     from assess.project.build import build
     from assess.results.json import dumps_fragility
@@ -73,7 +75,7 @@ def fragility(
     exported = [name for format in formats for name in FILES[format]]
     wanted = (FRAGILITY, "fragility.pdf", "fragility.html", "tables.xlsx", *exported)
     place = optional_folder(output, command="assess fragility", owner=FRAGILITY, wanted=wanted)
-    with place as stage, progress() as shown:
+    with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
         results = run_fragility(study, jobs=jobs or available_cores(), progress=shown.count)
@@ -86,9 +88,9 @@ def fragility(
             files, left_out = export_curves(results, formats)
             for name, text in files.items():
                 (stage / name).write_bytes(text.encode())
-            print(messages_text(left_out), end="", file=sys.stderr)
+            print_messages(left_out)
     if as_json or as_csv:  # the table includes them
-        print(messages_text(results.warnings), end="", file=sys.stderr)
+        print_messages(results.warnings)
     print(dumps_fragility(results) if as_json else csv_text(results) if as_csv else table_text(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "fragility.pdf")

@@ -7,13 +7,18 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.completions import examples
+
 
 def new(
     folder: Annotated[
         Path | None, typer.Argument(metavar="DIR", help="Folder to create; it must be empty or not exist yet.")
     ] = None,
     example: Annotated[
-        str, typer.Option("--example", metavar="NAME", help="Name of the example; --list shows them.")
+        str,
+        typer.Option(
+            "--example", metavar="NAME", autocompletion=examples, help="Name of the example; --list shows them."
+        ),
     ] = "casa_grande",
     list_examples: Annotated[bool, typer.Option("--list", help="List the examples and exit.")] = False,
 ) -> None:

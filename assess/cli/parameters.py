@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Annotated
 
 import typer
@@ -20,7 +19,7 @@ def parameters(
     from assess.project.schema import load
 
     loaded = load(project)
-    from assess.cli.tables.messages import messages_text
+    from assess.cli.stderr import print_messages
     from assess.cli.tables.parameters import csv_text, directions_text, parameters_text
     from assess.project.build import build
     from assess.results.json import dumps_mechanisms
@@ -29,7 +28,7 @@ def parameters(
 
     text = dumps_mechanisms if as_json else csv_text if as_csv else parameters_text
     study = build(loaded)
-    print(messages_text(study.messages), end="", file=sys.stderr)
+    print_messages(study.messages)
     mechanisms = parameters_of_study(study)
     print(text((*mechanisms, *case_parameters(study))), end="")
     if text is parameters_text:

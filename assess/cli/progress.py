@@ -1,11 +1,15 @@
-"""Progress on stderr: a bar in a terminal, nothing elsewhere."""
+"""Progress on stderr: a bar in a terminal, with --verbose a line for each stage, nothing elsewhere."""
 
 from __future__ import annotations
 
+import os
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Protocol
+
+from assess.cli.stderr import is_quiet, is_verbose, print_detail
 
 
 class Progress(Protocol):
@@ -26,14 +30,46 @@ class _Silent:
         pass
 
 
+class _Timed:
+    """A line for each stage when it ends: its time and, where they are counted, its items."""
+
+    def __init__(self) -> None:
+        self._stage, self._items, self._begin = "reading", 0, time.perf_counter()
+
+    def count(self, stage: str, done: int, total: int) -> None:
+        if stage != self._stage:
+            self.step(stage)
+        self._items = total
+
+    def step(self, stage: str) -> None:
+        items = f", {self._items} items" if self._items > 1 else ""
+        now = time.perf_counter()
+        print_detail(f"{self._stage}: {now - self._begin:.2f} s{items}")
+        self._stage, self._items, self._begin = stage, 0, now
+
+
 @contextmanager
 def progress() -> Iterator[Progress]:
     """Show progress while the block runs."""
-    if not sys.stderr.isatty():
+    if is_verbose():
+        with _lines() as lines:
+            yield lines
+    elif is_quiet() or not sys.stderr.isatty() or os.environ.get("TERM") in ("dumb", "unknown"):
         yield _Silent()
-        return
-    with _bar() as bar:
-        yield bar
+    else:
+        with _bar() as bar:
+            yield bar
+
+
+@contextmanager
+def _lines() -> Iterator[Progress]:
+    from assess.cli.compiled_code import compiled_since
+
+    begin, lines = time.time(), _Timed()
+    yield lines
+    lines.step("")
+    if found := compiled_since(begin):
+        print_detail(found)
 
 
 @contextmanager

@@ -51,6 +51,7 @@ def report(
 
     read = open_results(results, tell=print_message)
     found = read.results
+    from assess.cli.interruption import on_interruption
     from assess.cli.progress import progress
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
@@ -67,6 +68,7 @@ def report(
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
         output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
         progress() as shown,
         read.blame_changes(),
     ):
@@ -89,6 +91,7 @@ def report(
 
 def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
     """Rewrite the report of `assess fragility` from its results at `path`."""
+    from assess.cli.interruption import on_interruption
     from assess.cli.progress import progress
     from assess.cli.stderr import print_message
     from assess.outputs.folder import output_folder
@@ -106,6 +109,7 @@ def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
         output_folder(folder, command="assess report", owner=FRAGILITY, wanted=wanted, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
         progress() as shown,
     ):
         document = replace(fragility_report(found), locale=locale_of(plain, chosen))

@@ -46,8 +46,9 @@ def _assess(project: Path, output: Path | None, jobs: int | None, *, report: boo
     from assess.project.schema import load
 
     loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
+    from assess.cli.interruption import on_interruption
     from assess.cli.progress import progress
-    from assess.cli.stderr import print_message
+    from assess.cli.stderr import print_detail, print_message
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import REPORT, RESULTS
     from assess.project.build import build
@@ -57,10 +58,16 @@ def _assess(project: Path, output: Path | None, jobs: int | None, *, report: boo
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     wanted = (RESULTS, *(REPORT if report else ()))
-    with output_folder(folder, command="assess run", wanted=wanted, tell=print_message) as stage, progress() as shown:
+    with (
+        output_folder(folder, command="assess run", wanted=wanted, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+    ):
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
         results = run_study(study, jobs=jobs or available_cores(), progress=shown.count)
+        for record in results.records:
+            print_detail(f"record {record.path or record.id}, factor {record.scale_factor:.4g}")
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())
         if report:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.completions import Completion, of_words, spectrum_codes
 from assess.cli.options import FigurePath, refuse_both, refuse_figure
 
 OWN = (
@@ -17,9 +18,13 @@ OWN = (
     "output",
 )  # parameters of the command that are not keys of a spectrum
 
+HAZARDS = of_words("design", "mce")
 
-def _key(name: str, metavar: str, words: str) -> typer.models.OptionInfo:
-    option: typer.models.OptionInfo = typer.Option(f"--{name}", metavar=metavar, help=words, show_default=False)
+
+def _key(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
+    option: typer.models.OptionInfo = typer.Option(
+        f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete
+    )
     return option
 
 
@@ -30,26 +35,31 @@ def spectrum(
     ] = None,
     code: Annotated[
         str | None,
-        _key("code", "CODE", "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ntc2008, ntc2018, table."),
+        _key(
+            "code",
+            "CODE",
+            "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ntc2008, ntc2018, table.",
+            spectrum_codes,
+        ),
     ] = None,
     s_s: Annotated[
         str | None, _key("s-s", "ACC", 'asce7: mapped acceleration at short periods, such as "0.25 g".')
     ] = None,
     s_1: Annotated[str | None, _key("s-1", "ACC", "asce7: mapped acceleration at 1 s.")] = None,
-    site_class: Annotated[str | None, _key("site-class", "CLASS", "asce7: A to E.")] = None,
+    site_class: Annotated[str | None, _key("site-class", "CLASS", "asce7: A to E.", of_words(*"ABCDE"))] = None,
     s_ds: Annotated[
         str | None, _key("s-ds", "ACC", "asce7: design acceleration at short periods, instead of a mapped one.")
     ] = None,
     s_d1: Annotated[str | None, _key("s-d1", "ACC", "asce7: design acceleration at 1 s.")] = None,
     t_l: Annotated[str | None, _key("t-l", "TIME", 'asce7: long-period transition, such as "6 s".')] = None,
-    hazard: Annotated[str | None, _key("hazard", "WORD", "asce7: design (default) or mce.")] = None,
+    hazard: Annotated[str | None, _key("hazard", "WORD", "asce7: design (default) or mce.", HAZARDS)] = None,
     a_g: Annotated[str | None, _key("a-g", "ACC", "ec8, ntc: peak ground acceleration on rock.")] = None,
-    ground_type: Annotated[str | None, _key("ground-type", "TYPE", "ec8: A to E.")] = None,
+    ground_type: Annotated[str | None, _key("ground-type", "TYPE", "ec8: A to E.", of_words(*"ABCDE"))] = None,
     type: Annotated[str | None, _key("type", "1|2", "ec8: type of the spectrum (default: 1).")] = None,
     importance_factor: Annotated[
         str | None, _key("importance-factor", "NUMBER", "ec8: importance factor (default: 1).")
     ] = None,
-    subsoil: Annotated[str | None, _key("subsoil", "CLASS", "nzs1170.5: A to E.")] = None,
+    subsoil: Annotated[str | None, _key("subsoil", "CLASS", "nzs1170.5: A to E.", of_words(*"ABCDE"))] = None,
     z: Annotated[str | None, _key("z", "NUMBER", "nzs1170.5: hazard factor.")] = None,
     r: Annotated[str | None, _key("r", "NUMBER", "nzs1170.5: return period factor.")] = None,
     return_period: Annotated[
@@ -60,7 +70,7 @@ def spectrum(
     ] = None,
     f_0: Annotated[str | None, _key("f-0", "NUMBER", "ntc: maximum spectral amplification on rock.")] = None,
     t_c_star: Annotated[str | None, _key("t-c-star", "TIME", "ntc: T_C* on rock.")] = None,
-    soil: Annotated[str | None, _key("soil", "CATEGORY", "ntc: A to E.")] = None,
+    soil: Annotated[str | None, _key("soil", "CATEGORY", "ntc: A to E.", of_words(*"ABCDE"))] = None,
     topography: Annotated[str | None, _key("topography", "CATEGORY", "ntc: T1 (default) to T4.")] = None,
     relief_position: Annotated[
         str | None, _key("relief-position", "NUMBER", "ntc: 1 at the top of the relief (default), 0 at its foot.")

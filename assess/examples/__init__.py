@@ -13,6 +13,8 @@ from assess.examples import casa_grande, chiesa, house, nepal_monuments, san_leo
 from assess.examples.surface import Surface, ply
 from assess.outputs.stage import MADE, clear, stage
 
+SCHEMA = "project.schema.json"
+"""The schema of project files, beside that of an example: editors that know `#:schema` check and complete with it."""
 Meshes = Callable[[], Mapping[str, Surface]]
 
 
@@ -114,6 +116,16 @@ def _write(name: str, folder: Path) -> None:
             (made / path).write_bytes(ply(surface))
         for path, text in {**EXAMPLES[name].tables(), **EXAMPLES[name].models()}.items():
             (made / path).write_text(text, encoding="utf-8", newline="")
+        _name_schema(made, EXAMPLES[name].file)
         if folder.exists():
             folder.rmdir()  # it is empty
         made.rename(folder)
+
+
+def _name_schema(folder: Path, file: str) -> None:
+    """Write the schema beside a project file, and name it in the file's first line, where editors look for it."""
+    from assess.project.schema import schema_text
+
+    (folder / SCHEMA).write_text(schema_text(), encoding="utf-8", newline="\n")
+    project = folder / file
+    project.write_bytes(f"#:schema ./{SCHEMA}\n".encode() + project.read_bytes())

@@ -19,6 +19,7 @@ from pydantic import (
     WithJsonSchema,
 )
 
+from assess.project.quantity_patterns import INFINITE, MARK, Form
 from assess.project.units import KINDS, key_value, si_value
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
@@ -29,11 +30,16 @@ def _read(kind: str) -> BeforeValidator:
     return BeforeValidator(lambda value: key_value(value, KINDS[kind]))
 
 
-def _described(kind: str) -> WithJsonSchema:
+def quantity_schema(kind: str) -> dict[str, Any]:
+    """Return the schema of a key that holds a quantity of a kind in KINDS."""
+    return {"type": ["number", "string"], MARK: [kind, "quantity"]}
+
+
+def _described(kind: str, form: Form = "quantity") -> WithJsonSchema:
     k = KINDS[kind]
     words = f'{k.name}: a number in {k.symbol}, or a string with its unit like "{k.example}"'
     words += f', or the weight of it like "{k.weighing}", by standard gravity' if k.weight else ""
-    return WithJsonSchema({"type": ["number", "string"], "description": words})
+    return WithJsonSchema({**quantity_schema(kind), "description": words, MARK: [kind, form]})
 
 
 # the kind stands beside its reader, so that the unit of a key can be told from the type of the key
@@ -78,14 +84,20 @@ Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
 
 def _or_infinite(kind: str) -> BeforeValidator:
     def read(value: Any) -> float:
-        endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in ("inf", "infinite"))
+        endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)
         return math.inf if endless else key_value(value, KINDS[kind])
 
     return BeforeValidator(read)
 
 
-Strength = Annotated[float, Field(gt=0), _or_infinite("stress"), _described("stress"), KINDS["stress"]]
-JointStiffness = Annotated[float, Field(gt=0), _or_infinite("stiffness"), _described("stiffness"), KINDS["stiffness"]]
+def _described_or_infinite(kind: str) -> WithJsonSchema:
+    return _described(kind, "quantity or infinite")
+
+
+Strength = Annotated[float, Field(gt=0), _or_infinite("stress"), _described_or_infinite("stress"), KINDS["stress"]]
+JointStiffness = Annotated[
+    float, Field(gt=0), _or_infinite("stiffness"), _described_or_infinite("stiffness"), KINDS["stiffness"]
+]
 
 
 def _coordinate(value: Any) -> float:
@@ -190,7 +202,9 @@ LengthUnit = Annotated[
     float,
     BeforeValidator(lambda value: _one_unit("length", value)),
     Field(gt=0),
-    WithJsonSchema({"type": ["number", "string"], "description": 'a unit of length like "mm"'}),
+    WithJsonSchema(
+        {"type": ["number", "string"], "description": 'a unit of length like "mm"', MARK: ["length", "unit"]}
+    ),
 ]
 
 

@@ -11,6 +11,7 @@ The tables are the classes of `assess.project.sections`.
 from __future__ import annotations
 
 import hashlib
+import json
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
@@ -26,6 +27,7 @@ from assess.messages.message import Message
 from assess.project.bare_numbers import bare_number_messages
 from assess.project.key_text import error_line, escape_text, value_text
 from assess.project.keys import places_of
+from assess.project.quantity_patterns import with_quantity_patterns
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.sections.uncertain_number import with_uncertain_numbers
@@ -38,6 +40,8 @@ from records.paths import relative_path
 T = TypeVar("T")
 FORMAT = 1
 FILE_NAME = "project.toml"
+TITLE = "Project file of assess"
+"""Title of the schema, by which its file is known."""
 _DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+,\d+)(?![.\d\]])")
 _UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from format n to n + 1; there is only one yet
 
@@ -251,7 +255,12 @@ def _plain(value: Any, folder: Path) -> Any:
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
 
 
+def schema_text() -> str:
+    """Return the JSON Schema of the project file as the text of a file."""
+    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
+
+
 def json_schema() -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of the project file."""
-    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Project file of assess"}
-    return {**with_uncertain_numbers(Content.model_json_schema()), **head}
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE}
+    return {**with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema())), **head}

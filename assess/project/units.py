@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -21,8 +22,21 @@ from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.usual_units import AMBIGUOUS, DEFINED, USUAL, WEIGHTS, G
 
 _POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
-_FACTOR = rf"(?:1(?=\s*/)|[^\W\d_]+(?:_[^\W\d_]+)*|[%‰°'\"]){_POWER}"
-_UNIT = re.compile(rf"{_FACTOR}(?:\s*[*/·]\s*{_FACTOR}|\s+{_FACTOR})*")
+SIGNS = "%‰°'\""
+
+
+def name_pattern(letter: str) -> str:
+    """Return the pattern of a unit's name, of a class of letters."""
+    return f"{letter}+(?:_{letter}+)*"
+
+
+def unit_pattern(letter: str) -> str:
+    """Return the pattern of a unit: names and signs with their powers, multiplied and divided."""
+    factor = rf"(?:1(?=\s*/)|{name_pattern(letter)}|[{SIGNS}]){_POWER}"
+    return rf"{factor}(?:\s*[*/·]\s*{factor}|\s+{factor})*"
+
+
+_UNIT = re.compile(unit_pattern(r"[^\W\d_]"))
 SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
 _TURNS = frozenset(
     {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
@@ -166,6 +180,25 @@ def _factor(unit: str, kind: Kind) -> Fraction:
     return pint_factor(unit, kind) if usual is None else usual
 
 
+def reads_unit(unit: str, kind: Kind) -> bool:
+    """Whether `unit` is one of `kind`, as it is typed behind a number."""
+    try:
+        _factor(unit, kind)
+    except QuantityError:
+        return False
+    return True
+
+
+def has_dimension(unit: str, kind: Kind) -> bool:
+    """Whether a unit of pint's has the dimension of `kind`, or that of its weight."""
+    return _dimension(_as_pint(unit, kind)) in [_dimension(each) for each in (kind.unit, kind.weight) if each]
+
+
+@cache
+def _dimension(unit: str) -> Any:
+    return _registry().parse_units(unit).dimensionality
+
+
 def is_weight(value: str, kind: Kind) -> bool:
     """Whether a quantity that `si_value` reads is the weight of what it stands for, like a density in kN/m^3."""
     if not kind.weight:
@@ -195,7 +228,7 @@ def pint_factor(unit: str, kind: Kind) -> Fraction:
         raise QuantityError(f'"{unit}" is not a unit of {kind.name}; {_remedy(kind)}') from None
     except Exception:  # whatever else pint's parser stumbles over is not a unit either
         raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}') from None
-    if names & kind.never or (kind.only and not names <= kind.only):
+    if not all(_allows(kind, name) for name in names):
         raise QuantityError(f'"{unit}" is not a unit of {kind.name}; {_remedy(kind)}')
     return Fraction(factor)
 
@@ -209,6 +242,29 @@ def _registry() -> Any:
     for definition in DEFINED:
         registry.define(definition)
     return registry
+
+
+def prefixes_and_names(kind: Kind) -> tuple[list[str], list[str]]:
+    """Return the prefixes of units and the names, without prefix and plural, that units of `kind` have by pint."""
+    names = [name for name, root in _names().items() if _allows(kind, root) and has_dimension(name, kind)]
+    return sorted(filter(None, _registry()._prefixes)), sorted(names)
+
+
+@cache
+def _names() -> dict[str, str]:
+    """Return pint's names of units that can be typed, each with the unit that it is of; none with a prefix."""
+    found: dict[str, str] = {}
+    for name in [each for each in _registry()._units if each.replace("_", "").isalpha()]:
+        with suppress(AttributeError):  # of a few names that pint lists and does not know
+            prefix, root, _ = _registry().parse_unit_name(name)[0]
+            found |= {} if prefix else {name: root}
+            _dimension(name)
+    return found
+
+
+def _allows(kind: Kind, name: str) -> bool:
+    """Whether a unit of the right dimension is one of `kind`."""
+    return name not in kind.never and (not kind.only or name in kind.only)
 
 
 def _as_pint(unit: str, kind: Kind) -> str:

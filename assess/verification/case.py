@@ -26,7 +26,7 @@ class Quantity:
     """What is compared: the expected values by their rows.
 
     path : place of the value in the tree that the solver returns, with dots; `{row}` stands for the row. Items of
-        lists are found by their `name`, `id`, `procedure` or `symbol`, or by their number
+        lists are found by their `name`, `id`, `procedure`, `symbol` or `record`, or by their number
     over : place of a value that the found one is divided by; none if empty
     values : expected, by row; one row named "" for a single value
     factor : what the found value is multiplied by to get the unit of the source
@@ -80,6 +80,11 @@ class CaseFile:
         """The files that it is given, relative to its own: `file`, and those of `files`."""
         one, several = self.case.given.get("file"), self.case.given.get("files", ())
         return (*(() if one is None else (str(one),)), *map(str, several))
+
+    @property
+    def paths(self) -> tuple[Path, ...]:
+        """The file itself, and those that it is given."""
+        return (self.path, *(self.path.parent / name for name in self.names))
 
     def beside(self, name: str) -> str:
         """Return the path of a file that stands beside the case, relative to the folder of cases."""

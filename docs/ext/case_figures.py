@@ -9,10 +9,12 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from pydantic import TypeAdapter
 
-from assess.results import Results
+from assess.results import MechanismResult, Results
 from assess.results.json import loads
 from assess.results.verification import CaseResult, QuantityResult, ValueResult
+from reports.figures import capacity, sketch
 from reports.figures.style import FAIL, HALF, INK, MUTED, PAPER, PASS, WIDTH, report_style, sheet
 from reports.language.locale import Locale
 from reports.report_figure import report_figure
@@ -85,6 +87,22 @@ def difference_share(quantity: QuantityResult, value: ValueResult) -> float | No
 def project_results(tree: Mapping[str, Any]) -> Results | None:
     """Return the results of a case that is a project; None of others."""
     return loads(json.dumps(tree)) if "schema_version" in tree and "mechanisms" in tree else None
+
+
+def tree_mechanisms(tree: Mapping[str, Any]) -> tuple[MechanismResult, ...]:
+    """Return the mechanisms of a case that builds them without assessing them; none of others."""
+    found = tree.get("mechanisms")
+    if "schema_version" in tree or not isinstance(found, list):
+        return ()
+    return TypeAdapter(tuple[MechanismResult, ...]).validate_python(found)
+
+
+def draw_mechanisms(mechanisms: tuple[MechanismResult, ...]) -> Iterator[tuple[str, str, Figure]]:
+    """Yield name, caption and figure of the first and the last mechanism: in its plane, and its moments."""
+    for place, each in enumerate(mechanisms[:: max(1, len(mechanisms) - 1)][:2]):
+        named = each.label or each.name
+        yield f"sketch-{place}", CAPTIONS["sketch"].format(named), sketch.draw(each, LOCALE)
+        yield f"capacity-{place}", CAPTIONS["capacity"].format(named), capacity.draw(each, LOCALE)
 
 
 def draw_project(results: Results) -> Iterator[tuple[str, str, Figure]]:

@@ -11,9 +11,10 @@ from assess.examples import source
 from assess.project.schema import FILE_NAME
 from assess.results.verification import CaseResult, QuantityResult, ValueResult
 from assess.verification.case import CaseFile
-from assess.verification.verify import input_files
 from docs.ext.markdown import cell, escape
 
+SHOWN = {".toml": "toml", ".csv": "text"}  # files that are shown, as what
+LONGEST = 20_000  # bytes of a file that is shown
 OUTCOMES = {"pass": "pass", "misprint": "misprint", "fail": "**fail**"}
 
 
@@ -47,7 +48,7 @@ def case_page(file: CaseFile, result: CaseResult, figures: Sequence[Shown]) -> s
             *_fault(result),
             "## To run it again",
             "",
-            *(_file(path) for path in (*input_files(file), *_example(file))),
+            *(_file(path) for path in (*file.paths, *_example(file))),
         )
     )
 
@@ -111,6 +112,10 @@ def _fault(result: CaseResult) -> list[str]:
 
 
 def _file(path: Path) -> str:
-    """Return a file as a box that opens."""
-    text = path.read_text(encoding="utf-8")
-    return f"<details><summary><code>{path.name}</code></summary>\n\n```toml\n{text.rstrip()}\n```\n\n</details>\n"
+    """Return a file as a box that opens; of records and meshes the name and size."""
+    if path.suffix not in SHOWN or path.stat().st_size > LONGEST:
+        return f"- `{path.name}`, {path.stat().st_size / 1000:.0f} kB\n"
+    text = path.read_text(encoding="utf-8").rstrip()
+    return (
+        f"<details><summary><code>{path.name}</code></summary>\n\n```{SHOWN[path.suffix]}\n{text}\n```\n\n</details>\n"
+    )

@@ -16,9 +16,17 @@ from matplotlib.figure import Figure
 from assess.results.verification import CaseResult
 from assess.verification.case import CaseFile
 from assess.verification.read import read_cases
-from assess.verification.verify import compare_case, input_files, solve_case
+from assess.verification.verify import compare_case, solve_case
 from assess.workers import process_pool
-from docs.ext.case_figures import difference_share, draw_agreement, draw_project, is_half, project_results
+from docs.ext.case_figures import (
+    difference_share,
+    draw_agreement,
+    draw_mechanisms,
+    draw_project,
+    is_half,
+    project_results,
+    tree_mechanisms,
+)
 from docs.ext.case_pages import Shown, case_page
 from docs.ext.markdown import cell, escape
 from reports.render.figure_file import write_figure
@@ -62,8 +70,9 @@ def _write_case(file: CaseFile, folder: Path) -> None:
     tree = solve_case(file)
     result, name = compare_case(file, tree), page_name(file)
     figures = [("agreement", "Values of this case beside those of its source", draw_agreement(result))]
-    if (results := project_results(tree)) is not None:
-        figures = [*draw_project(results), *figures]
+    results = project_results(tree)
+    drawn = draw_mechanisms(tree_mechanisms(tree)) if results is None else draw_project(results)
+    figures = [*drawn, *figures]
     for key, _, figure in figures:
         write_figure(figure, folder / f"{name}-{key}.svg", creator="assess")
     shown = [Shown(f"{name}-{key}.svg", caption, half=is_half(figure)) for key, caption, figure in figures]
@@ -74,7 +83,7 @@ def _write_case(file: CaseFile, folder: Path) -> None:
 def _for_the_list(figures: list[tuple[str, str, Figure]]) -> str:
     """Return the figure that stands for a case in the list: a mechanism if one is drawn."""
     names = [key for key, _, _ in figures]
-    return next((key for key in ("view", "sketch") if key in names), names[0])
+    return next((key for key in ("view", "sketch", "sketch-0") if key in names), names[0])
 
 
 def _row(name: str, result: CaseResult, picture: str) -> str:
@@ -100,7 +109,7 @@ def _table(files: tuple[CaseFile, ...], kept: list[Path]) -> str:
 
 def _hash(file: CaseFile) -> str:
     digest = hashlib.sha256(_program().encode())
-    for path in input_files(file):
+    for path in file.paths:
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 

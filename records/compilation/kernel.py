@@ -42,6 +42,12 @@ def cache_on_disk(function: F) -> F:
     return function
 
 
+def code_folder() -> Path | None:
+    """The folder in which machine code is kept; None where there is no place for it."""
+    found = _place()
+    return None if found is None else found[1]
+
+
 @cache
 def _place() -> tuple[str, Path] | None:
     """The hash of the sources, taken before most of them are imported, and the folder of that name."""

@@ -6,28 +6,50 @@ from pathlib import Path
 
 import pytest
 
+from assess.verification.case import CaseFile
 from assess.verification.read import read_cases
 from assess.verification.verify import compare_case
 from docs.ext import gallery
 from docs.ext.case_figures import difference_share, draw_agreement
 from docs.ext.case_pages import Shown, case_page, number
 
-FREE_ROCKING = next(each for each in read_cases() if each.key == "housner_1963/free_rocking")
+CASE = """
+title = "Period of a block"
+theory = "A closed form."
+field = "Slender blocks."
+uses = ["single-block", "rigid"]
+solver = "free-rocking"
+given = { thickness = 0.2, height = 4.0, tilts = [0.1], equation = "linearised", duration = 40.0 }
+source = { citation = "Somebody, S. (1963). A paper", standing = "derived", place = "eq. 7" }
+[[quantities]]
+name = "p T"
+path = "period_p.{row}"
+tolerance = { relative = 1e-6, reason = "seven digits are given" }
+values = { "0.1" = 1.868581, "0.5" = 5.267832, "0.9" = 11.972892 }
+"""
 TREE = {"period_p": {"0.1": 1.868581, "0.5": 5.267832, "0.9": 12.5}}
 
 
 @pytest.fixture
-def result():
-    return compare_case(FREE_ROCKING, TREE)
+def case(tmp_path) -> CaseFile:
+    (tmp_path / "somebody").mkdir()
+    (tmp_path / "somebody" / "free.toml").write_text(CASE, encoding="utf-8")
+    (found,) = read_cases(tmp_path)
+    return found
 
 
-def test_a_page_has_source_values_tolerance_and_file(result):
-    page = case_page(FREE_ROCKING, result, [Shown("a.svg", "A figure", half=False)])
-    assert "Housner, G. W. (1963)" in page
+@pytest.fixture
+def result(case):
+    return compare_case(case, TREE)
+
+
+def test_a_page_has_source_values_tolerance_and_file(case, result):
+    page = case_page(case, result, [Shown("a.svg", "A figure", half=False)])
+    assert "Somebody, S. (1963)" in page
     assert "| 0.1 | 1.868581 | 1.868581 | 0 | 1.9e−06 | pass |" in page
     assert "| 0.9 | 11.97289 | 12.5 | 0.53 | 1.2e−05 | **fail** |" in page
     assert "![A figure](a.svg)" in page
-    assert "seven digits of the closed form" in page
+    assert "seven digits are given" in page
     assert 'solver = "free-rocking"' in page
 
 
@@ -44,23 +66,23 @@ def test_a_difference_is_told_in_tolerances(result):
     assert difference_share(quantity, quantity.values[2]) == pytest.approx((12.5 - 11.972892) / 11.972892e-6)
 
 
-def test_a_case_runs_again_only_when_something_changed(monkeypatch, tmp_path):
+def test_a_case_runs_again_only_when_something_changed(case, monkeypatch, tmp_path):
     runs: list[str] = []
-    monkeypatch.setattr(gallery, "KEPT", tmp_path)
+    monkeypatch.setattr(gallery, "KEPT", tmp_path / "kept")
     monkeypatch.setattr(gallery, "solve_case", lambda file: runs.append(file.key) or TREE)
-    folder = gallery.keep_case(FREE_ROCKING)
-    assert gallery.keep_case(FREE_ROCKING) == folder
-    assert runs == [FREE_ROCKING.key]
+    folder = gallery.keep_case(case)
+    assert gallery.keep_case(case) == folder
+    assert runs == [case.key]
     monkeypatch.setattr(gallery, "_program", lambda: "another")
-    assert gallery.keep_case(FREE_ROCKING) != folder
+    assert gallery.keep_case(case) != folder
     assert len(runs) == 2
 
 
-def test_files_of_a_case_are_its_page_its_figures_and_its_row(monkeypatch, tmp_path: Path):
-    monkeypatch.setattr(gallery, "KEPT", tmp_path)
+def test_files_of_a_case_are_its_page_its_figures_and_its_row(case, monkeypatch, tmp_path: Path):
+    monkeypatch.setattr(gallery, "KEPT", tmp_path / "kept")
     monkeypatch.setattr(gallery, "solve_case", lambda file: TREE)
-    names = {path.name for path in gallery.keep_case(FREE_ROCKING).iterdir()}
-    page = gallery.page_name(FREE_ROCKING)
+    names = {path.name for path in gallery.keep_case(case).iterdir()}
+    page = gallery.page_name(case)
     assert names == {f"{page}.md", f"{page}-agreement.svg", "row.txt"}
 
 

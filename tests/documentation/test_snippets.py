@@ -11,9 +11,11 @@ from typing import Any
 
 import pytest
 import typer.main
+from jsonschema import Draft202012Validator
 
 from assess.cli.app import app
-from assess.project.schema import load
+from assess.project.schema import json_schema, load
+from tests.support.projects import as_editors_see
 
 ROOT = Path(__file__).resolve().parents[2]
 MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
@@ -84,6 +86,17 @@ def test_project_files_are_read(text, tmp_path):
     file = tmp_path / "project.toml"
     file.write_text("\n".join(f'"{key}" = {toml(value)}' for key, value in whole(text).items()), encoding="utf-8")
     assert load(file).content.mechanisms
+
+
+@pytest.mark.parametrize("text", [pytest.param(text, id=place) for place, text in blocks("toml")])
+def test_an_editor_finds_no_fault_in_them(text, schema):
+    assert [fault.message for fault in schema.iter_errors(as_editors_see(whole(text)))] == []
+
+
+@pytest.fixture(scope="module")
+def schema():
+    """The schema of project files, as editors read it."""
+    return Draft202012Validator(json_schema())
 
 
 def commands() -> Iterator[tuple[str, str]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping
+from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -104,3 +105,12 @@ def _is_inner(name: str, key: str, value: Any) -> bool:
 
 def _key(name: str) -> str:
     return name if re.fullmatch(r"[\w-]+", name, re.ASCII) else json.dumps(name)
+
+
+def as_editors_see(value: Any) -> Any:
+    """Return tables of TOML as JSON holds them: a date is a text."""
+    if isinstance(value, dict):
+        return {key: as_editors_see(each) for key, each in value.items()}
+    if isinstance(value, list):
+        return [as_editors_see(each) for each in value]
+    return value.isoformat() if isinstance(value, date) else value

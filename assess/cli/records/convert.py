@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.completions import acceleration_units
 from assess.cli.records.options import Files, Response, Step, Unit, check_azimuth
 
 
@@ -43,7 +44,11 @@ def convert(
     scale: Annotated[float | None, typer.Option(help="Factor applied to every acceleration.")] = None,
     to_unit: Annotated[
         str | None,
-        typer.Option(metavar="UNIT", help="Unit of a CSV file: m/s2 (default), g, cm/s2, gal, mm/s2."),
+        typer.Option(
+            metavar="UNIT",
+            autocompletion=acceleration_units,
+            help="Unit of a CSV file: m/s2 (default), g, cm/s2, gal, mm/s2.",
+        ),
     ] = None,
 ) -> None:
     """Write one record as CSV or PEER AT2, after rotation, correction, filtering, trimming, resampling and scaling."""

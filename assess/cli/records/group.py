@@ -10,6 +10,7 @@ from assess.cli.records.list_records import list_records
 from assess.cli.records.scale import scale
 from assess.cli.records.select import select
 from assess.cli.records.spectra import spectra
+from assess.cli.verbosity import with_verbosity
 
 records = typer.Typer(
     help="List, process, convert, select and scale records of ground motion.",
@@ -26,6 +27,6 @@ def _records(context: typer.Context) -> None:
         raise typer.Exit(2)
 
 
-records.command("list")(list_records)
+records.command("list")(with_verbosity(list_records))
 for command in (convert, index, spectra, select, scale):
-    records.command()(command)
+    records.command()(with_verbosity(command))

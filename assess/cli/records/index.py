@@ -27,6 +27,7 @@ def index(
 
     Later runs read only new and changed files; an interrupted run continues where it stopped.
     """
+    from assess.cli.interruption import on_interruption
     from assess.cli.progress import progress
     from assess.cli.stderr import print_warnings
     from assess.cli.tables.index import json_text, table_text
@@ -43,6 +44,7 @@ def index(
     next(files_below(folder), None)  # a missing folder is reported before a catalogue is created
     place = catalogue or folder / NAME
     with (
+        on_interruption(f"what was read is kept in {place}; the next run goes on from there"),
         progress() as shown,
         open_catalogue(place) as connection,
         process_pool(jobs) as executor,

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.completions import acceleration_units
+
 
 def check_unit(unit: str | None) -> str | None:
     """Return a unit of acceleration; raise BadParameter for one that is not known."""
@@ -48,7 +50,9 @@ Files = Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record fi
 Unit = Annotated[
     str | None,
     typer.Option(
-        help="Unit of acceleration where a file does not state it: g, m/s2, cm/s2, gal, mm/s2.", callback=check_unit
+        help="Unit of acceleration where a file does not state it: g, m/s2, cm/s2, gal, mm/s2.",
+        callback=check_unit,
+        autocompletion=acceleration_units,
     ),
 ]
 Step = Annotated[float | None, typer.Option(help="Time step [s] where a file does not state it.", callback=check_step)]

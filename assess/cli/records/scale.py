@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.completions import of_words
 from assess.cli.options import refuse_both
 from assess.cli.records.options import Files, Response, Step, Target, Unit
 
@@ -15,7 +16,13 @@ from assess.cli.records.options import Files, Response, Step, Target, Unit
 def scale(
     files: Files,
     target: Target,
-    to: Annotated[str, typer.Option(help="Match the spectrum (least squares), its pga, or none.")] = "spectrum",
+    to: Annotated[
+        str,
+        typer.Option(
+            help='Match the "spectrum" (least squares), its "pga", or "none".',
+            autocompletion=of_words("spectrum", "pga", "none"),
+        ),
+    ] = "spectrum",
     at: Annotated[float | None, typer.Option(metavar="PERIOD", help="Match the ordinate at this period [s].")] = None,
     periods: Annotated[
         tuple[float, float], typer.Option(metavar="FROM TO", help="Periods of the least squares [s].")

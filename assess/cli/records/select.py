@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from assess.cli.completions import of_words
 from assess.cli.options import FigurePath, Jobs, refuse_both, refuse_figure
 from assess.cli.records.options import TARGET, Catalogue, Flatfile, Response, Step, Unit
 
@@ -43,19 +43,33 @@ def select(
     scale_limits: Annotated[
         tuple[float, float], typer.Option(metavar="FROM TO", help="Smallest and largest scale factor.")
     ] = (0.25, 4.0),
-    fit: Annotated[str, typer.Option(help='Fit the mean of the "suite", or "each" record.')] = "suite",
+    fit: Annotated[
+        str,
+        typer.Option(help='Fit the mean of the "suite", or "each" record.', autocompletion=of_words("suite", "each")),
+    ] = "suite",
     components: Annotated[
-        str, typer.Option(help='Use components separately ("single"), or those of a recording "together".')
+        str,
+        typer.Option(
+            help='Use components separately ("single"), or those of a recording "together".',
+            autocompletion=of_words("single", "together"),
+        ),
     ] = "single",
     code: Annotated[
         str | None,
         typer.Option(
             "--for",
             metavar="CODE",
+            autocompletion=of_words("asce7-16", "asce43-05", "ec8", "ntc2018", "nzs1170.5"),
             help="Meet the rules of asce7-16, asce43-05, ec8, ntc2018 or nzs1170.5; --periods are 0.2 to 1.2 T.",
         ),
     ] = None,
-    scale_to: Annotated[str, typer.Option(help='Scale each record to "spectrum", "pga" or "none".')] = "spectrum",
+    scale_to: Annotated[
+        str,
+        typer.Option(
+            help='Scale each record to "spectrum", "pga" or "none".',
+            autocompletion=of_words("spectrum", "pga", "none"),
+        ),
+    ] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
     ] = False,
@@ -93,13 +107,15 @@ def select(
     refuse_both(as_json=as_json, as_csv=as_csv)
     refuse_figure(output)
     _refuse_without_target(context, target, places)
+    from assess.cli.progress import progress
+    from assess.cli.stderr import print_note
     from assess.project.suites import Wanted, lock_project, lock_target, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
     written = None
     if target is None:
-        with process_pool(jobs) as executor:
+        with progress(), process_pool(jobs) as executor:
             if lock:
                 found, written = lock_project(places[0], executor=executor)
             else:
@@ -109,14 +125,14 @@ def select(
         one_per_event, events = not several_per_event, tuple(event or ())
         wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events, code)
         overrides = HeaderOverrides(unit, step, response)
-        with process_pool(jobs) as executor:
+        with progress(), process_pool(jobs) as executor:
             selected = of_target(
                 target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
         found, written = selected.suite, lock_target(target, selected) if lock else None
     _print_suite(found, output, as_json=as_json, as_csv=as_csv)
     if written is not None:
-        print(f'{written} written; [records] lock = "{written.name}" uses it', file=sys.stderr)
+        print_note(f'{written} written; [records] lock = "{written.name}" uses it')
 
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:
@@ -129,13 +145,13 @@ def _refuse_without_target(context: typer.Context, target: Path | None, places: 
 
 def _print_suite(found: Suite, output: Path | None, *, as_json: bool, as_csv: bool) -> None:
     """Draw the suite where a figure is requested, and print it."""
-    from assess.cli.tables.messages import messages_text
+    from assess.cli.stderr import print_messages
     from assess.cli.tables.suite import csv_text, draw, json_text, table_text
 
     if output is not None:
         draw(found, output)
     if as_json or as_csv:  # the table includes them
-        print(messages_text(found.messages), end="", file=sys.stderr)
+        print_messages(found.messages)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

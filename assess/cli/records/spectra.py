@@ -30,11 +30,12 @@ def spectra(
 ) -> None:
     """Print the pseudo-acceleration spectra of records; those of a folder are read from its catalogue."""
     refuse_figure(output)
+    from assess.cli.progress import progress
     from assess.cli.tables.response_spectra import csv_text, draw, spectra_in, table_text
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
-    with process_pool(jobs) as executor:
+    with progress(), process_pool(jobs) as executor:
         overrides = HeaderOverrides(unit, step, response)
         found = spectra_in(places, damping=damping, overrides=overrides, kept=catalogue, executor=executor)
     if output is not None:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 from scipy.constants import g
 
-from assess.cli.tables.messages import messages_text
+from assess.cli.stderr import print_messages
 from assess.cli.tables.text_table import text_table
 from assess.messages.message import Message, Quantity, locate
 from assess.results.json import dumps_spectrum
@@ -61,7 +60,7 @@ def json_text(spectrum: Spectrum) -> str:
 def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...] = ()) -> None:
     """Print on stderr what to consider before using the spectrum; messages: on the options given."""
     found = locate(spectrum.warnings, "site.spectrum")
-    print(messages_text((*messages, *found)), end="", file=sys.stderr)
+    print_messages((*messages, *found))
 
 
 def draw(spectrum: Spectrum, path: Path) -> Path:

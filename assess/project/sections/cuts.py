@@ -13,7 +13,7 @@ from pydantic import (
 )
 
 from assess.model.ranges import CRACKS
-from assess.project.quantities import Inclination, Length, Ratio, SpacePoint
+from assess.project.quantities import Inclination, Length, Ratio, SpacePoint, quantity_schema
 from assess.project.section import Section, quote_names, wrong
 from assess.project.units import KINDS, key_value
 
@@ -29,7 +29,12 @@ def _crack(value: Any) -> float | str:
 Crack = Annotated[
     float | Literal["sorrentino", "minimum"],
     BeforeValidator(_crack),
-    WithJsonSchema({"description": 'an elevation like "2.4 m", or "sorrentino", "minimum"'}),
+    WithJsonSchema(
+        {
+            "anyOf": [quantity_schema("length"), {"enum": list(CRACKS)}],
+            "description": 'an elevation like "2.4 m", or "sorrentino", "minimum"',
+        }
+    ),
     KINDS["length"],
 ]
 

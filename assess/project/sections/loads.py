@@ -18,6 +18,7 @@ from assess.project.quantities import (
     PositiveMass,
     PositiveRatio,
     Share,
+    quantity_schema,
 )
 from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.uncertain_number import UNCERTAIN
@@ -41,7 +42,15 @@ def _force(value: Any) -> tuple[float, float] | float:
 GivenForce = Annotated[
     tuple[float, float] | float,
     BeforeValidator(_force),
-    WithJsonSchema({"description": 'like "10 kN" with a direction, or ["8 kN", "-3 kN"]: along the direction, up'}),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                quantity_schema("force"),
+                {"type": "array", "items": quantity_schema("force"), "minItems": 2, "maxItems": 2},
+            ],
+            "description": 'like "10 kN" with a direction, or ["8 kN", "-3 kN"]: along the direction, up',
+        }
+    ),
     KINDS["force"],
     UNCERTAIN,
 ]
@@ -60,7 +69,12 @@ def _until(value: Any) -> float | str:
 Until = Annotated[
     float | Literal["collapse"],
     BeforeValidator(_until),
-    WithJsonSchema({"description": 'a displacement like "0.10 m", or "collapse"'}),
+    WithJsonSchema(
+        {
+            "anyOf": [quantity_schema("length"), {"type": "string", "pattern": r"^\s*collapse\s*$"}],
+            "description": 'a displacement like "0.10 m", or "collapse"',
+        }
+    ),
     KINDS["length"],
 ]
 

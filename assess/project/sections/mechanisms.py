@@ -12,6 +12,7 @@ from pydantic import (
     Field,
     StrictStr,
     Tag,
+    WithJsonSchema,
     model_validator,
 )
 from scipy.constants import g
@@ -36,7 +37,7 @@ from assess.project.sections.cuts import Crack, Cut
 from assess.project.sections.hinges import ArchHinges, FourHinges, Hinges, Joints, ThreeHinges
 from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
-from assess.project.sections.restitution import Restitution
+from assess.project.sections.restitution import ONE_FOR_BOTH, Restitution
 from assess.project.sections.uncertain_number import UNCERTAIN, UNCERTAIN_RESTITUTION, UNCERTAIN_UPLIFT
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
@@ -47,7 +48,12 @@ def _block_names(value: Any) -> Any:
     return [[entry] if isinstance(entry, str) else entry for entry in value] if isinstance(value, list) else value
 
 
-BlockNames = Annotated[tuple[Name, ...], Field(min_length=1), AfterValidator(unique("body"))]
+BlockNames = Annotated[
+    tuple[Name, ...],
+    Field(min_length=1),
+    AfterValidator(unique("body")),
+    WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]}),
+]
 
 
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
@@ -69,7 +75,7 @@ class Chained(Section):
     """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadSection, ...] = ()
     """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
-    restitution: Annotated[Restitution, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
+    restitution: Annotated[Restitution, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
     interface: Interface = Field(default_factory=Interface)
     """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
@@ -204,7 +210,7 @@ class EquivalentBlock(Section):
     """what the report calls it; the name of the table if absent"""
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
-    restitution: Annotated[Restitution, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
+    restitution: Annotated[Restitution, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
     mass: PositiveMass = 1.0
     """mass of the mechanism"""

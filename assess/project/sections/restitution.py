@@ -7,8 +7,11 @@ from typing import Annotated, Any, Literal
 from pydantic import (
     BeforeValidator,
     Field,
+    GetJsonSchemaHandler,
     model_validator,
 )
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
 
 from assess.model.ranges import RESTITUTIONS
 from assess.project.section import Section, quote_names
@@ -34,6 +37,18 @@ RestitutionValue = Annotated[
     KINDS["ratio"],
     UNCERTAIN_RESTITUTION,
 ]
+
+
+class _OneForBoth:
+    """The mark of a key whose one value stands for both directions."""
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        return {
+            "anyOf": [handler(schema), {"type": "number", "minimum": 0, "maximum": 1}, {"enum": list(RESTITUTIONS)}]
+        }
+
+
+ONE_FOR_BOTH = _OneForBoth()
 
 
 class Restitution(Section):

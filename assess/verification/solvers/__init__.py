@@ -15,6 +15,7 @@ from assess.verification.solvers.motion import solve_motion
 from assess.verification.solvers.parameters import solve_parameters
 from assess.verification.solvers.project import solve_project
 from assess.verification.solvers.pulses import solve_pulses
+from assess.verification.solvers.shake_table import solve_shake_table
 from assess.verification.solvers.spectrum import solve_spectra
 
 Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
@@ -26,5 +27,6 @@ SOLVERS: dict[str, Solver] = {
     "parameters": solve_parameters,
     "project": solve_project,
     "pulses": solve_pulses,
+    "shake-table": solve_shake_table,
     "spectra": solve_spectra,
 }

@@ -21,8 +21,8 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
     Returns
     -------
     Mapping
-        `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by mechanism and rotation, and
-        their `largest`.
+        `inputs`, the files read; `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by
+        mechanism and rotation, and their `largest`.
     """
     import numpy as np
 
@@ -42,4 +42,5 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
         moments[mechanism.name] = {f"{at:g}": float(moment) for at, moment in found}
         moments[mechanism.name]["largest"] = float(branch.restoring.max())
     mechanisms = json.loads(dumps_mechanisms((*parameters(study), *case_parameters(study))))
-    return {"mechanisms": mechanisms, "moments": moments}
+    inputs = [{"path": each.path, "sha256": each.sha256} for each in study.inputs]
+    return {"inputs": inputs, "mechanisms": mechanisms, "moments": moments}

@@ -70,6 +70,5 @@ def test_ctrl_c_says_how_to_go_on(
     monkeypatch.setattr(assess.verbs, "batch", stop)
     assert ended("batch", street / "street.csv", "-o", street / "out") == 130
     assert capsys.readouterr().err.splitlines() == [
-        f"assess: note: what is done is kept in {street / 'out'}; go on with --resume",
-        "assess: interrupted",
+        f"assess: interrupted; what is done is kept in {street / 'out'}; go on with --resume",
     ]

@@ -10,7 +10,7 @@ from assess import cli
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example, source
 from assess.project.build import build
-from assess.project.schema import Project, load
+from assess.project.schema import Project, json_schema, load
 from assess.study.study import Study
 
 
@@ -46,7 +46,22 @@ def test_every_folder_of_examples_is_listed_once_in_one_line(capsys) -> None:
 def test_an_example_is_written_whole(tmp_path: Path) -> None:
     file = copy_example("casa_grande", tmp_path / "deep" / "new")
     assert [p.name for p in (tmp_path / "deep").iterdir()] == ["new"]
-    assert sorted(p.name for p in file.parent.iterdir()) == ["README.md", "project.toml", "walls"]
+    assert sorted(p.name for p in file.parent.iterdir()) == [
+        "README.md",
+        "project.schema.json",
+        "project.toml",
+        "walls",
+    ]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_editors_find_the_schema_of_an_example(name: str, examples: dict[str, Path]) -> None:
+    """As taplo does: a first comment `#:schema`, whose path is relative to the project file."""
+    file = examples[name]
+    directive, place = file.read_text(encoding="utf-8").split("\n")[0].split(" ")
+    assert directive == "#:schema"
+    assert json.loads((file.parent / place).read_text(encoding="utf-8")) == json_schema()
+    assert file.read_bytes().split(b"\n", 1)[1] == (source(name) / file.name).read_bytes()
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -129,4 +144,4 @@ def test_empty_folder_is_filled_and_others_are_refused(tmp_path: Path) -> None:
         copy_example("casa_grande", tmp_path / "project.toml")
     with pytest.raises(ProjectError, match='did you mean "casa_grande"'):
         copy_example("casa_grand", tmp_path / "x")
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["README.md", "project.toml"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["README.md", "project.schema.json", "project.toml"]

@@ -17,7 +17,8 @@ from assess.study.decision import find_verdict
 
 def test_every_facade_of_the_street_has_a_verdict(tmp_path: Path) -> None:
     template = copy_example("street", tmp_path / "street")
-    assert sorted(path.name for path in template.parent.iterdir()) == ["README.md", "street.csv", "template.toml"]
+    found = {path.name for path in template.parent.iterdir()}
+    assert found == {"README.md", "project.schema.json", "street.csv", "template.toml"}
     tasks = find_tasks(template.parent / "street.csv", template)
     studies = [build(load_tree(project_tree(task), task.path, sha256=task.sha256)) for task in tasks]
     found = [find_verdict(study) for study in studies]

@@ -1,0 +1,85 @@
+"""Completion as shells ask for it: bash itself, and what zsh and fish would call."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from assess.examples import EXAMPLES
+from spectra.registry import SPECTRA
+
+
+@pytest.fixture(scope="module")
+def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """Variables of a shell in which `assess` can be called by its name."""
+    folder = tmp_path_factory.mktemp("bin")
+    program = folder / "assess"
+    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m assess "$@"\n')
+    program.chmod(0o755)
+    root = Path(__file__).parents[4]
+    return os.environ | {"PATH": f"{folder}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(root)}
+
+
+def script(shell: str, environment: dict[str, str]) -> str:
+    asked = environment | {"_ASSESS_COMPLETE": f"source_{shell}"}
+    return subprocess.run(["assess"], env=asked, capture_output=True, text=True, check=True).stdout
+
+
+def completed(line: str, environment: dict[str, str]) -> list[str]:
+    """What bash offers after Tab at the end of a line."""
+    words = line.split(" ")
+    quoted = " ".join(f"'{word}'" for word in words)
+    ask = f"COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; _assess_completion assess"
+    text = f"{script('bash', environment)}\n{ask}\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
+    done = subprocess.run(["bash", "-c", text], env=environment, capture_output=True, text=True, check=True)
+    assert done.stderr == ""
+    return done.stdout.split()
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash here")
+@pytest.mark.parametrize(
+    ("line", "offered"),
+    [
+        ("assess re", ["report", "records"]),
+        ("assess records s", ["spectra", "select", "scale"]),
+        ("assess run --j", ["--jobs"]),
+        ("assess run --qu", ["--quiet"]),
+        ("assess new x --example san_leonardo_s", ["san_leonardo_spire"]),
+        ("assess new x --example ", sorted(EXAMPLES)),
+        ("assess spectrum --code ", list(SPECTRA)),
+        ("assess spectrum --code ntc", [name for name in SPECTRA if name.startswith("ntc")]),
+        ("assess fragility x --export nrml,p", ["nrml,pelicun"]),
+        ("assess records list x --unit c", ["cm/s2"]),
+    ],
+)
+def test_bash_completes(line: str, offered: list[str], environment: dict[str, str]) -> None:
+    assert completed(line, environment) == offered
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_scripts_are_those_of_their_shell(shell: str, environment: dict[str, str]) -> None:
+    text = script(shell, environment)
+    assert f"_ASSESS_COMPLETE=complete_{shell}" in text
+    if shutil.which(shell):
+        option = "--no-execute" if shell == "fish" else "-n"
+        subprocess.run([shell, option], input=text, text=True, check=True, capture_output=True)
+
+
+@pytest.mark.parametrize(
+    ("shell", "asked"),
+    [
+        ("zsh", {"_TYPER_COMPLETE_ARGS": "assess new x --example chi"}),
+        ("fish", {"_TYPER_COMPLETE_ARGS": "assess new x --example chi", "_TYPER_COMPLETE_FISH_ACTION": "get-args"}),
+    ],
+)
+def test_zsh_and_fish_get_the_same_values(shell: str, asked: dict[str, str], environment: dict[str, str]) -> None:
+    """These shells need not be here: the program is called as their scripts call it."""
+    variables = environment | asked | {"_ASSESS_COMPLETE": f"complete_{shell}"}
+    done = subprocess.run(["assess"], env=variables, capture_output=True, text=True, check=True)
+    assert "chiesa" in done.stdout
+    assert "casa_grande" not in done.stdout

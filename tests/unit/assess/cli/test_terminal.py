@@ -1,0 +1,93 @@
+"""Long commands in a terminal: progress, --quiet, --verbose, NO_COLOR."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.support.command import ended
+from tests.support.motions import write_noise
+from tests.support.projects import ASCE7, published, tables_toml
+from tests.support.terminal import Screen, terminal
+
+SHORT = {"amplitude": {"from": "0 g", "to": "4 g", "count": 3}, "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3}}
+
+
+def written(folder: Path, *, records: int, pulses: dict[str, object], mechanisms: int = 1) -> Path:
+    """A project with so many records and mechanisms."""
+    (folder / "records").mkdir(parents=True)
+    for seed in range(records):
+        write_noise(folder / "records" / f"r{seed}.csv", duration=6.0, seed=seed, amplitude=2.0)
+    tables = {
+        "site": {"spectrum": ASCE7, "pga": "0.2 g"},
+        "verdict": {"basis": "asce43-05"},
+        "mechanisms": {f"m{number}": published(2.0 + 0.01 * number, 0.1) for number in range(mechanisms)},
+        "records": {"files": ["records/*.csv"]},
+        "analysis": {
+            "procedures": ["asce43-05-spectrum", "asce43-05-history"],
+            "pulses": pulses,
+            "fragility": {"samples": 12, "draws": 100},
+        },
+    }
+    (folder / "project.toml").write_text(tables_toml(**tables))
+    return folder / "project.toml"
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A project, its results, and a folder of projects with it."""
+    file = written(tmp_path_factory.mktemp("terminal") / "one", records=2, pulses=SHORT)
+    assert ended("run", "-q", file, "--no-report", "--jobs", 1) in (0, 1, 3)
+    return file
+
+
+def on_screen(monkeypatch: pytest.MonkeyPatch, *arguments: str | Path | int, **variables: str) -> str:
+    """What a command writes on a terminal."""
+    for name in ("NO_COLOR", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in {"TERM": "xterm-256color", "COLUMNS": "100", **variables}.items():
+        monkeypatch.setenv(name, value)
+    screen = Screen()
+    with terminal(screen) as stream, monkeypatch.context() as patched:
+        patched.setattr(sys, "stderr", stream)
+        assert ended(*arguments) in (0, 1, 3)
+    return screen.text
+
+
+def test_a_terminal_may_be_without_colour_or_cursor(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    command = ("envelope", project, "--jobs", 1)
+    assert "\x1b[38;5" in on_screen(monkeypatch, *command) or "\x1b[3" in on_screen(monkeypatch, *command)
+    plain = on_screen(monkeypatch, *command, NO_COLOR="1")
+    assert "primary pulses" in plain
+    assert "\x1b[3" not in plain
+    assert "\x1b" not in on_screen(monkeypatch, *command, TERM="dumb")
+
+
+@pytest.mark.parametrize("place", ["before", "behind"])
+def test_quiet_leaves_results_alone(
+    place: str, project: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command = ("fragility", project, "--jobs", 1, "--csv")
+    assert ended(*command) == 0
+    usual = capsys.readouterr()
+    assert "warning: " in usual.err
+    command = ("--quiet", *command) if place == "before" else (*command, "-q")
+    assert on_screen(monkeypatch, *command) == ""
+    assert capsys.readouterr().out == usual.out
+
+
+def test_verbose_tells_stages_records_and_compiled_code(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("-v", "run", project, "--no-report", "--jobs", 1) in (0, 1, 3)
+    lines = capsys.readouterr().err.splitlines()
+    assert [line for line in lines if not line.startswith("assess: ")] == []
+    told = "\n".join(lines)
+    for part in ("reading: ", "rocking histories: ", "record records/r0.csv, factor ", "machine code: "):
+        assert part in told
+
+
+def test_quiet_and_verbose_exclude_each_other(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("--quiet", "check", project, "--verbose") == 2
+    assert "--quiet and --verbose exclude each other" in capsys.readouterr().err
+    assert ended("check", project) == 0

@@ -1,4 +1,4 @@
-"""Draw the pictures of the tutorial from the run that it ends with: the house, a mechanism, the first page of the report.
+"""Draw the pictures of the tutorial from the run that it ends with: the house, a mechanism, page 1 of the report.
 
 Usage: python docs/images/tutorial.py    (pdftoppm, of Debian's poppler-utils, draws the page)
 """

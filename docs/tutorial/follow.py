@@ -102,9 +102,8 @@ def _call(command: str, folder: Path) -> str:
         return ""
     from assess.cli import main
 
-    with _printing(folder) as printed:
-        with suppress(SystemExit):
-            main(words[1:])
+    with _printing(folder) as printed, suppress(SystemExit):
+        main(words[1:])
     return printed.getvalue()
 
 

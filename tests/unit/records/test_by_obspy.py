@@ -3,12 +3,13 @@
 from pathlib import Path
 
 import numpy as np
-import obspy
 import pytest
 
 from records.errors import RecordError
 from records.formats.by_obspy import looks_like_miniseed, looks_like_sac
 from records.reading import read_records
+
+obspy = pytest.importorskip("obspy", exc_type=ImportError)
 
 N, RATE, SENSITIVITY = 4000, 100.0, 2.0e5  # samples, 1/s, counts per m/s2
 TIME = np.arange(N) / RATE

@@ -56,8 +56,8 @@ bench: .venv/installed     ## speed, as ratios measured in one run; then studies
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m study
 	HYPOTHESIS_PROFILE=deep $(BIN)/python -m pytest -n 2 --dist worksteal tests/properties
 
-fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given: docs/robustness.md
-	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS))
+fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
+	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
 
 kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tests/kill/study.py $(KILLS)

@@ -77,7 +77,11 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     where = f"mechanisms.{mechanism.name}"
     for load in mechanism.positive.loads:
         if isinstance(load, Tie) and load.tension < load.pull:
-            values = {"load": load.name, "force": Quantity(load.pull, "force"), "strength": Quantity(load.tension, "force")}
+            values = {
+                "load": load.name,
+                "force": Quantity(load.pull, "force"),
+                "strength": Quantity(load.tension, "force"),
+            }
             yield warning("pretension-above-strength", where, **values)
     thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in load_results(mechanism):

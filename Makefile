@@ -15,7 +15,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill mutate figures docs docs-links same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill faults mutate figures docs docs-links same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -68,7 +68,7 @@ dist: .venv/installed      ## wheel and source distribution, without a network; 
 	$(BIN)/python -m hatchling build >/dev/null
 	$(BIN)/python -m tests.distribution.contents dist
 
-wheel: dist                ## the wheel in an empty environment, with the locked versions: `new` and `run` from another folder
+wheel: dist                ## the wheel in an empty environment, with the locked versions: `new`, `run` and `verify --quick` from another folder
 	$(BIN)/python -m tests.distribution.try_wheel dist
 
 lowest:                    ## with uv: the oldest versions that pyproject.toml allows; tests of files, numbers, projects and reports with them
@@ -83,6 +83,7 @@ costs: .venv/cad           ## what each dependency weighs, as a table in Markdow
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
+	$(BIN)/python docs/images/tutorial.py
 	$(BIN)/python docs/images/guide.py
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
@@ -98,6 +99,9 @@ docs: .venv/docs           ## the manual in build/docs/html: spelling first; a w
 docs-links: docs           ## links of the manual: within it each leads somewhere; OUTSIDE=1 asks the network for the others
 	$(BIN)/python -m docs.ext.built_links build/docs/html
 	$(if $(OUTSIDE),$(BIN)/python -m sphinx -q -j 2 -d build/docs/pages -b linkcheck docs build/docs/outside)
+
+faults: .venv/installed    ## one fault at a time planted in a copy of the program: which solved cases turn red
+	$(BIN)/python -m tests.verification.faults
 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
 	$(BIN)/python -m tests.same $(BASE)

@@ -26,7 +26,7 @@ class Quantity:
     """What is compared: the expected values by their rows.
 
     path : place of the value in the tree that the solver returns, with dots; `{row}` stands for the row. Items of
-        lists are found by their `name`, `id`, `procedure` or `symbol`, or by their number
+        lists are found by their `name`, `id`, `procedure`, `symbol` or `record`, or by their number
     over : place of a value that the found one is divided by; none if empty
     values : expected, by row; one row named "" for a single value
     factor : what the found value is multiplied by to get the unit of the source

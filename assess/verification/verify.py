@@ -24,7 +24,7 @@ from assess.verification.case import CaseFile, Quantity
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
-NAMES = ("name", "id", "procedure", "symbol")
+NAMES = ("name", "id", "procedure", "symbol", "record")
 """The keys by which an item of a list is found."""
 
 
@@ -116,6 +116,12 @@ def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
         yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree["inputs"])
         return
     yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
+    if "example" in file.case.given:
+        from assess.examples import EXAMPLES, source
+
+        name = file.case.given["example"]
+        project = EXAMPLES[name].file
+        yield Input(f"{file.project_folder}/{project}", _sha256(source(name) / project))
 
 
 def _sha256(path: Path) -> str:

@@ -1,8 +1,8 @@
 """What obspy reads: MiniSEED and SAC, in counts of the instrument.
 
 Neither states a unit that can be relied upon (SAC's `idep` is seldom set), so the caller states the unit of the
-samples, or gives the instrument's response, which obspy takes off. obspy is imported here alone, when such a file is
-read; the extra `miniseed` installs it.
+samples, or gives the instrument's response, which obspy takes off. obspy is imported here alone, and when such a file
+is read.
 """
 
 from __future__ import annotations
@@ -77,7 +77,8 @@ def _read(path: Path, overrides: HeaderOverrides, *, form: str, name: str) -> tu
         raise RecordError(
             f"{path}: {name} does not state the unit of its samples; {GIVE_UNIT}, or response (StationXML)"
         )
-    obspy = _obspy(path, name=name)
+    import obspy
+
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -89,18 +90,6 @@ def _read(path: Path, overrides: HeaderOverrides, *, form: str, name: str) -> tu
         _check(traces, path=path)
         response = None if overrides.response is None else _response(obspy, overrides.response)
         return tuple(_record(trace, overrides, response, name=name, path=path) for trace in traces)
-
-
-def _obspy(path: Path, *, name: str) -> Any:
-    """Import obspy, which an installation has by its extra `miniseed` alone."""
-    try:
-        import obspy
-    except ModuleNotFoundError as missing:
-        raise RecordError(
-            f'{path}: {name} files need the package "{missing.name}"; '
-            'install it: pip install "rocking-assess[miniseed]"'
-        ) from None
-    return obspy
 
 
 @contextmanager

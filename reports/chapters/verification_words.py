@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from assess.results.verification import Standing, VerificationResults
 from reports.document import Block, Column, Prose, Table, nonempty
-from reports.language.texts import Phrase, Verbatim, listing, say
+from reports.language.texts import Phrase, Verbatim, say
 
 STANDINGS: Mapping[Standing, Phrase] = {
     "published": say("published"),
@@ -112,14 +112,14 @@ def _by_mechanism(results: VerificationResults) -> Table:
         Column(say("Mechanism"), share=0.13),
         Column(say("Theory")),
         Column(say("Field of use")),
-        Column(say("Cases"), share=0.24),
+        Column(say("Number of cases"), "ratio"),
     )
     rows = tuple(
-        (Verbatim(word), equations, suits, listing(map(Verbatim, keys), ""))
+        (Verbatim(word), equations, suits, number)
         for word, (equations, suits) in THEORY.items()
-        if (keys := [each.key for each in results.cases if word in each.uses])
+        if (number := sum(word in each.uses for each in results.cases))
     )
-    caption = say("Theory and field of use by mechanism, with the cases that show it.")
+    caption = say("Theory and field of use by mechanism; the page of each case says which it exercises.")
     return Table("theory", caption, columns, rows, small=True)
 
 

@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.results.verification import Standing
 from reports.figures.style import FAIL, INK, MUTED, label, legend_below, report_style, sheet
-from reports.figures.ticks import number_by_decades
+from reports.figures.ticks import LogTicks
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, say
 
@@ -20,6 +21,7 @@ NAMES: Mapping[Standing, Phrase] = {
     "own arithmetic": say("own arithmetic"),
 }
 LEAST, MOST = 1e-4, 10.0  # of the axis of differences over tolerances
+TICKS = 9  # at most, of an axis of values
 ROW = 0.17  # height of a row [in]
 LONGEST = 40  # letters of the name of a source
 
@@ -47,7 +49,9 @@ def draw_differences(values: Sequence[tuple[str, Standing, float]], locale: Loca
         axes.axvline(1.0, color=FAIL, linewidth=1.0, label=locale.text(say("tolerance")))
         axes.set_xscale("log")
         axes.set_xlim(0.8 * LEAST, MOST)
-        number_by_decades(axes.xaxis, locale)
+        axes.xaxis.set_major_locator(LogLocator())
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.xaxis.set_major_formatter(LogTicks(locale))
         axes.set_yticks(range(len(rows)), [label(name, LONGEST) for name in rows])
         axes.set_ylim(len(rows) - 0.5, -0.5)
         axes.set_xlabel(locale.heading(say("difference over tolerance"), "ratio"))
@@ -75,8 +79,10 @@ def draw_agreement(pairs: Sequence[tuple[float, float]], locale: Locale) -> Figu
             axes.set_yscale("log")
             axes.set_xlim(*ends)
             axes.set_ylim(*ends)
-            number_by_decades(axes.xaxis, locale)
-            number_by_decades(axes.yaxis, locale)
+            for axis in (axes.xaxis, axes.yaxis):
+                axis.set_major_locator(LogLocator(numticks=TICKS))
+                axis.set_minor_locator(NullLocator())
+                axis.set_major_formatter(LogTicks(locale))
         axes.set_xlabel(locale.text(say("expected value, each in its unit")))
         axes.set_ylabel(locale.text(say("our value")))
         return figure

@@ -12,7 +12,6 @@ import pytest
 REASONS: Mapping[str, str] = {
     "browser": "needs chromium",
     "cad": "the extra '",
-    "miniseed": "could not import 'obspy'",
     "dask": "could not import 'distributed'",
     "records": "real records are not here",
 }

@@ -1,6 +1,5 @@
 """MiniSEED and SAC, in files that obspy writes."""
 
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -158,10 +157,3 @@ def test_sac_whose_header_contradicts_its_samples_is_refused(tmp_path: Path, at:
     assert len(read_records(path, unit="m/s2")) == 1
     with pytest.raises(RecordError, match=rf"quake\.sac: {said} of the header is .*, its samples give"):
         read_records(flipped(path, at, bit), unit="m/s2")
-
-
-def test_without_obspy_the_line_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = miniseed(tmp_path, trace())
-    monkeypatch.setitem(sys.modules, "obspy", None)
-    with pytest.raises(RecordError, match=r'MiniSEED files need the package "obspy"; install it: .*\[miniseed\]'):
-        read_records(path, unit="mm/s2")

@@ -37,7 +37,7 @@ def test_extras_are_those_of_the_package() -> None:
     import tomllib
 
     project = tomllib.loads((Path(__file__).parents[5] / "pyproject.toml").read_text())["project"]
-    assert set(EXTRAS.values()) | {"cad", "cluster", "miniseed"} == set(project["optional-dependencies"])
+    assert set(EXTRAS.values()) | {"cad", "cluster"} == set(project["optional-dependencies"])
     assert set(EXTRAS) < set(READERS)
 
 

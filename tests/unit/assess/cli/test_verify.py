@@ -1,0 +1,125 @@
+"""`assess verify`: lines, files, exit codes, the annex of a project and what its report says of it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tomllib
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from io import StringIO
+
+import pytest
+
+from assess.examples import EXAMPLES
+from assess.project.build import build, uses_of_project
+from assess.project.schema import load
+from assess.results.files import read_verification
+from assess.results.json import dumps_verification
+from assess.results.uses import USES
+from tests.support.command import ended
+from tests.support.projects import project_toml
+
+KEY = "own_arithmetic/tie"
+
+
+@dataclass(frozen=True)
+class Done:
+    """What a command printed, and its exit code."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def assess(*arguments):
+    out, err = StringIO(), StringIO()
+    with redirect_stdout(out), redirect_stderr(err):
+        code = ended(*arguments)
+    return Done(code, out.getvalue(), err.getvalue())
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("verify")
+    done = assess("verify", KEY, "-o", str(folder / "out"), "--jobs", "1")
+    return done, folder / "out"
+
+
+def test_case_that_passes_ends_with_0_and_a_line(written):
+    done, _ = written
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"pass  {KEY}")
+    assert "1 case, 1 quantities, 2 values, 0 misprints, 0 failed" in done.stdout
+
+
+def test_files_are_written_with_their_inputs(written):
+    _, folder = written
+    results = read_verification(folder / "verification.json")
+    assert dumps_verification(results).encode() == (folder / "verification.json").read_bytes()
+    assert (folder / "verification.pdf").read_bytes().startswith(b"%PDF")
+    assert "SHA-256" in (folder / "verification.html").read_text(encoding="utf-8")
+    for each in results.cases[0].inputs:
+        assert hashlib.sha256((folder / "cases" / each.path).read_bytes()).hexdigest() == each.sha256
+
+
+def test_written_cases_run_again_and_a_wrong_value_ends_with_1(written, tmp_path):
+    _, folder = written
+    file = folder / "cases" / f"{KEY}.toml"
+    assert tomllib.loads(file.read_text(encoding="utf-8"))["solver"] == "project"
+    for name in ("tie.toml", "tie_project.toml"):
+        text = (file.parent / name).read_text(encoding="utf-8")
+        (tmp_path / name).write_text(text.replace("free = 0.1 ", "free = 0.2 "), encoding="utf-8")
+    done = assess("verify", "--cases", str(tmp_path), "--json", "--jobs", "1")
+    assert done.returncode == 1
+    (case,) = json.loads(done.stdout)["cases"]
+    assert [each["outcome"] for each in case["quantities"][0]["values"]] == ["pass", "fail"]
+
+
+def test_unknown_case_is_one_line(written):
+    done = assess("verify", "own_arithmetic/tye")
+    assert done.returncode == 2
+    assert 'did you mean "own_arithmetic/tie"' in done.stderr
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in EXAMPLES if name not in ("san_leonardo_spire", "casa_grande", "casa_grande_flexible")]
+)
+def test_what_an_example_uses_is_in_the_table(name, tmp_path):
+    from assess.examples import copy_example
+
+    uses = uses_of_project(load(copy_example(name, tmp_path / name)))
+    assert uses == tuple(word for word in USES if word in uses)
+    assert {"rigid"} <= set(uses)
+
+
+def test_run_names_the_annex_and_what_has_no_case(written, tmp_path):
+    _, folder = written
+    project = tmp_path / "wall.toml"
+    project.write_text(project_toml(), encoding="utf-8")
+    assert build(load(project)).annex is None
+    place = tmp_path / "wall-verification"
+    place.mkdir()
+    for name in ("verification.json", "verification.pdf"):
+        (place / name).write_bytes((folder / name).read_bytes())
+    study = build(load(project))
+    annex = study.annex
+    assert annex is not None
+    assert (annex.path, annex.cases, annex.failures) == ("wall-verification/verification.json", 1, 0)
+    assert annex.sha256 == hashlib.sha256((place / "verification.json").read_bytes()).hexdigest()
+    assert "asce7-16" in annex.uncovered
+    assert not {"single-block", "rigid", "box"} & set(annex.uncovered)
+    assert {"wall-verification/verification.json", "wall-verification/verification.pdf"} < {
+        e.path for e in study.inputs
+    }
+    assert "annex-uncovered" in {each.key for each in study.messages}
+
+
+def test_annex_of_other_sources_is_told(written, tmp_path):
+    _, folder = written
+    text = (folder / "verification.json").read_text(encoding="utf-8")
+    sha256 = json.loads(text)["program"]["sha256"]
+    (tmp_path / "v.json").write_text(text.replace(sha256, "0" * 64), encoding="utf-8")
+    project = tmp_path / "wall.toml"
+    project.write_text(project_toml(report={"verification": "v.json"}), encoding="utf-8")
+    assert "annex-other-sources" in {each.key for each in build(load(project)).messages}

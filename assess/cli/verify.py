@@ -113,28 +113,30 @@ def _run(
     from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
     from assess.outputs.manifest import VERIFICATION
-    from assess.verification.verify import coverage_of
+    from assess.verification.verify import coverage_of, note_scope
     from assess.verification.verify import verify as run_cases
 
     wanted = (VERIFICATION, "verification.pdf", "verification.html")
     place = optional_folder(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
     with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         results = run_cases(chosen, quick=quick, jobs=jobs, progress=shown.count)
-        results = replace(results, coverage=coverage_of(uses, results.cases))
+        results = note_scope(replace(results, coverage=coverage_of(uses, results.cases)), uses)
         if loaded is not None:
             from assess.project.verification import with_project
 
             results = with_project(results, loaded)
         if stage is not None:
+            from assess.outputs.digest import digest
             from assess.results.json import dumps_verification
             from assess.verification.writing import write_cases
             from reports.assessment import verification_report
             from reports.writing import write_pages
 
             shown.step("annex")
-            (stage / VERIFICATION).write_bytes(dumps_verification(results).encode())
             write_cases(chosen, results.cases, stage / "cases")
             write_pages(verification_report(results, language), stage, name="verification.pdf", jobs=jobs or 0)
+            results = replace(results, pdf_sha256=digest(stage / "verification.pdf") or "")
+            (stage / VERIFICATION).write_bytes(dumps_verification(results).encode())
     return results
 
 

@@ -116,7 +116,9 @@ def test_a_change_that_is_read_is_accepted(kind: str, number: str, space: str, u
     assert accepts(text, kind, "change"), text
 
 
-@pytest.mark.parametrize("text", ["2", "2 cm", "5 %", "5 permille", "-0.1", "5 kg", "cm", "5 %%", "2 cm 3", "5 percents"])
+@pytest.mark.parametrize(
+    "text", ["2", "2 cm", "5 %", "5 permille", "-0.1", "5 kg", "cm", "5 %%", "2 cm 3", "5 percents"]
+)
 def test_an_editor_shows_a_wrong_change_of_a_length(text: str) -> None:
     try:
         CHANGES["length"].validate_python(text)

@@ -109,6 +109,7 @@ def _run(
     """Run cases and write what was asked for; all of it or nothing."""
     from dataclasses import replace
 
+    from assess.cli.interruption import NOTHING_WRITTEN, on_interruption
     from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
     from assess.outputs.manifest import VERIFICATION
@@ -117,7 +118,7 @@ def _run(
 
     wanted = (VERIFICATION, "verification.pdf", "verification.html")
     place = optional_folder(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
-    with place as stage, progress() as shown:
+    with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         results = run_cases(chosen, quick=quick, jobs=jobs, progress=shown.count)
         results = replace(results, coverage=coverage_of(uses, results.cases))
         if loaded is not None:

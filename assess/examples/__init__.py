@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from assess.errors import ProjectError
-from assess.examples import casa_grande, chiesa, nepal_monuments, san_leonardo_spire, street
+from assess.examples import casa_grande, chiesa, house, nepal_monuments, san_leonardo_spire, street
 from assess.examples.surface import Surface, ply
 from assess.outputs.stage import MADE, clear, stage
 
@@ -25,12 +25,14 @@ class Example:
     about : what it shows, in one line
     meshes : makes its meshes, each by its path in the folder
     tables : makes its tables, each by its path in the folder
+    models : makes its models as text files, each by its path in the folder
     file : the project file, or the template of the table
     """
 
     about: str
     meshes: Meshes = dict
     tables: Callable[[], Mapping[str, str]] = dict
+    models: Callable[[], Mapping[str, str]] = dict
     file: str = "project.toml"
 
 
@@ -45,6 +47,10 @@ EXAMPLES: dict[str, Example] = {
     "casa_grande_table": Example("the same eight mechanisms by the parameters of a published table"),
     "chiesa": Example(
         "a small church of our own making: six mechanisms, and the list of the 28 possible", chiesa.meshes
+    ),
+    "house": Example(
+        "a house as an IFC model: its street front with ties, a gable; the tutorial ends with it",
+        models=lambda: {"house.ifc": house.model()},
     ),
     "lnec_houses": Example("brick and stone house of the LNEC shaking-table tests: six mechanisms by a table"),
     "nepal_monuments": Example(
@@ -108,7 +114,7 @@ def _write(name: str, folder: Path) -> None:
         for path, surface in EXAMPLES[name].meshes().items():
             (made / path).parent.mkdir(exist_ok=True)
             (made / path).write_bytes(ply(surface))
-        for path, text in EXAMPLES[name].tables().items():
+        for path, text in {**EXAMPLES[name].tables(), **EXAMPLES[name].models()}.items():
             (made / path).write_text(text, encoding="utf-8", newline="")
         _name_schema(made, EXAMPLES[name].file)
         if folder.exists():

@@ -117,7 +117,7 @@ def _faults(case: Case, folder: Path) -> Iterator[str]:
         yield "uses: give each word once, and one at least"
     if case.solver not in SOLVERS:
         yield f'solver: "{case.solver}" is not known; known: {", ".join(SOLVERS)}'
-    if case.solver == "project" and len(case.given.keys() & {"file", "example"}) != 1:
+    if case.solver in ("project", "parameters") and len(case.given.keys() & {"file", "example"}) != 1:
         yield "given: a project is a `file` beside the case, or an `example`"
     for name in CaseFile("", folder, case).names:
         if not (folder / name).is_file():

@@ -19,6 +19,7 @@ from tests.support.projects import as_editors_see
 
 ROOT = Path(__file__).resolve().parents[2]
 MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
+FOLLOWED = ROOT / "docs" / "tutorial"  # these pages are run as a whole: test_tutorials.py
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *MANUAL]
 AROUND = """
 title = "Around a part"
@@ -40,7 +41,7 @@ storey = { kind = "two-block", blocks = ["wall"] }
 
 def blocks(kind: str) -> Iterator[tuple[str, str]]:
     """Fenced blocks of one kind, each with the place where it begins."""
-    for page in PAGES:
+    for page in (page for page in PAGES if FOLLOWED not in page.parents):
         text = page.read_text(encoding="utf-8")
         for match in re.finditer(rf"```{kind}\n(.*?)```", text, re.DOTALL):
             yield f"{page.name}:{text.count(chr(10), 0, match.start()) + 2}", match[1]

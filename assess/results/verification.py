@@ -216,7 +216,10 @@ class VerificationResults(ShortRepr):
     def farthest(self) -> tuple[str, str]:
         """Key of the case and name of the quantity with the largest of these differences; empty where there is none."""
         found = [
-            (max(each.relative), case.key, each.name) for case in self.cases for each in case.quantities if each.relative
+            (max(each.relative), case.key, each.name)
+            for case in self.cases
+            for each in case.quantities
+            if each.relative
         ]
         return max(found)[1:] if found else ("", "")
 

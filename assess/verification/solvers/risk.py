@@ -47,7 +47,9 @@ def _rates(curve: Mapping[str, Any], hazard: Mapping[str, Any], epistemic: float
     from assess.risk.lognormal import Lognormal
 
     kinks = np.array(curve.get("intensity", ()), dtype=float)
-    drawn = Empirical(kinks, np.array(curve["share"])) if kinks.size else Lognormal(curve["median"], curve["dispersion"])
+    drawn = (
+        Empirical(kinks, np.array(curve["share"])) if kinks.size else Lognormal(curve["median"], curve["dispersion"])
+    )
     rows = HazardCurve(np.array(hazard["intensity"]), np.array(hazard["rate"]))
     found = rate(drawn.probability, rows, breaks=kinks).annual_rate
     widened = rate(drawn.convolve(epistemic).probability, rows, breaks=kinks).annual_rate

@@ -25,7 +25,7 @@ def verify(
     ] = None,
     project: Annotated[
         Path | None,
-        typer.Option("--for", metavar="PROJECT", help="Run the cases that share something with what a project uses."),
+        typer.Option("--for", metavar="PROJECT", help="Run the cases that concern what a project uses."),
     ] = None,
     output: Annotated[
         Path | None,

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 def verify(
     names: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[CASE]...", help="Keys of cases, or of their sources (default: all)."),
+        typer.Argument(metavar="CASE", help="Keys of cases, or of their sources (default: all)."),
     ] = None,
     project: Annotated[
         Path | None,
-        typer.Option("--for", metavar="PROJECT", help="Run the cases that share something with what a project uses."),
+        typer.Option("--for", metavar="PROJECT", help="Run the cases that concern what a project uses."),
     ] = None,
     output: Annotated[
         Path | None,
@@ -37,9 +37,11 @@ def verify(
             "where cases are named, with --list and with --json).",
         ),
     ] = None,
-    quick: Annotated[bool, typer.Option("--quick", help="Run only the cases that take no time.")] = False,
+    quick: Annotated[bool, typer.Option("--quick", help="Leave out the cases that take long.")] = False,
     listed: Annotated[bool, typer.Option("--list", help="List the cases and run none.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print verification.json.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print what verification.json holds, in place of the lines.")
+    ] = False,
     language: Annotated[
         Language | None, typer.Option("--language", help="Language of the annex (default: that of the project, or en).")
     ] = None,
@@ -52,7 +54,8 @@ def verify(
     """Run solved cases and compare them with their sources.
 
     Writes verification.pdf and verification.html, the annex that NTC 2018 10.2 asks for, verification.json, and the
-    folder `cases` with every input file. Prints a line for each case and ends with 1 where one fails.
+    folder `cases` with every input file. Prints a line for each case. The exit code is 1 where one
+    fails.
     """
     begun = time.perf_counter()
     from assess.errors import AssessError

@@ -112,6 +112,13 @@ class QuantityResult(ShortRepr):
         allowed = ((each.difference, self.tolerance.around(each.reference)) for each in self.values)
         return tuple(abs(difference) / most for difference, most in allowed if difference is not None and most > 0.0)
 
+    @property
+    def relative(self) -> tuple[float, ...]:
+        """Difference of each value over the largest of the quantity [-], which is no zero by cancellation."""
+        largest = max((abs(each.reference) for each in self.values), default=0.0)
+        found = (each.difference for each in self.values if each.difference is not None and largest > 0.0)
+        return tuple(abs(difference) / largest for difference in found)
+
 
 @dataclass(frozen=True, repr=False)
 class CaseResult(ShortRepr):
@@ -214,13 +221,19 @@ class VerificationResults(ShortRepr):
 
     @cached_property
     def relative(self) -> Spread:
-        """Differences over the value with which each is compared [-]; zeros are left out."""
-        return spread_of(
-            abs(value.difference / value.reference)
-            for each in self.quantities
-            for value in each.values
-            if value.difference is not None and value.reference != 0.0
-        )
+        """Differences over the largest value of the quantity [-]."""
+        return spread_of(difference for each in self.quantities for difference in each.relative)
+
+    @property
+    def farthest(self) -> tuple[str, str]:
+        """Key of the case and name of the quantity with the largest of these differences; empty where there is none."""
+        found = [
+            (max(each.relative), case.key, each.name)
+            for case in self.cases
+            for each in case.quantities
+            if each.relative
+        ]
+        return max(found)[1:] if found else ("", "")
 
 
 @dataclass(frozen=True, repr=False)

@@ -84,9 +84,10 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
     if relative.median is not None and relative.worst is not None:
         yield say(
-            "Relative difference: median {median}, largest {worst}.",
+            "Difference over the largest value of its quantity: median {median}, largest {worst} ({where}).",
             median=quantity(relative.median, figures=2),
             worst=quantity(relative.worst, figures=2),
+            where=Verbatim(", ".join(results.farthest)),
         )
     if results.quick:
         yield say("Only the quick cases were run; the others are left out.")

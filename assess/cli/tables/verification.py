@@ -59,7 +59,9 @@ def _totals(results: VerificationResults, seconds: float) -> Iterator[str]:
     )
     yield f"{', '.join(parts)}, in {seconds:.0f} s{' (quick cases only)' if results.quick else ''}"
     if results.shares.worst is not None:
-        yield f"difference over tolerance: {_spread(results.shares)}; relative: {_spread(results.relative)}"
+        yield f"difference over tolerance: {_spread(results.shares)}"
+    if results.relative.worst is not None:
+        yield f"over the largest value of its quantity: {_spread(results.relative)} ({', '.join(results.farthest)})"
     indicative = sum(each.source.standing == "indicative" for each in results.cases)
     if indicative:
         yield f"{count_noun(indicative, 'case')} indicative only, no evidence; they cover nothing"

@@ -18,6 +18,7 @@ from assess.project.schema import load
 from assess.results.files import read_verification
 from assess.results.json import dumps_verification
 from assess.results.uses import USES
+from assess.verification.read import cases_for, read_cases
 from tests.support.command import ended
 from tests.support.projects import project_toml
 
@@ -194,3 +195,20 @@ def test_case_that_is_indicative_covers_nothing(written):
     weaker = replace(case, source=replace(case.source, standing="indicative"))
     assert "tie" in results.passed_uses
     assert not replace(results, cases=(weaker,)).passed_uses
+
+
+def test_cases_for_a_project_share_what_matters():
+    cases = {each.key: set(each.case.uses) for each in read_cases()}
+    uses = ("single-block", "box", "rigid", "exact", "ntc2018", "ntc2018-linear")
+    chosen = {each.key for each in cases_for(read_cases(), uses)}
+    assert {"ntc_2018/wall_at_the_ground", "housner_1963/rectangular_pulse"} <= chosen
+    assert not {"livesley_1978/arches", "mehrotra_2019/chapter_7_tower", "own_arithmetic/tie"} & chosen
+    assert all(any(use in cases[key] for key in chosen) for use in uses)
+    assert len(chosen) < len(cases) / 3
+
+
+def test_nothing_that_has_a_case_is_left_without():
+    for use in USES:
+        having = {each.key for each in read_cases() if use in each.case.uses}
+        chosen = {each.key for each in cases_for(read_cases(), (use,))}
+        assert chosen == having

@@ -35,7 +35,7 @@ def draw(tables: list[Table], path: Path = PICTURE) -> None:
 def panel(axes: Axes, table: Table) -> None:
     """Draw a bar for each line of a table, and its time and errors at the end of it."""
     names = [f"{row.program.name}, {row.program.setting}" for row in table.rows]
-    colors = [OURS if row.program.name == "this program" else OTHERS for row in table.rows]
+    colors = [OURS if row.program.name.startswith("this program") else OTHERS for row in table.rows]
     bars = axes.barh(range(len(names)), [row.least for row in table.rows], color=colors, height=0.7)
     axes.bar_label(bars, [words(row) for row in table.rows], padding=3, fontsize=6.5)
     axes.set_yticks(range(len(names)), names, fontsize=6.5)

@@ -87,6 +87,7 @@ costs: .venv/cad           ## what each dependency weighs, as a table in Markdow
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
+	$(BIN)/python docs/images/theory.py
 	$(BIN)/python docs/images/tutorial.py
 	$(BIN)/python docs/images/guide.py
 	$(BIN)/python docs/notebook/write.py

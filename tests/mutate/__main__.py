@@ -8,7 +8,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -16,7 +16,7 @@ from tests.mutate.covering import Covering
 from tests.mutate.mutant import Mutant, draw
 from tests.mutate.report import outcome, report, score, table
 from tests.mutate.site import ROOT
-from tests.mutate.trial import Trial, copy_tree, try_mutant
+from tests.mutate.trial import Trial, collect, copy_tree, try_mutant
 
 FOLDER = ROOT / "build/mutate"
 
@@ -32,9 +32,13 @@ def main() -> int:
     ]
     if asked.again:
         drawn = [each for each in drawn if _name(each) in _survivors(asked.seed)]
-    trials = list(_trials(drawn, covering, processes=asked.processes))
-    minutes = (time.monotonic() - started) / 60
-    FOLDER.joinpath("report.md").write_text(report(trials, seed=asked.seed, minutes=minutes), encoding="utf-8")
+    trials, minutes = list[Trial](), 0.0
+    for trial in _trials(
+        drawn, covering, processes=asked.processes
+    ):  # the report of a run that is interrupted is of use
+        trials.append(trial)
+        minutes = (time.monotonic() - started) / 60
+        FOLDER.joinpath("report.md").write_text(report(trials, seed=asked.seed, minutes=minutes), encoding="utf-8")
     counts = Counter(map(outcome, trials))
     left = [_name(trial.mutant) for trial in trials if outcome(trial) == "survived"]
     FOLDER.joinpath(f"survivors-{asked.seed}.json").write_text(json.dumps(left))
@@ -44,9 +48,11 @@ def main() -> int:
 
 def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) -> Iterator[Trial]:
     """Try mutants, each process in its own copy of the tree, and say what became of each."""
+    copies = [copy_tree(FOLDER / f"tree-{number}") for number in range(processes)]
+    covering.collected = collect(copies[0])
     trees: SimpleQueue[Path] = SimpleQueue()
-    for number in range(processes):
-        trees.put(copy_tree(FOLDER / f"tree-{number}"))
+    for tree in copies:
+        trees.put(tree)
 
     def one(mutant: Mutant) -> Trial:
         tree = trees.get()
@@ -56,7 +62,8 @@ def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) ->
             trees.put(tree)
 
     with ThreadPoolExecutor(processes) as pool:
-        for number, trial in enumerate(pool.map(one, mutants), 1):
+        tried = as_completed([pool.submit(one, mutant) for mutant in mutants])
+        for number, trial in enumerate((each.result() for each in tried), 1):
             site = trial.mutant.site
             where = f"{site.path}:{site.place[0][0]} {trial.mutant.operator}"
             sys.stdout.write(

@@ -1,8 +1,9 @@
 """Which tests reach a line, and how long each takes: measured once, and again for test files that have changed.
 
-Two things are not seen by measuring. Compiled kernels leave no trace, so that the tests of a kernel are those of the
+Three things are not seen by measuring. Compiled kernels leave no trace, so that the tests of a kernel are those of the
 lines that name what other files import from it. What is run when a file is imported belongs to no test, so that the
-tests of a table or a default are those of its whole file, or of the files that import it.
+tests of a table or a default are those of its whole file, or of the files that import it. What a test has cached is
+not run again by the next, so that with a test go those of its file, and of the files that share a cache with it.
 """
 
 from __future__ import annotations
@@ -21,15 +22,16 @@ from coverage import CoverageData
 
 from tests.mutate.site import ROOT, Site
 
-SUITES = ("tests/unit", "tests/properties", "tests/validation", "tests/languages")
+SUITES = ("tests/unit", "tests/properties", "tests/validation", "tests/verification", "tests/languages")
 SOURCES = ("assess", "spectra", "records")
 
 
 class Covering:
-    """The measurement in a folder."""
+    """The measurement in a folder; collected: the tests that there are where mutants are tried."""
 
     def __init__(self, folder: Path) -> None:
-        self.folder, self.data = folder, CoverageData(str(folder / "coverage.db"))
+        self.collected = list[str]()
+        self.folder, self.file = folder, folder / "coverage.db"
         self.seconds_file, self.hashes_file = folder / "seconds.json", folder / "hashes.json"
 
     # ------------------------------------------------------------------------------------------------------- measuring
@@ -51,9 +53,7 @@ class Covering:
 
     def _settings(self) -> Path:
         path = self.folder / "coveragerc"
-        path.write_text(
-            f"[run]\nrelative_files = true\nsource = {','.join(SOURCES)}\ndata_file = {self.data.data_filename()}\n"
-        )
+        path.write_text(f"[run]\nrelative_files = true\nsource = {','.join(SOURCES)}\ndata_file = {self.file}\n")
         return path
 
     def _sources(self) -> dict[str, str]:
@@ -72,29 +72,53 @@ class Covering:
     def seconds(self) -> dict[str, float]:
         """Of each test that passed and whose file exists."""
         known = json.loads(self.seconds_file.read_text())
-        return {name: float(taken) for name, taken in known.items() if (ROOT / name.split("::")[0]).exists()}
+        return {name: float(known[name]) for name in self.collected if name in known}
 
     def tests(self, site: Site) -> list[str]:
-        """The tests that reach a place, those that are named like its file first, then the quickest."""
-        found = self._tests(site)
-        return sorted(found & set(self.seconds), key=lambda test: (-likeness(test, site.path), self.seconds[test]))
+        """The tests that reach a place, by name and then by time; then those with which they share caches."""
+        reached = self._tests(site) & set(self.seconds)
+        files = {shared for test in reached for shared in self._sharing(test.split("::")[0])}
+        beside = {test for test in self.seconds if test.split("::")[0] in files} - reached
+        by_time = self.seconds.__getitem__
+        named = sorted(reached, key=lambda test: (-likeness(test, site.path), by_time(test)))
+        return [*named, *sorted(beside, key=by_time)]
+
+    @cached_property
+    def _caches(self) -> dict[str, set[str]]:
+        """The test files that import each module of tests/support that caches what it makes."""
+        kept = [path.stem for path in (ROOT / "tests/support").glob("*.py") if "@cache" in path.read_text()]
+        texts = {test.split("::")[0]: "" for test in self.seconds}
+        texts = {path: (ROOT / path).read_text(encoding="utf-8") for path in texts}
+        return {name: {path for path, text in texts.items() if f"tests.support.{name} " in text} for name in kept}
+
+    def _sharing(self, file: str) -> set[str]:
+        return {file}.union(*(files for files in self._caches.values() if file in files))
 
     def _tests(self, site: Site) -> set[str]:
         if is_kernel(site.path):
-            return self._of_kernel()
+            return self._of_kernel(site.path)
         lines = self._lines(site.path)
         if site.function and self._unchanged(site.path):
             found = {test for line in range(site.statement[0], site.statement[1] + 1) for test in lines.get(line, ())}
             if found:
                 return found
-        return self._of_file(site.path) or {test for path in importers(site.path) for test in self._of_file(path)}
+        return self._of_file(site.path) or self._of_importers(site.path)
 
     def _of_file(self, path: str) -> set[str]:
         return {test for tests in self._lines(path).values() for test in tests}
 
-    def _of_kernel(self) -> set[str]:
+    def _of_importers(self, path: str) -> set[str]:
+        """The tests of the files that import one without functions, directly or through others without functions."""
+        found, seen, now = set[str](), {path}, [path]
+        while now and not found:
+            now = [each for one in now for each in importers(one) if each not in seen]
+            seen |= set(now)
+            found = {test for each in now for test in self._of_file(each)}
+        return found
+
+    def _of_kernel(self, kernel: str) -> set[str]:
         found = set[str]()
-        for path in importers("kernel"):
+        for path in importers(f"{kernel.partition('kernel')[0]}kernel"):
             text = (ROOT / path).read_text(encoding="utf-8")
             names = re.findall(r"^from \S*kernel\S* import (?:\(([^)]*)\)|(.*))$", text, re.MULTILINE)
             words = {name.split(" as ")[-1].strip() for pair in names for part in pair for name in part.split(",")} - {
@@ -106,13 +130,14 @@ class Covering:
                     found |= tests
         return found
 
+    @cached_property
+    def _data(self) -> CoverageData:
+        data = CoverageData(str(self.file))
+        data.read()
+        return data
+
     def _lines(self, path: str) -> dict[int, set[str]]:
-        measured = next(
-            (each for each in self.data.measured_files() if each == path or each.endswith(f"/{path}")), None
-        )
-        if measured is None:
-            return {}
-        by_line = self.data.contexts_by_lineno(measured)
+        by_line = self._data.contexts_by_lineno(path)
         return {line: {each.split("|")[0] for each in contexts if each} for line, contexts in by_line.items()}
 
     def _unchanged(self, path: str) -> bool:
@@ -125,13 +150,10 @@ def is_kernel(path: str) -> bool:
 
 
 def importers(path: str) -> Iterator[str]:
-    """The files that import another, or with "kernel" any kernel."""
-    module = (
-        r"\S*\bkernel\S*"
-        if path == "kernel"
-        else re.escape(path.removesuffix(".py").removesuffix("/__init__").replace("/", "."))
-    )
-    pattern = re.compile(rf"^\s*(from|import) {module}\b", re.MULTILINE)
+    """The files that import a file, or anything of a folder, but kernels."""
+    parent, _, name = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".").rpartition(".")
+    whole = rf"(from|import) {re.escape(parent)}\.{name}\b"
+    pattern = re.compile(rf"^\s*({whole}|from {re.escape(parent)} import (\([^)]*|.*)\b{name}\b)", re.MULTILINE)
     for source in (each for folder in SOURCES for each in sorted((ROOT / folder).rglob("*.py"))):
         name = source.relative_to(ROOT).as_posix()
         if not is_kernel(name) and pattern.search(source.read_text(encoding="utf-8")):

@@ -46,14 +46,15 @@ class Mutant:
 
 
 def draw(count: int, *, seed: int) -> list[Mutant]:
-    """Mutants at different places; the same for the same sources and seed."""
+    """Mutants at different places, in no order; the same for the same sources and seed."""
     random, rooms = Random(seed), dict[str, list[Site]]()
     for site in all_sites():
         rooms.setdefault(
             "/".join(site.path.split("/")[:2]) if site.path.startswith("assess") else site.path.split("/")[0], []
         ).append(site)
     shares = _shares([len(each) for each in rooms.values()], count)
-    return [mutant for room, share in zip(rooms.values(), shares, strict=True) for mutant in _of(room, share, random)]
+    found = [mutant for room, share in zip(rooms.values(), shares, strict=True) for mutant in _of(room, share, random)]
+    return random.sample(found, len(found))
 
 
 def _shares(sizes: Sequence[int], count: int) -> list[int]:

@@ -149,14 +149,15 @@ def _holds(part: Any, node: Any) -> bool:
 
 
 def _statement(node: Any) -> tuple[int, int]:
-    """First and last line of the smallest statement around a node; of a compound one, its head."""
-    while node.parent is not None and node.type not in ("simple_stmt", "funcdef", "classdef"):
-        if node.parent.type in ("if_stmt", "for_stmt", "while_stmt", "with_stmt", "try_stmt") and node.type != "suite":
-            break
-        node = node.parent
-    if node.type in ("funcdef", "classdef"):
-        return int(node.start_pos[0]), int(node.start_pos[0])
-    return int(node.start_pos[0]), int(node.end_pos[0]) - (node.end_pos[1] == 0)
+    """First and last line of the smallest statement around a node; of a compound one, the node's own."""
+    around = node
+    while around.parent is not None and around.type not in ("simple_stmt", "suite", "file_input"):
+        around = around.parent
+    around = around if around.type == "simple_stmt" else node
+    first = int(around.start_pos[0])
+    return first, first if around.type.endswith(("_stmt", "def")) and around.type != "simple_stmt" else int(
+        around.end_pos[0]
+    )
 
 
 def _function(node: Any) -> str:

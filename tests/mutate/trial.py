@@ -11,14 +11,17 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from resource import RLIMIT_CPU, prlimit
 
-from tests.mutate.covering import Covering, is_kernel
+from tests.mutate.covering import SUITES, Covering, is_kernel
 from tests.mutate.mutant import Mutant
 from tests.mutate.site import ROOT
+from tests.support.places import REAL_RECORDS
 
 FIRST, ALL = 12.0, 90.0  # s of tests, as they were measured: tried at first, and at most
-START, COMPILE = 60.0, 400.0  # s that pytest may take to begin, and kernels to be compiled again
+START, COMPILE = 30.0, 200.0  # s of a processor that pytest may take to begin, and kernels to be compiled again
 SLOWER = 4.0  # than measured, where a test is not in a loop without end
+WAITING = 10.0  # times the limit, for a processor that others use, or for what never comes
 KILLED, TIMEOUT, SURVIVED, UNREACHED = "killed", "timeout", "survived", "not reached"
 
 
@@ -45,13 +48,31 @@ def copy_tree(to: Path) -> Path:
     return to
 
 
+def collect(tree: Path) -> list[str]:
+    """List the tests that pytest finds in a copy: those of data outside the tree may be absent."""
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "--collect-only",
+        "--continue-on-collection-errors",
+        "-q",
+        "-o",
+        "addopts=--import-mode=importlib",
+        *SUITES,
+    ]
+    given = {**os.environ, "PYTHONPATH": str(tree), "ASSESS_RECORDS": str(REAL_RECORDS)}
+    listed = subprocess.run(command, cwd=tree, env=given, capture_output=True, text=True).stdout
+    return [line for line in listed.splitlines() if "::" in line]
+
+
 def try_mutant(mutant: Mutant, covering: Covering, tree: Path) -> Trial:
     """Run the tests in two parts, so that what is easily killed does not load them all."""
     tests, started = covering.tests(mutant.site), time.monotonic()
     if not tests:
         return Trial(mutant, UNREACHED, "no test reaches it", 0.0)
     first = _within(tests, covering, FIRST)
-    rest = _within(sorted(tests[len(first) :], key=covering.seconds.__getitem__), covering, ALL)
+    rest = _within(tests[len(first) :], covering, ALL)
     outcome = by = ""
     with _Mutated(mutant, tree) as cache:
         for part in filter(None, (first, rest)):
@@ -104,17 +125,21 @@ def run_tests(tests: Sequence[str], tree: Path, *, limit: float, cache: Path) ->
     listed.write_text("\n".join(tests), encoding="utf-8")
     cache.mkdir(mode=0o700, exist_ok=True)
     given = {"PYTHONPATH": str(tree), "PYTHONDONTWRITEBYTECODE": "1", "NUMBA_CACHE_DIR": str(cache)}
+    given["ASSESS_RECORDS"] = str(REAL_RECORDS)
     command = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rfE", "-p", "no:cacheprovider", f"@{listed}"]
     process = subprocess.Popen(
         command, cwd=tree, env={**os.environ, **given}, text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
     )  # fmt: skip
+    prlimit(process.pid, RLIMIT_CPU, (int(limit), int(limit)))  # however busy the machine is
     try:
-        output, _ = process.communicate(timeout=limit)
+        output, _ = process.communicate(timeout=WAITING * limit)
     except subprocess.TimeoutExpired:
         return TIMEOUT, f"more than {limit:.0f} s"
     finally:
         _end(process)
+    if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return TIMEOUT, f"more than {limit:.0f} s"
     if process.returncode == 0:
         return SURVIVED, ""
     failed = [line for line in output.splitlines() if line.startswith(("FAILED", "ERROR"))]

@@ -19,6 +19,21 @@ def test_ten_per_cent_damping():
     assert B.acceleration(1.0, damping=0.5) / g == pytest.approx(0.375 * 0.55, rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("kind", "t_b", "t_d"),
+    # as in github.com/herrera-mauricio/SynthQuake, +functions/EspectroEuro8.m, but for its type 2, E
+    [(1, (0.15, 0.15, 0.20, 0.20, 0.15), 2.0), (2, (0.05, 0.05, 0.10, 0.10, 0.05), 1.2)],
+)
+def test_ends_of_the_plateau_of_tables_3_2_and_3_3(kind, t_b, t_d):
+    """Half-way up to T_B the ordinate is (1 + 2.5) / 2 of a S; it falls by 1 / T before T_D, by 1 / T² beyond."""
+    for ground, corner in zip("ABCDE", t_b, strict=True):
+        spectrum = elastic_spectrum(a_g=0.1 * g, ground_type=ground, spectrum_type=kind)
+        half, constant = spectrum.acceleration([corner / 2, t_d])
+        assert half == pytest.approx(1.75 * spectrum.pga, rel=1e-12)
+        before, at, beyond = spectrum.acceleration([t_d / 1.2, t_d, t_d * 1.2])
+        assert (before, beyond) == pytest.approx((1.2 * at, constant / 1.2**2), rel=1e-12)
+
+
 @pytest.mark.parametrize(("kind", "ground"), EVERY)
 @pytest.mark.parametrize("damping", [0.02, 0.05, 0.2])
 def test_branches_meet(kind, ground, damping):

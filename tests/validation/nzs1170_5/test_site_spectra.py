@@ -52,7 +52,21 @@ def test_near_fault():
     assert near_fault_factor(5.0, distance=0.0, r=0.75) == 1.0
 
 
-@pytest.mark.parametrize(("years", "r"), [(20, 0.20), (25, 0.25), (50, 0.35), (500, 1.0), (750, 1.15), (2500, 1.8)])
+@pytest.mark.parametrize(
+    ("years", "r"),
+    [
+        (20, 0.20),
+        (25, 0.25),
+        (50, 0.35),
+        (100, 0.5),
+        (250, 0.75),
+        (500, 1.0),
+        (750, 1.15),
+        (1000, 1.3),
+        (2000, 1.7),
+        (2500, 1.8),
+    ],
+)
 def test_return_period_factors(years, r):
     assert return_period_factor(years) == pytest.approx(r, rel=1e-12)
 

@@ -107,7 +107,9 @@ def _faults(case: Case, folder: Path) -> Iterator[str]:
     for key in ("title", "theory", "field"):
         if not getattr(case, key).strip():
             yield f"{key}: empty; write a sentence"
-    if case.source.standing == "published" and "read" not in case.source.place.split():
+    if any(len(each.split()) < FEWEST_WORDS for each in case.departures):
+        yield "departures: say in a sentence what the source prints and what the program gives"
+    if case.source.standing in ("published", "indicative") and "read" not in case.source.place.split():
         yield 'source.place: a published value was read somewhere; say where: "Table 8.2, read in the thesis"'
     for word in case.uses:
         if word not in USES:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import signal
 from pathlib import Path
 
 import pytest
@@ -16,7 +17,7 @@ pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="pr
 
 COMMANDS = {
     "run": ("run", "PROJECT", "-o", "OUT"),
-    "batch": ("batch", "FOLDER", "-o", "OUT"),
+    "batch": ("batch", "FOLDER", "-o", "OUT", "--no-report"),
     "envelope": ("envelope", "PROJECT", "-o", "OUT"),
     "fragility": ("fragility", "PROJECT", "-o", "OUT"),
     "index": ("records", "index", "RECORDS", "--catalogue", "CATALOGUE"),
@@ -119,12 +120,12 @@ def test_ctrl_c_at_any_moment(name: str, at: str, after: float, group: bool, who
     found = interrupted(name, whole, tmp_path, at=at, after=after if at else 4.0 * after + 0.5, group=group)
     assert found.left == (), found
     made = sorted(path.name for path in tmp_path.glob("made/*"))
-    if found.code != 130:  # it had ended
-        assert found.code in (0, 1, 3), found
+    if found.code != 130:  # it had done its work, or Python was ending
+        assert found.code in (0, 1, 3, -signal.SIGINT), found
     elif name == "index":
         assert ended("records", "index", whole.parent / "records", "--catalogue", tmp_path / "catalogue.sqlite") == 0
     elif name == "batch":
-        assert ended("batch", whole.parent.parent, "-o", tmp_path / "made", "--resume", "--rows-only") in (0, 1, 3)
+        assert ended("batch", whole.parent.parent, "-o", tmp_path / "made", "--resume", "--no-report") in (0, 1, 3)
     else:
         assert made == [], found
     if found.code == 130:

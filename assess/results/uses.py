@@ -97,5 +97,5 @@ USES: Mapping[str, Term] = {
 
 KINDS = frozenset({"single-block", "two-block", "four-hinge", "arch", "equivalent-block"})
 JOINTS = frozenset({"rigid", "crushing", "flexible", "semi-flexible", "flexible-thesis"})
-ORDINARY = KINDS - {"arch"} | JOINTS - {"flexible-thesis"} | {"box", "exact", "linearised"}
+ORDINARY = KINDS - {"arch"} | JOINTS - {"flexible-thesis"} | {"box", "exact", "linearised", "free motion"}
 """What so many cases exercise that it says little to share it."""

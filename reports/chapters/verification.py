@@ -20,10 +20,10 @@ def sections(results: VerificationResults) -> list[Section]:
         Section(say("Outcome"), 0, tuple(_outcome(results))),
         Section(say("Program and how to run the cases again"), 0, tuple(_program(results))),
         Section(say("Theory and field of use"), 0, tuple(verification_words.theory(results))),
-        Section(say("Differences"), 0, tuple(figures(results)), starts_page=True),
-        Section(say("Solved cases"), 0, (Prose(verification_words.READING),), starts_page=True),
+        Section(say("Differences"), 0, tuple(figures(results))),
+        Section(say("Solved cases"), 0, (Prose(verification_words.READING),)),
         *(verification_case.section(each, place) for place, each in enumerate(results.cases, start=1)),
-        Section(say("What is not covered"), 0, tuple(_uncovered(results)), starts_page=True),
+        Section(say("What is not covered"), 0, tuple(_uncovered(results))),
         Section(say("Judgement"), 0, tuple(_judgement())),
     ]
 

@@ -20,7 +20,7 @@ from assess.cli.run import run
 from assess.cli.schema import schema
 from assess.cli.spectrum import spectrum
 from assess.cli.summary import summary
-from assess.cli.verbosity import Quiet, Verbose, with_verbosity
+from assess.cli.verbosity import Quiet, Verbose, first_sentence, with_verbosity
 from assess.cli.verify import verify
 
 OPTIONS = ("help", "quiet", "verbose", "install_completion", "show_completion")
@@ -41,8 +41,8 @@ COMMANDS = (
     fragility, geometry, report, diff, summary, verify, schema,
 )  # fmt: skip
 for command in COMMANDS:
-    app.command()(with_verbosity(command))
-app.add_typer(records, name="records")
+    app.command(short_help=first_sentence(command))(with_verbosity(command))
+app.add_typer(records, name="records", short_help=records.info.help)
 
 
 def _print_version(wanted: bool) -> None:

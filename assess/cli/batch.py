@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Jobs
+from assess.cli.options import Jobs, flag, folder_option
 
 if TYPE_CHECKING:
     from assess.portfolio.batch import Portfolio
@@ -20,39 +20,44 @@ def batch(
     ],
     template: Annotated[
         Path | None,
-        typer.Option("--template", metavar="FILE", help="The project whose values the rows of the table change."),
-    ] = None,
-    output: Annotated[
-        Path | None,
         typer.Option(
-            "-o",
-            "--output",
-            metavar="DIR",
-            help="Output folder (default: NAME-results beside the folder or table NAME).",
+            "--template",
+            metavar="FILE",
+            help="The project whose values the rows of TABLE.csv change; needed for a table.",
         ),
     ] = None,
+    output: Annotated[
+        Path | None, folder_option("Output folder (default: NAME-results beside the folder or table NAME).")
+    ] = None,
     jobs: Jobs = None,
-    resume: Annotated[
-        bool, typer.Option("--resume", help="Keep the projects that are done, and go on with the others.")
-    ] = False,
+    resume: Annotated[bool, flag("--resume", "Keep the projects that are done, and go on with the others.")] = False,
     scheduler: Annotated[
         str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Compute on the workers of a Dask scheduler, tcp://…"),
+        typer.Option(
+            "--scheduler",
+            metavar="ADDRESS",
+            help="Compute on the workers of a Dask scheduler, such as tcp://10.0.0.1:8786, in place of --jobs.",
+        ),
     ] = None,
     shard: Annotated[
-        str, typer.Option("--shard", metavar="i/n", help="Compute only the i-th of n shares of the projects.")
+        str,
+        typer.Option(
+            "--shard",
+            metavar="I/N",
+            show_default=False,
+            help="Compute only the i-th of n shares of the projects, such as 1/4 (default: all).",
+        ),
     ] = "1/1",
-    no_report: Annotated[
-        bool, typer.Option("--no-report", help="Write only results.json of each project, and the ranked table.")
-    ] = False,
+    no_report: Annotated[bool, flag("--no-report", "Write only results.json of each project and the table.")] = False,
     rows_only: Annotated[
-        bool, typer.Option("--rows-only", help="Write nothing of each project besides its row in the ranked table.")
+        bool, flag("--rows-only", "Write only the ranked table, and nothing of each project.")
     ] = False,
 ) -> None:
     """Assess every project below a folder, or one for each row of a table, and rank them.
 
     Writes ranked.html, ranked.xlsx and ranked.csv, and a report for each project. A project that cannot be assessed is
-    a row with its reason. The exit code is the worst of the projects', in the order 70, 2, 1, 3, 0.
+    a row with its reason. The exit code is the worst of the projects' own: 70 for a bug in the program, 2 for wrong
+    input, 1 for a fail, 3 for an incomplete verdict, 0 if all pass.
     """
     keep: Keep = "rows" if rows_only else "results" if no_report else "report"
     if scheduler is not None and jobs is not None:

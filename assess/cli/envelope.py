@@ -5,26 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from assess.cli.options import Jobs, ProjectPath, refuse_both
+from assess.cli.options import Jobs, ProjectPath, flag, folder_option, refuse_both
 
 
 def envelope(
     project: ProjectPath,
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="DIR",
-            help="Folder for envelopes.pdf, envelopes.html, envelopes.json, tables and figures.",
-        ),
+        Path | None, folder_option("Folder to write envelopes.pdf, .html and .json, tables and figures to.")
     ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print the envelopes and the critical mechanisms as in results.json.")
-    ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the lower bounds as CSV at full precision.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print envelopes and critical mechanisms as in results.json.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the lower bounds as CSV at full precision.")] = False,
     jobs: Jobs = None,
 ) -> None:
     """Find the ground pulses that overturn each mechanism, and the critical mechanism at each frequency.

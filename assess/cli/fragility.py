@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from assess.cli.completions import export_formats
-from assess.cli.options import Jobs, ProjectPath, refuse_both
+from assess.cli.options import Jobs, ProjectPath, flag, folder_option, refuse_both
 
 FORMATS = ("nrml", "pelicun", "csv")
 
@@ -24,13 +24,7 @@ def check_formats(text: str | None) -> str | None:
 def fragility(
     project: ProjectPath,
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="DIR",
-            help="Folder for fragility.pdf, fragility.html, fragility.json, tables, figures and exports.",
-        ),
+        Path | None, folder_option("Folder to write fragility.pdf, .html and .json, tables, figures and exports to.")
     ] = None,
     export: Annotated[
         str | None,
@@ -42,8 +36,8 @@ def fragility(
             autocompletion=export_formats,
         ),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print fragility.json.")] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print medians, dispersions and rates as CSV.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print what fragility.json holds, in place of the table.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print medians, dispersions and rates as CSV.")] = False,
     jobs: Jobs = None,
 ) -> None:
     """Find how likely each mechanism is to rock and to overturn at each intensity, and how often it does so.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -33,6 +33,16 @@ Jobs = Annotated[
         help="Number of processor cores to use, at most those of the machine (default: all).",
     ),
 ]
+
+
+def folder_option(words: str) -> Any:
+    """Return the option -o of a command that writes into a folder."""
+    return typer.Option("-o", "--output", metavar="DIR", help=words)
+
+
+def flag(name: str, words: str) -> Any:
+    """Return an option that is given or not."""
+    return typer.Option(name, help=words)
 
 
 def refuse_both(*, as_json: bool, as_csv: bool) -> None:

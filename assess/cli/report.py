@@ -26,7 +26,13 @@ class Detail(StrEnum):
 
 
 def report(
-    results: Annotated[Path, typer.Argument(metavar="RESULTS.json", help="The results.json of an earlier run.")],
+    results: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RESULTS.json",
+            help="results.json of an earlier run, or its folder; or envelopes.json or fragility.json.",
+        ),
+    ],
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", metavar="DIR", help="Output folder (default: that of RESULTS.json)."),
@@ -40,7 +46,10 @@ def report(
         typer.Option("--detail", help="The main part, or the full report with its annexes (default: as the project)."),
     ] = None,
 ) -> None:
-    """Rewrite the report from results.json, envelopes.json of `assess envelope` or fragility.json, without analysis."""
+    """Rewrite the report from the results of `assess run`, `envelope` or `fragility`, without analysis.
+
+    Replaces the PDF, the HTML page, tables and figures in the folder of the results, or writes them to another.
+    """
     from assess.cli.stderr import print_message
     from assess.outputs.manifest import FRAGILITY
 

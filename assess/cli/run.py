@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Jobs, ProjectPath
+from assess.cli.options import Jobs, ProjectPath, flag, folder_option
 
 if TYPE_CHECKING:
     from assess.results import Results
@@ -16,16 +16,10 @@ if TYPE_CHECKING:
 def run(
     project: ProjectPath,
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="DIR",
-            help="Output folder (default: NAME-results beside the project file NAME.toml).",
-        ),
+        Path | None, folder_option("Output folder (default: NAME-results beside the project file NAME.toml).")
     ] = None,
     jobs: Jobs = None,
-    no_report: Annotated[bool, typer.Option("--no-report", help="Write only results.json.")] = False,
+    no_report: Annotated[bool, flag("--no-report", "Write only results.json.")] = False,
 ) -> None:
     """Assess every mechanism and write the report.
 

@@ -1,4 +1,4 @@
-"""The options --quiet and --verbose, which every command takes, and which may also stand before it."""
+"""What every command has: the options --quiet and --verbose, also before it, and its line in the list of commands."""
 
 from __future__ import annotations
 
@@ -59,3 +59,8 @@ def with_verbosity(command: Callable[..., None]) -> Callable[..., None]:
 
     setattr(run, "__signature__", own.replace(parameters=[*own.parameters.values(), *_OPTIONS]))  # noqa: B010
     return run
+
+
+def first_sentence(command: Callable[..., None]) -> str:
+    """Return what a command does, whole, for the list of commands, which else cuts it off."""
+    return " ".join((command.__doc__ or "").split("\n\n")[0].split())

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 def verify(
     names: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[CASE]...", help="Keys of cases, or of their sources (default: all)."),
+        typer.Argument(metavar="CASE", help="Keys of cases, or of their sources (default: all)."),
     ] = None,
     project: Annotated[
         Path | None,
-        typer.Option("--for", metavar="PROJECT", help="Run the cases that share something with what a project uses."),
+        typer.Option("--for", metavar="PROJECT", help="Run the cases that concern what a project uses."),
     ] = None,
     output: Annotated[
         Path | None,
@@ -37,9 +37,11 @@ def verify(
             "where cases are named, with --list and with --json).",
         ),
     ] = None,
-    quick: Annotated[bool, typer.Option("--quick", help="Run only the cases that take no time.")] = False,
+    quick: Annotated[bool, typer.Option("--quick", help="Leave out the cases that take long.")] = False,
     listed: Annotated[bool, typer.Option("--list", help="List the cases and run none.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print verification.json.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print what verification.json holds, in place of the lines.")
+    ] = False,
     language: Annotated[
         Language | None, typer.Option("--language", help="Language of the annex (default: that of the project, or en).")
     ] = None,
@@ -52,7 +54,8 @@ def verify(
     """Run solved cases and compare them with their sources.
 
     Writes verification.pdf and verification.html, the annex that NTC 2018 10.2 asks for, verification.json, and the
-    folder `cases` with every input file. Prints a line for each case and ends with 1 where one fails.
+    folder `cases` with every input file. Prints a line for each case. The exit code is 1 where one
+    fails.
     """
     begun = time.perf_counter()
     from assess.errors import AssessError
@@ -109,31 +112,34 @@ def _run(
     """Run cases and write what was asked for; all of it or nothing."""
     from dataclasses import replace
 
+    from assess.cli.interruption import NOTHING_WRITTEN, on_interruption
     from assess.cli.optional_folder import optional_folder
     from assess.cli.progress import progress
     from assess.outputs.manifest import VERIFICATION
-    from assess.verification.verify import coverage_of
+    from assess.verification.verify import coverage_of, note_scope
     from assess.verification.verify import verify as run_cases
 
     wanted = (VERIFICATION, "verification.pdf", "verification.html")
     place = optional_folder(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
-    with place as stage, progress() as shown:
+    with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         results = run_cases(chosen, quick=quick, jobs=jobs, progress=shown.count)
-        results = replace(results, coverage=coverage_of(uses, results.cases))
+        results = note_scope(replace(results, coverage=coverage_of(uses, results.cases)), uses)
         if loaded is not None:
             from assess.project.verification import with_project
 
             results = with_project(results, loaded)
         if stage is not None:
+            from assess.outputs.digest import digest
             from assess.results.json import dumps_verification
             from assess.verification.writing import write_cases
             from reports.assessment import verification_report
             from reports.writing import write_pages
 
             shown.step("annex")
-            (stage / VERIFICATION).write_bytes(dumps_verification(results).encode())
             write_cases(chosen, results.cases, stage / "cases")
             write_pages(verification_report(results, language), stage, name="verification.pdf", jobs=jobs or 0)
+            results = replace(results, pdf_sha256=digest(stage / "verification.pdf") or "")
+            (stage / VERIFICATION).write_bytes(dumps_verification(results).encode())
     return results
 
 

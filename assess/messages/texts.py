@@ -25,8 +25,13 @@ TEXTS: Mapping[str, str] = {
     "annex-failures": "of the {cases} solved cases in the annex of verification {file}, {failures} fail; rely on no "
     "result that they concern before the cause is known",
     "annex-quick": "the annex of verification {file} has the quick cases only; make it again without --quick",
-    "annex-uncovered": "no solved case that passes in the annex of verification {file} exercises what this project "
-    "uses of: {uses}",
+    "annex-left-out": "the annex of verification {file} leaves out {number} of the program's cases that concern it; "
+    "make it again with `assess verify`, without naming cases",
+    "annex-foreign": "the annex of verification {file} has {number} cases that are not as they come with the program",
+    "annex-pdf": "the PDF beside the annex of verification {file} is missing or is not the one written with it; make "
+    "both again with `assess verify`",
+    "annex-uncovered": "no solved case that passes in the annex of verification {file} and is more than indicative "
+    "exercises these things that the project uses: {uses}",
     # loads
     "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
     "displacements and histories; give {missing} (until: the displacement of its point of application at which it "

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
-"""Signals that ask a program to end: Ctrl-C, `kill`, and a closed terminal."""
+ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGALRM") if hasattr(signal, name))
+"""Signals that ask a program to end: Ctrl-C, `kill`, a closed terminal, and the repetition of one of these."""
+AGAIN = 0.5  # s
 
 
 class Terminated(BaseException):
@@ -22,21 +24,45 @@ class Terminated(BaseException):
         self.number = number
 
 
-def _terminate(number: int, _: object) -> None:
-    raise Terminated(number)
+def _is_under_way() -> bool:
+    """Return whether the program is ending: whether what runs now cleans up after Terminated."""
+    error = sys.exc_info()[1]
+    while error is not None and not isinstance(error, Terminated):
+        error = error.__context__
+    return error is not None
+
+
+def _repeat(seconds: float) -> None:
+    """Let SIGALRM come every so many seconds, never for 0; not on Windows."""
+    if sys.platform != "win32":
+        signal.setitimer(signal.ITIMER_REAL, seconds, seconds)
 
 
 @contextmanager
 def raise_on_signals() -> Iterator[None]:
-    """Let signals that ask for the end raise Terminated while the block runs."""
+    """Let signals that ask for the end raise Terminated while the block runs.
+
+    It is raised again until it is on its way: compiled libraries that call Python, as numba does, may drop it. What
+    then cleans up is not interrupted by another signal.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
+    came: list[int] = []
+
+    def terminate(number: int, _: object) -> None:
+        came.append(number)
+        _repeat(AGAIN)
+        if not _is_under_way():
+            raise Terminated(came[0])
+
     heard = [number for number in ENDING if signal.getsignal(number) is not signal.SIG_IGN]  # as nohup has it
-    before = {number: signal.signal(number, _terminate) for number in heard}
+    before = {number: signal.signal(number, terminate) for number in heard}
     try:
         yield
     finally:
+        if came:
+            _repeat(0.0)
         for number, handler in before.items():
             signal.signal(number, handler)
 

@@ -25,11 +25,13 @@ from assess.project.units import (
 )
 from assess.project.usual_units import AMBIGUOUS, USUAL
 
-Form = Literal["quantity", "quantity or infinite", "unit"]
+Form = Literal["quantity", "quantity or infinite", "change", "unit"]
 MARK = "pattern of"
 """Stands in the schema of a marked key, with its kind and form, until `with_quantity_patterns` has replaced it."""
 OF_ACCELERATION = ("g", "gal")
 INFINITE = ("inf", "infinite")
+SHARES = ("", "%", "percent", "permille")
+"""The units of a change that is a share of a number, and no amount."""
 _LETTER = "[A-Za-z]"
 _PLAIN = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
 _BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
@@ -37,7 +39,9 @@ _BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
 
 @cache
 def quantity_pattern(kind: str, form: Form = "quantity") -> str:
-    """Return the pattern of a quantity of a kind in KINDS, of one that may be infinite, or of its unit alone."""
+    """Return the pattern of a quantity of a kind in KINDS, of one that may be infinite, of a share or an amount by
+    which it changes, or of its unit alone.
+    """
     unit = _unit(KINDS[kind])
     if form == "unit":
         read = rf"\s*{unit}"
@@ -48,6 +52,8 @@ def quantity_pattern(kind: str, form: Form = "quantity") -> str:
     either = [rf"{read}\s*", f".*{_BEYOND_A_KEYBOARD}.*"]
     if form == "quantity or infinite":
         either.append(rf"\s*{_any_case(INFINITE)}\s*")
+    elif form == "change":
+        either.append(rf"\s*{NUMBER}\s*{_any_of(SHARES)}\s*")
     return f"^(?:{'|'.join(either)})$"
 
 

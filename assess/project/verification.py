@@ -71,6 +71,12 @@ def annex_messages(annex: AnnexResult | None) -> Iterator[Message]:
         yield warning("annex-failures", where, file=annex.path, failures=failures, cases=cases)
     if annex.quick:
         yield warning("annex-quick", where, file=annex.path)
+    if annex.left_out and not annex.quick:
+        yield warning("annex-left-out", where, file=annex.path, number=whole_number(annex.left_out))
+    if annex.foreign:
+        yield warning("annex-foreign", where, file=annex.path, number=whole_number(annex.foreign))
+    if not annex.pdf_as_written:
+        yield warning("annex-pdf", where, file=annex.path)
     if annex.uncovered:
         yield warning("annex-uncovered", where, file=annex.path, uses=", ".join(annex.uncovered))
 
@@ -85,7 +91,7 @@ def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:
 
     Raises
     ------
-    ProjectError : the file cannot be read as verification.json
+    ProjectError : the file cannot be read as verification.json, was changed since it was written, or has no cases
     """
     file = annex_file(project)
     if file is None:
@@ -94,14 +100,20 @@ def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:
         found = read_verification(file)
     except ResultsError as error:
         raise ProjectError(f"report.verification: {error}") from None
+    if not found.cases:
+        raise ProjectError(f"report.verification: {file}: has no cases; run `assess verify` again")
     pdf = file.with_suffix(".pdf")
+    pdf_sha256 = file_sha256(pdf) if pdf.is_file() else ""
     return AnnexResult(
         path=relative_path(file, project.folder),
         sha256=file_sha256(file),
-        pdf_sha256=file_sha256(pdf) if pdf.is_file() else "",
+        pdf_sha256=pdf_sha256,
         program=found.program,
         cases=len(found.cases),
         failures=len(found.failures),
         quick=found.quick,
         uncovered=tuple(use for use in uses if use not in found.passed_uses),
+        left_out=len(found.left_out),
+        foreign=len(found.foreign),
+        pdf_as_written=bool(pdf_sha256) and pdf_sha256 == found.pdf_sha256,
     )

@@ -10,8 +10,9 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
+from hashlib import sha256
 from typing import Any, Generic, NoReturn, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
@@ -49,8 +50,9 @@ def dumps_fragility(results: FragilityResults) -> str:
 
 
 def dumps_verification(results: VerificationResults) -> str:
-    """Return the text of verification.json, as `dumps` does that of results.json."""
-    return _lines(_normal(results, _verification_type()))
+    """Return the text of verification.json with its seal, as `dumps` does that of results.json."""
+    plain = _normal(replace(results, seal=""), _verification_type())
+    return _lines({**plain, "seal": sha256(_lines(plain).encode()).hexdigest()})
 
 
 def _lines(plain: Mapping[str, Any]) -> str:
@@ -117,8 +119,17 @@ def loads_verification(text: str, *, source: str = "results") -> VerificationRes
     ----------
     text : of the file
     source : its name, for errors
+
+    Raises
+    ------
+    ResultsError : as there, or the text is not what `dumps_verification` wrote
     """
-    return _loads(text, source, VERIFICATION_TREE)
+    found = _loads(text, source, VERIFICATION_TREE)
+    if dumps_verification(found) != text:
+        raise ResultsError(
+            f"{source}: was changed since it was written: its seal does not fit; run `assess verify` again"
+        )
+    return found
 
 
 def _loads(text: str, source: str, tree: Tree[T]) -> T:

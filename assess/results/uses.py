@@ -23,7 +23,6 @@ USES: Mapping[str, Term] = {
     # where a wall cracks, and what an impact leaves
     "crack sorrentino": Term("the height of the crack by the rule of Sorrentino"),
     "crack minimum": Term("the height of the crack of the least multiplier"),
-    "restitution thesis": Term("the default restitution of each kind of mechanism"),
     "restitution housner": Term("Housner’s restitution of one block (thesis 3.44)"),
     "restitution sorrentino": Term("restitution about the new base hinge of a cracked wall (thesis 3.46)"),
     "restitution one-sided": Term("rebound of one-sided rocking (thesis 3.45)"),
@@ -95,3 +94,8 @@ USES: Mapping[str, Term] = {
     "risk": Term("annual rates from fragility and hazard"),
 }
 """Each word with what it is."""
+
+KINDS = frozenset({"single-block", "two-block", "four-hinge", "arch", "equivalent-block"})
+JOINTS = frozenset({"rigid", "crushing", "flexible", "semi-flexible", "flexible-thesis"})
+ORDINARY = KINDS - {"arch"} | JOINTS - {"flexible-thesis"} | {"box", "exact", "linearised", "free motion"}
+"""What so many cases exercise that it says little to share it."""

@@ -16,9 +16,10 @@ from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.short_repr import ShortRepr
 
 VERIFICATION_VERSION = 1
-Standing = Literal["published", "derived", "own arithmetic"]
+Standing = Literal["published", "derived", "own arithmetic", "indicative"]
 """Where an expected value comes from: read in the source; from the formulas of the source, computed here another way;
-or arithmetic of our own that no source prints."""
+arithmetic of our own that no source prints; or read in the source, while sizes or a reading of it were chosen here so
+that they suit the values: such a case shows an order of size and is no evidence."""
 ValueOutcome = Literal["pass", "misprint", "fail"]
 CaseOutcome = Literal["pass", "fail"]
 
@@ -111,6 +112,13 @@ class QuantityResult(ShortRepr):
         allowed = ((each.difference, self.tolerance.around(each.reference)) for each in self.values)
         return tuple(abs(difference) / most for difference, most in allowed if difference is not None and most > 0.0)
 
+    @property
+    def relative(self) -> tuple[float, ...]:
+        """Difference of each value over the largest of the quantity [-], which is no zero by cancellation."""
+        largest = max((abs(each.reference) for each in self.values), default=0.0)
+        found = (each.difference for each in self.values if each.difference is not None and largest > 0.0)
+        return tuple(abs(difference) / largest for difference in found)
+
 
 @dataclass(frozen=True, repr=False)
 class CaseResult(ShortRepr):
@@ -121,6 +129,7 @@ class CaseResult(ShortRepr):
     uses : mechanisms, joints, procedures and spectra that it exercises, in the words of `assess.results.uses`
     inputs : the files that a user runs again, relative to the folder of cases
     fault : why it could not be run; "" if it was
+    departures : what the source prints and the program does not give, a sentence each; none of it is among the values
     """
 
     key: str
@@ -132,6 +141,7 @@ class CaseResult(ShortRepr):
     inputs: tuple[Input, ...]
     quantities: tuple[QuantityResult, ...]
     fault: str = ""
+    departures: tuple[str, ...] = ()
 
     @property
     def outcome(self) -> CaseOutcome:
@@ -169,6 +179,10 @@ class VerificationResults(ShortRepr):
     quick : whether only the quick cases were
     coverage : what the project uses for which the cases were chosen; empty for all cases
     inputs : that project file; project : its values that the report needs, by key; report : its front matter
+    left_out : keys of the program's cases that were to be run, with what the project uses, and were not
+    foreign : keys of the cases whose files are not those of the program
+    pdf_sha256 : of the PDF that was written with these results, "" if there is none
+    seal : SHA-256 of these results as written, without the seal
     """
 
     schema_version: int
@@ -179,6 +193,10 @@ class VerificationResults(ShortRepr):
     inputs: tuple[Input, ...] = ()
     project: dict[str, Resolved] = field(default_factory=dict)
     report: ReportMatter = NO_MATTER
+    left_out: tuple[str, ...] = ()
+    foreign: tuple[str, ...] = ()
+    pdf_sha256: str = ""
+    seal: str = ""
 
     @property
     def failures(self) -> tuple[CaseResult, ...]:
@@ -187,8 +205,9 @@ class VerificationResults(ShortRepr):
 
     @property
     def passed_uses(self) -> frozenset[str]:
-        """What at least one case exercises that passes."""
-        return frozenset(word for each in self.cases if each.outcome == "pass" for word in each.uses)
+        """What at least one case exercises that passes and is not only indicative."""
+        firm = (each for each in self.cases if each.outcome == "pass" and each.source.standing != "indicative")
+        return frozenset(word for each in firm for word in each.uses)
 
     @property
     def quantities(self) -> tuple[QuantityResult, ...]:
@@ -202,13 +221,19 @@ class VerificationResults(ShortRepr):
 
     @cached_property
     def relative(self) -> Spread:
-        """Differences over the value with which each is compared [-]; zeros are left out."""
-        return spread_of(
-            abs(value.difference / value.reference)
-            for each in self.quantities
-            for value in each.values
-            if value.difference is not None and value.reference != 0.0
-        )
+        """Differences over the largest value of the quantity [-]."""
+        return spread_of(difference for each in self.quantities for difference in each.relative)
+
+    @property
+    def farthest(self) -> tuple[str, str]:
+        """Key of the case and name of the quantity with the largest of these differences; empty where there is none."""
+        found = [
+            (max(each.relative), case.key, each.name)
+            for case in self.cases
+            for each in case.quantities
+            if each.relative
+        ]
+        return max(found)[1:] if found else ("", "")
 
 
 @dataclass(frozen=True, repr=False)
@@ -218,7 +243,10 @@ class AnnexResult(ShortRepr):
     path : of verification.json, relative to the project file; sha256 : of it; pdf_sha256 : of the PDF beside it, "" if
         there is none
     program : that made it; cases, failures : their numbers; quick : whether only the quick cases were run
-    uncovered : what the project uses, in the words of `assess.results.uses`, and no case that passes exercises
+    uncovered : what the project uses, in the words of `assess.results.uses`, and no case that passes exercises; cases
+        that are only indicative are not counted
+    left_out, foreign : numbers of cases, as in `VerificationResults`
+    pdf_as_written : whether the PDF is there and the one that was written with the results
     """
 
     path: str
@@ -229,3 +257,6 @@ class AnnexResult(ShortRepr):
     failures: int
     quick: bool
     uncovered: tuple[str, ...]
+    left_out: int = 0
+    foreign: int = 0
+    pdf_as_written: bool = True

@@ -53,6 +53,7 @@ class Case:
     solver : a key of `SOLVERS`
     given : what it solves; for "project" `file`, beside the case, or `example`
     quick : whether `assess verify --quick` runs it
+    departures : as in `CaseResult`
     """
 
     __pydantic_config__: ClassVar = STRICT
@@ -65,6 +66,7 @@ class Case:
     given: dict[str, Any]
     quantities: tuple[Quantity, ...]
     quick: bool = True
+    departures: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from assess.errors import AssessError
-from assess.results.uses import USES
+from assess.results.uses import JOINTS, KINDS, ORDINARY, USES
 from assess.verification.case import Case, CaseFile, Quantity
 from assess.verification.solvers import SOLVERS
 
@@ -54,14 +54,26 @@ def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[Case
 
 
 def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFile, ...]:
-    """Return the cases that share something with what a project uses.
+    """Return the cases that concern a project.
+
+    A case is chosen where it shares with the project anything but what is ordinary, such as a procedure, a spectrum, a
+    motion or a load; where it exercises a kind of mechanism of the project with one of its kinds of joint, and nothing
+    out of the ordinary that the project does not use; or where no case chosen so far exercises what it shares.
 
     Parameters
     ----------
     cases : all of them
     uses : in the words of `assess.results.uses`
     """
-    return tuple(each for each in cases if set(each.case.uses) & set(uses))
+    used = frozenset(uses)
+    chosen = {each.key for each in cases if _concerns(frozenset(each.case.uses), used)}
+    bare = used - {word for each in cases if each.key in chosen for word in each.case.uses}
+    return tuple(each for each in cases if each.key in chosen or bare & set(each.case.uses))
+
+
+def _concerns(exercised: frozenset[str], used: frozenset[str]) -> bool:
+    both, particular = exercised & used, exercised - ORDINARY
+    return bool(particular & used) or (bool(both & KINDS and both & JOINTS) and not particular)
 
 
 def _is_of(key: str, name: str) -> bool:
@@ -95,7 +107,9 @@ def _faults(case: Case, folder: Path) -> Iterator[str]:
     for key in ("title", "theory", "field"):
         if not getattr(case, key).strip():
             yield f"{key}: empty; write a sentence"
-    if case.source.standing == "published" and "read" not in case.source.place.split():
+    if any(len(each.split()) < FEWEST_WORDS for each in case.departures):
+        yield "departures: say in a sentence what the source prints and what the program gives"
+    if case.source.standing in ("published", "indicative") and "read" not in case.source.place.split():
         yield 'source.place: a published value was read somewhere; say where: "Table 8.2, read in the thesis"'
     for word in case.uses:
         if word not in USES:

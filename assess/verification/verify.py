@@ -7,6 +7,7 @@ import math
 import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import as_completed
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +58,29 @@ def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Cover
     return tuple(Coverage(use, tuple(each.key for each in every if use in each.uses)) for use in uses)
 
 
+def note_scope(results: VerificationResults, uses: Sequence[str]) -> VerificationResults:
+    """Return results that say which of the program's cases are left out, and which cases are not the program's.
+
+    Parameters
+    ----------
+    results : of the cases that were run
+    uses : what the project uses, in the words of `assess.results.uses`; empty for no project
+    """
+    from assess.verification.read import CASES, cases_for, read_cases
+
+    own = read_cases(CASES)
+    run = {each.key for each in results.cases}
+    left_out = tuple(each.key for each in (cases_for(own, uses) if uses else own) if each.key not in run)
+    foreign = tuple(each.key for each in results.cases if any(_is_foreign(file, CASES) for file in each.inputs))
+    return replace(results, left_out=left_out, foreign=foreign)
+
+
+def _is_foreign(file: Input, folder: Path) -> bool:
+    """Whether a file is not among the program's cases, or is another there; examples come out of the program."""
+    own = folder / file.path
+    return not file.path.startswith("examples/") and (not own.is_file() or _sha256(own) != file.sha256)
+
+
 def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) -> Iterable[CaseResult]:
     """Yield the results of cases as they come, the slow ones started first."""
     ordered = sorted(cases, key=lambda each: each.case.quick)
@@ -100,13 +124,9 @@ def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") ->
     quantities = tuple(_compare(each, tree) for each in case.quantities)
     inputs = (Input(f"{file.key}.toml", _sha256(file.path)), *_inputs(file, tree))
     return CaseResult(
-        file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault
+        file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault,
+        case.departures,
     )  # fmt: skip
-
-
-def input_files(file: CaseFile) -> tuple[Path, ...]:
-    """Return the file of a case, and those that it is given beside it."""
-    return (file.path, *(file.path.parent / name for name in file.names))
 
 
 def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:

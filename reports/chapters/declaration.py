@@ -160,8 +160,10 @@ def verification(results: Results) -> Iterator[Text]:
         hash=Verbatim(annex.sha256),
         failures=count(annex.failures),
     )
-    if annex.pdf_sha256:
+    if annex.pdf_as_written:
         yield say("SHA-256 of its PDF: {hash}.", hash=Verbatim(annex.pdf_sha256))
+    else:
+        yield say("Its PDF is missing or is not the one that was written with it: do not rely on the PDF.")
     if annex.program.sha256 != results.program.sha256:
         yield say(
             "It was made by other sources of the program than these results: version {version}, SHA-256 {hash}.",
@@ -170,9 +172,23 @@ def verification(results: Results) -> Iterator[Text]:
         )
     if annex.quick:
         yield say("It has the quick cases only.")
+    if annex.left_out:
+        yield say_count(
+            "It leaves out {number} case of the program that concerns it.",
+            "It leaves out {number} cases of the program that concern it.",
+            annex.left_out,
+        )
+    if annex.foreign:
+        yield say_count(
+            "{number} of its cases is not as it comes with the program.",
+            "{number} of its cases are not as they come with the program.",
+            annex.foreign,
+        )
     if annex.uncovered:
         uses = listing([USES[use] if use in USES else Verbatim(use) for use in annex.uncovered])
-        yield say("Used here, and exercised by no solved case that passes: {uses}.", uses=uses)
+        yield say(
+            "Used here, and exercised by no solved case that passes and is more than indicative: {uses}.", uses=uses
+        )
 
 
 def _judgement() -> Iterator[Block]:

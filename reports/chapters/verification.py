@@ -10,6 +10,7 @@ from reports.chapters import verification_case, verification_words
 from reports.chapters.cells import OUTCOMES
 from reports.chapters.verification_figures import figures
 from reports.document import Banner, Block, Code, Column, Facts, Graded, Items, Prose, Section, Table, Writing
+from reports.figures.verification import STANDINGS
 from reports.language.texts import Text, Verbatim, count, listing, quantity, say, say_count
 
 
@@ -19,10 +20,10 @@ def sections(results: VerificationResults) -> list[Section]:
         Section(say("Outcome"), 0, tuple(_outcome(results))),
         Section(say("Program and how to run the cases again"), 0, tuple(_program(results))),
         Section(say("Theory and field of use"), 0, tuple(verification_words.theory(results))),
-        Section(say("Differences"), 0, tuple(figures(results)), starts_page=True),
-        Section(say("Solved cases"), 0, (Prose(verification_words.READING),), starts_page=True),
+        Section(say("Differences"), 0, tuple(figures(results))),
+        Section(say("Solved cases"), 0, (Prose(verification_words.READING),)),
         *(verification_case.section(each, place) for place, each in enumerate(results.cases, start=1)),
-        Section(say("What is not covered"), 0, tuple(_uncovered(results)), starts_page=True),
+        Section(say("What is not covered"), 0, tuple(_uncovered(results))),
         Section(say("Judgement"), 0, tuple(_judgement())),
     ]
 
@@ -37,11 +38,12 @@ def _outcome(results: VerificationResults) -> Iterator[Block]:
         )
     else:
         headline = say_count(
-            "The {number} solved case agrees with its source.",
-            "All {number} solved cases agree with their sources.",
+            "The {number} solved case agrees with what is compared of its source.",
+            "All {number} solved cases agree with what is compared of their sources.",
             len(results.cases),
         )
-    yield Banner("fail" if failed else "incomplete" if results.quick else "pass", headline)
+    partial = results.quick or results.left_out or results.foreign
+    yield Banner("fail" if failed else "incomplete" if partial else "pass", headline)
     yield Prose(tuple(_totals(results)))
     yield overview(results)
 
@@ -59,11 +61,20 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
     standings = [each.source.standing for each in results.cases]
     yield say(
         "Standing of the expected values: published in {published} cases, derived from the formulas of a source in "
-        "{derived}, own arithmetic in {own}.",
+        "{derived}, own arithmetic in {own}, indicative, which is no evidence, in {indicative}.",
         published=count(standings.count("published")),
         derived=count(standings.count("derived")),
         own=count(standings.count("own arithmetic")),
+        indicative=count(standings.count("indicative")),
     )
+    departing = [each for each in results.cases if each.departures]
+    if departing:
+        yield say_count(
+            "Other values that the source prints are not reproduced in {number} case: {cases}.",
+            "Other values that the sources print are not reproduced in {number} cases: {cases}.",
+            len(departing),
+            cases=listing([Verbatim(each.title) for each in departing]),
+        )
     share, relative = results.shares, results.relative
     if share.median is not None and share.worst is not None:
         yield say(
@@ -73,12 +84,22 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
     if relative.median is not None and relative.worst is not None:
         yield say(
-            "Relative difference: median {median}, largest {worst}.",
+            "Difference over the largest value of its quantity: median {median}, largest {worst} ({where}).",
             median=quantity(relative.median, figures=2),
             worst=quantity(relative.worst, figures=2),
+            where=Verbatim(", ".join(results.farthest)),
         )
     if results.quick:
         yield say("Only the quick cases were run; the others are left out.")
+    if results.left_out:
+        yield say(
+            "Cases of the program that are left out here: {cases}.", cases=listing(map(Verbatim, results.left_out), "")
+        )
+    if results.foreign:
+        yield say(
+            "Cases that are not as they come with the program: {cases}.",
+            cases=listing(map(Verbatim, results.foreign), ""),
+        )
 
 
 def overview(results: VerificationResults) -> Table:
@@ -95,7 +116,7 @@ def overview(results: VerificationResults) -> Table:
         (
             Verbatim(each.title),
             Verbatim(verification_words.short(each.source.citation)),
-            verification_words.STANDINGS[each.source.standing],
+            STANDINGS[each.source.standing],
             len(each.values),
             max(each.shares, default=None),
             Graded(each.outcome, OUTCOMES[each.outcome]),
@@ -133,12 +154,23 @@ def _uncovered(results: VerificationResults) -> Iterator[Block]:
     if results.coverage:
         yield _coverage(results)
         bare = [each.use for each in results.coverage if each.use not in covered]
-        words = say("The project uses these, and no solved case that passes exercises them: {uses}.", uses=_words(bare))
+        words = say(
+            "The project uses these, and no solved case that passes and is more than indicative exercises them: "
+            "{uses}.",
+            uses=_words(bare),
+        )
         yield Prose((words if bare else say("A solved case that passes exercises each thing that the project uses."),))
     else:
         bare = [use for use in USES if use not in covered]
         if bare:
-            yield Prose((say("The program can do these, and no solved case of this annex exercises them:"),))
+            yield Prose(
+                (
+                    say(
+                        "The program can do these, and no solved case of this annex that passes and is more than "
+                        "indicative exercises them:"
+                    ),
+                )
+            )
             yield Items(tuple(_named(use) for use in bare))
     yield Prose(verification_words.LIMITS)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.results.verification import CaseResult, QuantityResult, Tolerance, ValueResult
-from reports.chapters.verification_words import STANDINGS
 from reports.document import Block, Cell, Column, Facts, Graded, Items, Prose, Section, Table
+from reports.figures.verification import STANDINGS
 from reports.language.texts import Text, Verbatim, listing, quantity, say
 from reports.titles import file_stem
 
@@ -39,7 +39,7 @@ def _blocks(case: CaseResult, place: int) -> Iterator[Block]:
     if case.fault:
         yield Prose((say("The case could not be run: {fault}", fault=Verbatim(case.fault)),))
     yield values(case, place)
-    yield Items(tuple(_reasons(case)))
+    yield Items((*_departures(case), *_reasons(case)))
 
 
 def values(case: CaseResult, place: int) -> Table:
@@ -76,6 +76,12 @@ def _outcome(value: ValueResult) -> Graded:
     if value.outcome == "misprint":
         return Graded("comparison", say("misprint"))
     return Graded("pass", say("pass")) if value.outcome == "pass" else Graded("fail", say("fail"))
+
+
+def _departures(case: CaseResult) -> Iterator[Text]:
+    """Yield what the source prints and the program does not give."""
+    for each in case.departures:
+        yield say("Printed and not reproduced: {departure}.", departure=Verbatim(_sentence(each)))
 
 
 def _reasons(case: CaseResult) -> Iterator[Text]:

@@ -5,24 +5,29 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from assess.results.verification import Standing, VerificationResults
+from assess.results.verification import VerificationResults
 from reports.document import Block, Column, Prose, Table, nonempty
 from reports.language.texts import Phrase, Verbatim, say
 
-STANDINGS: Mapping[Standing, Phrase] = {
-    "published": say("published"),
-    "derived": say("derived"),
-    "own arithmetic": say("own arithmetic"),
-}
 READING = (
     say(
         "Each case has its source, the equations that it shows and where they hold, the files to run it again, and "
         "every value beside ours. Titles, theory and reasons are quoted from the files of the cases."
     ),
     say(
-        "Published: the value was read where the case says. Derived: it follows from the formulas of the source by "
-        "another computation than the program’s. Own arithmetic: it was computed by hand or by independent code, and "
-        "no source prints it."
+        "Published: the value was read where the case says. Derived: no source prints the value. The authors of the "
+        "program computed it from formulas by another computation than the program’s; the formulas are those of the "
+        "source, and where the source itself could not be read, the case says so. Own arithmetic: the value was "
+        "computed by hand or by independent code, and no source prints it."
+    ),
+    say(
+        "Indicative: the value was read in the source, but sizes of the body, or the reading of a procedure, were "
+        "chosen here to suit such values. The case shows that the program gives values of that size; it is no evidence "
+        "that the program is right, and nothing counts as covered by it."
+    ),
+    say(
+        "“Printed and not reproduced” names values beside those of a case that the source prints and the program does "
+        "not give. They are in no table."
     ),
 )
 RELIABILITY = (

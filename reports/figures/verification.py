@@ -14,11 +14,17 @@ from reports.figures.ticks import LogTicks
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, say
 
-COLOURS: Mapping[Standing, str] = {"published": "#0072b2", "derived": "#009e73", "own arithmetic": "#e69f00"}
-NAMES: Mapping[Standing, Phrase] = {
+COLOURS: Mapping[Standing, str] = {
+    "published": "#0072b2",
+    "derived": "#009e73",
+    "own arithmetic": "#e69f00",
+    "indicative": "#7f7f7f",
+}
+STANDINGS: Mapping[Standing, Phrase] = {
     "published": say("published"),
     "derived": say("derived"),
     "own arithmetic": say("own arithmetic"),
+    "indicative": say("indicative"),
 }
 LEAST, MOST = 1e-4, 10.0  # of the axis of differences over tolerances
 TICKS = 9  # at most, of an axis of values
@@ -44,7 +50,7 @@ def draw_differences(values: Sequence[tuple[str, Standing, float]], locale: Loca
                 places, shares = zip(*own, strict=True)
                 axes.plot(
                     np.clip(shares, LEAST, MOST), places, linestyle="none", marker="o", markersize=3.0, color=colour,
-                    alpha=0.6, markeredgewidth=0.0, label=locale.text(NAMES[standing]),
+                    alpha=0.6, markeredgewidth=0.0, label=locale.text(STANDINGS[standing]),
                 )  # fmt: skip
         axes.axvline(1.0, color=FAIL, linewidth=1.0, label=locale.text(say("tolerance")))
         axes.set_xscale("log")
@@ -55,7 +61,7 @@ def draw_differences(values: Sequence[tuple[str, Standing, float]], locale: Loca
         axes.set_yticks(range(len(rows)), [label(name, LONGEST) for name in rows])
         axes.set_ylim(len(rows) - 0.5, -0.5)
         axes.set_xlabel(locale.heading(say("difference over tolerance"), "ratio"))
-        legend_below(figure, columns=4)
+        legend_below(figure, columns=5)
         return figure
 
 

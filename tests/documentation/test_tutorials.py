@@ -1,14 +1,18 @@
-"""Every command and every piece of Python in the tutorials is run, and prints what the page says."""
+"""Every command and every piece of Python in the tutorials, and in the worked additions, prints what the page says."""
 
 from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
+from assess.codes.families import FAMILIES
+from assess.codes.registry import PROCEDURES
 from assess.examples import source
 from docs.tutorial.follow import Output, follow
+from records.formats import FORMATS
 
 FOLDER = Path(__file__).resolve().parents[2] / "docs" / "tutorial"
 
@@ -39,4 +43,15 @@ def test_an_ellipsis_is_any_lines_or_any_words(expected: str, printed: str, agre
 def test_from_python(tmp_path: Path) -> None:
     pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
     for output in follow(FOLDER / "from_python.md", tmp_path):
+        assert output.agrees, f"{output.given}\n{output.printed}"
+
+
+def test_three_additions_work_as_their_page_says(tmp_path: Path) -> None:
+    """What the page registers is taken away again."""
+    with patch.dict(FORMATS), patch.dict(PROCEDURES), patch.dict(FAMILIES):
+        outputs = list(follow(FOLDER.parent / "developers" / "additions.md", tmp_path))
+        assert "toy-start" in PROCEDURES
+    assert "toy-start" not in PROCEDURES
+    assert sum(bool(output.expected) for output in outputs) == 3
+    for output in outputs:
         assert output.agrees, f"{output.given}\n{output.printed}"

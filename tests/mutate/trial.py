@@ -11,6 +11,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from resource import RLIMIT_CPU, prlimit
 
 from tests.mutate.covering import SUITES, Covering, is_kernel
 from tests.mutate.mutant import Mutant
@@ -18,8 +19,9 @@ from tests.mutate.site import ROOT
 from tests.support.places import REAL_RECORDS
 
 FIRST, ALL = 12.0, 90.0  # s of tests, as they were measured: tried at first, and at most
-START, COMPILE = 60.0, 400.0  # s that pytest may take to begin, and kernels to be compiled again
+START, COMPILE = 30.0, 200.0  # s of a processor that pytest may take to begin, and kernels to be compiled again
 SLOWER = 4.0  # than measured, where a test is not in a loop without end
+WAITING = 10.0  # times the limit, for a processor that others use, or for what never comes
 KILLED, TIMEOUT, SURVIVED, UNREACHED = "killed", "timeout", "survived", "not reached"
 
 
@@ -53,7 +55,8 @@ def collect(tree: Path) -> list[str]:
         "-m",
         "pytest",
         "--collect-only",
-        "-qq",
+        "--continue-on-collection-errors",
+        "-q",
         "-o",
         "addopts=--import-mode=importlib",
         *SUITES,
@@ -128,12 +131,15 @@ def run_tests(tests: Sequence[str], tree: Path, *, limit: float, cache: Path) ->
         command, cwd=tree, env={**os.environ, **given}, text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
     )  # fmt: skip
+    prlimit(process.pid, RLIMIT_CPU, (int(limit), int(limit)))  # however busy the machine is
     try:
-        output, _ = process.communicate(timeout=limit)
+        output, _ = process.communicate(timeout=WAITING * limit)
     except subprocess.TimeoutExpired:
         return TIMEOUT, f"more than {limit:.0f} s"
     finally:
         _end(process)
+    if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return TIMEOUT, f"more than {limit:.0f} s"
     if process.returncode == 0:
         return SURVIVED, ""
     failed = [line for line in output.splitlines() if line.startswith(("FAILED", "ERROR"))]

@@ -11,12 +11,12 @@ import pytest
 from scipy.constants import g
 
 from assess.verification.read import CASES, read_cases
-from tests.validation.derive import arches, chains, codes, housner, loaded_walls, motions, pulses, yim
+from tests.validation.derive import arches, chains, codes, hand, housner, loaded_walls, motions, pulses, yim
 from tests.validation.derive.rocking import rocked
 
 DERIVED = {
     **housner.VALUES, **pulses.VALUES, **chains.VALUES, **codes.VALUES, **arches.VALUES, **yim.VALUES,
-    **loaded_walls.VALUES, **motions.VALUES,
+    **loaded_walls.VALUES, **motions.VALUES, **hand.VALUES,
 }  # fmt: skip
 SLOW = {"zhang_makris_2001/with_impact", "zhang_makris_2001/exact_block"}
 """Bisections of integrated motions; below, both sides of each value are integrated instead."""

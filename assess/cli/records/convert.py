@@ -19,20 +19,33 @@ def convert(
     step: Step = None,
     response: Response = None,
     component: Annotated[
-        str | None, typer.Option(help="Component of a file with several, as named by `assess records list`.")
+        str | None,
+        typer.Option(metavar="NAME", help="Component of a file with several, as named by `assess records list`."),
     ] = None,
     azimuth: Annotated[
         float | None,
-        typer.Option(help="Rotate two horizontal components to this azimuth [deg].", callback=check_azimuth),
+        typer.Option(
+            metavar="DEGREES",
+            help="Rotate two horizontal components to this azimuth, from north.",
+            callback=check_azimuth,
+        ),
     ] = None,
     rotd: Annotated[
-        float | None, typer.Option(help="Rotate two horizontal components to this percentile of peaks: 50 or 100.")
+        float | None,
+        typer.Option(metavar="50|100", help="Rotate two horizontal components to this percentile of peaks."),
     ] = None,
-    baseline: Annotated[int | None, typer.Option(help="Remove the best-fit polynomial of this degree.")] = None,
-    low_cut: Annotated[float | None, typer.Option(help="Lower corner of the acausal Butterworth filter [Hz].")] = None,
-    high_cut: Annotated[float | None, typer.Option(help="Upper corner of the acausal Butterworth filter [Hz].")] = None,
+    baseline: Annotated[
+        int | None, typer.Option(metavar="DEGREE", help="Remove the best-fit polynomial of this degree.")
+    ] = None,
+    low_cut: Annotated[
+        float | None, typer.Option(metavar="HZ", help="Lower corner of the acausal Butterworth filter.")
+    ] = None,
+    high_cut: Annotated[
+        float | None, typer.Option(metavar="HZ", help="Upper corner of the acausal Butterworth filter.")
+    ] = None,
     order: Annotated[
-        int, typer.Option(min=1, max=10, help="Order of the filter, which runs forwards and backwards.")
+        int,
+        typer.Option(metavar="NUMBER", min=1, max=10, help="Order of the filter, which runs forwards and backwards."),
     ] = 4,
     trim: Annotated[
         tuple[float, float] | None,
@@ -40,8 +53,8 @@ def convert(
             metavar="FROM TO", help="Keep the part between these shares of Arias intensity, such as 0.01 0.99."
         ),
     ] = None,
-    resample: Annotated[float | None, typer.Option(help="New time step [s], without aliasing.")] = None,
-    scale: Annotated[float | None, typer.Option(help="Factor applied to every acceleration.")] = None,
+    resample: Annotated[float | None, typer.Option(metavar="SECONDS", help="New time step, without aliasing.")] = None,
+    scale: Annotated[float | None, typer.Option(metavar="FACTOR", help="Factor applied to every acceleration.")] = None,
     to_unit: Annotated[
         str | None,
         typer.Option(

@@ -10,7 +10,7 @@ from assess.cli.records.list_records import list_records
 from assess.cli.records.scale import scale
 from assess.cli.records.select import select
 from assess.cli.records.spectra import spectra
-from assess.cli.verbosity import with_verbosity
+from assess.cli.verbosity import first_sentence, with_verbosity
 
 records = typer.Typer(
     help="List, process, convert, select and scale records of ground motion.",
@@ -27,6 +27,6 @@ def _records(context: typer.Context) -> None:
         raise typer.Exit(2)
 
 
-records.command("list")(with_verbosity(list_records))
+records.command("list", short_help=first_sentence(list_records))(with_verbosity(list_records))
 for command in (convert, index, spectra, select, scale):
-    records.command()(with_verbosity(command))
+    records.command(short_help=first_sentence(command))(with_verbosity(command))

@@ -50,15 +50,20 @@ Files = Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record fi
 Unit = Annotated[
     str | None,
     typer.Option(
+        metavar="UNIT",
         help="Unit of acceleration where a file does not state it: g, m/s2, cm/s2, gal, mm/s2.",
         callback=check_unit,
         autocompletion=acceleration_units,
     ),
 ]
-Step = Annotated[float | None, typer.Option(help="Time step [s] where a file does not state it.", callback=check_step)]
+Step = Annotated[
+    float | None, typer.Option(metavar="SECONDS", help="Time step where a file does not state it.", callback=check_step)
+]
 Response = Annotated[
     Path | None,
-    typer.Option(help="StationXML of the instrument, for MiniSEED and SAC files.", callback=check_response_file),
+    typer.Option(
+        metavar="FILE", help="StationXML of the instrument, for MiniSEED and SAC files.", callback=check_response_file
+    ),
 ]
 Flatfile = Annotated[
     Path | None, typer.Option(metavar="CSV", help="PEER flatfile with magnitude, distance, Vs30 and NGA number.")

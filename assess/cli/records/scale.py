@@ -19,6 +19,7 @@ def scale(
     to: Annotated[
         str,
         typer.Option(
+            metavar="WORD",
             help='Match the "spectrum" (least squares), its "pga", or "none".',
             autocompletion=of_words("spectrum", "pga", "none"),
         ),

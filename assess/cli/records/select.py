@@ -35,7 +35,7 @@ def select(
         ),
     ],
     target: Annotated[Path | None, TARGET] = None,
-    count: Annotated[int, typer.Option(min=1, max=200, help="Number of records.")] = 7,
+    count: Annotated[int, typer.Option(metavar="N", min=1, max=200, help="Number of records.")] = 7,
     periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Periods over which to fit [s].")] = (
         0.1,
         2.0,
@@ -45,11 +45,16 @@ def select(
     ] = (0.25, 4.0),
     fit: Annotated[
         str,
-        typer.Option(help='Fit the mean of the "suite", or "each" record.', autocompletion=of_words("suite", "each")),
+        typer.Option(
+            metavar="WORD",
+            help='Fit the mean of the "suite", or "each" record.',
+            autocompletion=of_words("suite", "each"),
+        ),
     ] = "suite",
     components: Annotated[
         str,
         typer.Option(
+            metavar="WORD",
             help='Use components separately ("single"), or those of a recording "together".',
             autocompletion=of_words("single", "together"),
         ),
@@ -66,6 +71,7 @@ def select(
     scale_to: Annotated[
         str,
         typer.Option(
+            metavar="WORD",
             help='Scale each record to "spectrum", "pga" or "none".',
             autocompletion=of_words("spectrum", "pga", "none"),
         ),
@@ -73,13 +79,14 @@ def select(
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
     ] = False,
-    magnitude: Annotated[Span, _span("Magnitude.")] = None,
-    distance: Annotated[Span, _span("Distance [km].")] = None,
-    vs30: Annotated[Span, _span("Vs30 [m/s].")] = None,
-    pga: Annotated[Span, _span("Peak ground acceleration before scaling [g].")] = None,
-    duration: Annotated[Span, _span("Duration D5-95 [s].")] = None,
+    magnitude: Annotated[Span, _span("Keep only records within these magnitudes.")] = None,
+    distance: Annotated[Span, _span("The same of the distance [km].")] = None,
+    vs30: Annotated[Span, _span("The same of Vs30 [m/s].")] = None,
+    pga: Annotated[Span, _span("The same of the peak ground acceleration before scaling [g].")] = None,
+    duration: Annotated[Span, _span("The same of the duration D5-95 [s].")] = None,
     event: Annotated[
-        list[str] | None, typer.Option(metavar="TEXT", help="Part of an earthquake's name; may be repeated.")
+        list[str] | None,
+        typer.Option(metavar="TEXT", help="Keep only earthquakes with this in their name; may be repeated."),
     ] = None,
     flatfile: Flatfile = None,
     catalogue: Catalogue = None,

@@ -16,7 +16,8 @@ Places = Annotated[list[Path], typer.Argument(metavar="FILES…|FOLDER", help="R
 def spectra(
     places: Places,
     damping: Annotated[
-        float, typer.Option(help="Damping ratio; the spectra of a folder have 5 %.", callback=check_damping)
+        float,
+        typer.Option(metavar="NUMBER", help="Damping ratio; the spectra of a folder have 5 %.", callback=check_damping),
     ] = 0.05,
     unit: Unit = None,
     step: Step = None,

@@ -59,10 +59,17 @@ def _totals(results: VerificationResults, seconds: float) -> Iterator[str]:
     )
     yield f"{', '.join(parts)}, in {seconds:.0f} s{' (quick cases only)' if results.quick else ''}"
     if results.shares.worst is not None:
-        yield f"difference over tolerance: {_spread(results.shares)}; relative: {_spread(results.relative)}"
-    bare = [each.use for each in results.coverage if not each.cases]
+        yield f"difference over tolerance: {_spread(results.shares)}"
+    if results.relative.worst is not None:
+        yield f"over the largest value of its quantity: {_spread(results.relative)} ({', '.join(results.farthest)})"
+    indicative = sum(each.source.standing == "indicative" for each in results.cases)
+    if indicative:
+        yield f"{count_noun(indicative, 'case')} indicative only, no evidence; they cover nothing"
+    if results.foreign:
+        yield f"{count_noun(len(results.foreign), 'case')} not as with the program: {', '.join(results.foreign)}"
+    bare = [each.use for each in results.coverage if each.use not in results.passed_uses]
     if bare:
-        yield f"used by the project, without a case: {', '.join(bare)}"
+        yield f"used by the project, without a case that passes and is evidence: {', '.join(bare)}"
 
 
 def _spread(spread: Spread) -> str:

@@ -8,6 +8,8 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from assess.project.quantities import Ratio
+from assess.project.quantity_patterns import MARK
+from assess.project.quantity_patterns import SHARES as UNITS_OF_SHARES
 from assess.project.quantity_text import QuantityError, number_and_unit
 from assess.project.section import Section
 from assess.project.units import KINDS, key_value
@@ -28,7 +30,6 @@ SHARES: Mapping[str, float] = {
 
 VaryingShare = Annotated[Ratio, Field(ge=0, lt=1)]
 SHARE = "share"
-_SHARES = ("", "%", "percent", "permille")
 
 
 class Change(NamedTuple):
@@ -45,7 +46,7 @@ def _change(kind: str) -> Callable[[Any], Any]:
         if value is False or value is None or isinstance(value, Change):
             return value or None
         try:
-            absolute = isinstance(value, str) and number_and_unit(value)[1] not in _SHARES
+            absolute = isinstance(value, str) and number_and_unit(value)[1] not in UNITS_OF_SHARES
             found = Change(key_value(value, KINDS[kind]), KINDS[kind].symbol) if absolute else _share(value)
         except QuantityError:
             raise ValueError(f'not a change; write a share like 0.05 or "5 %"{_or_amount(kind)}, or false') from None
@@ -70,7 +71,7 @@ def _or_amount(kind: str) -> str:
 
 def _described(kind: str) -> WithJsonSchema:
     words = f"a share like 0.05{_or_amount(kind)}; false: not varied"
-    return WithJsonSchema({"type": ["number", "string", "boolean"], "description": words})
+    return WithJsonSchema({"type": ["number", "string", "boolean"], "description": words, MARK: [kind, "change"]})
 
 
 def _default(parameter: str) -> Any:

@@ -10,7 +10,8 @@ from pydantic import Field, GetJsonSchemaHandler, PlainValidator, StrictStr, Wit
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from assess.project.quantities import Name, Ratio
+from assess.project.quantities import Name, Ratio, quantity_schema
+from assess.project.quantity_patterns import MARK as PATTERN
 from assess.project.section import Section, wrong
 from assess.results.uncertainty import Distribution
 
@@ -70,6 +71,7 @@ class UncertainNumber(Section):
 
 def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
     """Return the JSON Schema of a project file with { mean, cov } allowed at every key that is marked."""
+    defined: dict[str, Any] = {}
 
     def allow(node: Any) -> Any:
         if isinstance(node, list):
@@ -80,7 +82,26 @@ def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
         if MARK not in node:
             return plain
         kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
-        return {"anyOf": [plain, {"$ref": f"#/$defs/{UncertainNumber.__name__}"}], **kept} if plain else kept
+        kind = _kind(plain)
+        name = f"{UncertainNumber.__name__}-of-{kind}".replace(" ", "-")
+        defined[name] = _table(kind)
+        return {"anyOf": [plain, {"$ref": f"#/$defs/{name}"}], **kept} if plain else kept
 
     found = allow(schema)
-    return {**found, "$defs": {**found["$defs"], UncertainNumber.__name__: UncertainNumber.model_json_schema()}}
+    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
+
+
+def _kind(node: dict[str, Any]) -> str:
+    """Return the kind of quantity that a key holds, a ratio where it has no unit, as a restitution."""
+    marks = (each[PATTERN] for each in (node, *node.get("anyOf", ())) if PATTERN in each)
+    kind: str = next(marks, ("ratio",))[0]
+    return kind
+
+
+def _table(kind: str) -> dict[str, Any]:
+    """Return the schema of an uncertain number of a kind of quantity."""
+    schema = UncertainNumber.model_json_schema()
+    mean, sd = (schema["properties"][key] for key in ("mean", "sd"))
+    mean.update(quantity_schema(kind))
+    sd["anyOf"][0].update(quantity_schema(kind))
+    return schema

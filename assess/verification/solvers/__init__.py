@@ -15,6 +15,7 @@ from assess.verification.solvers.motion import solve_motion
 from assess.verification.solvers.parameters import solve_parameters
 from assess.verification.solvers.project import solve_project
 from assess.verification.solvers.pulses import solve_pulses
+from assess.verification.solvers.risk import solve_risk
 from assess.verification.solvers.shake_table import solve_shake_table
 from assess.verification.solvers.spectrum import solve_spectra
 
@@ -27,6 +28,7 @@ SOLVERS: dict[str, Solver] = {
     "parameters": solve_parameters,
     "project": solve_project,
     "pulses": solve_pulses,
+    "risk": solve_risk,
     "shake-table": solve_shake_table,
     "spectra": solve_spectra,
 }

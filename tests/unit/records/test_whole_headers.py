@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from records.errors import RecordError
 from records.formats import FORMATS
 from records.formats.header_overrides import NO_OVERRIDES
 from records.record import Earthquake, Record, Site
@@ -514,3 +515,9 @@ def test_a_header_that_disagrees_with_its_own_numbers_is_doubted(
 @pytest.mark.parametrize(("name", "doubted"), [("IT.NRC.00.HGN.D.asc", False), ("IT.NRC.00.HGE.D.asc", True)])
 def test_a_dyna_file_named_for_another_stream_is_doubted(tmp_path: Path, name: str, doubted: bool) -> None:
     assert bool(warned(tmp_path, "ESM/ITACA DYNA", name, dyna())) == doubted
+
+
+def test_a_count_of_csmip_that_is_wrong_is_named_with_its_line(tmp_path: Path) -> None:
+    """25 lines of text stand above the line of points."""
+    with pytest.raises(RecordError, match=f"{tmp_path}/a.v2: line 26 says {N + 8} samples, the file holds {N}"):
+        read(tmp_path, "CSMIP", "a.v2", csmip().replace(f"{N} POINTS", f"{N + 8} POINTS"))

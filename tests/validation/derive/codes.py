@@ -117,7 +117,8 @@ def asce43():
         "steps": {
             "C1": C1, "γ": gamma, "β_e": gamma / sqrt(4 * pi**2 + gamma**2), "θ": theta, "f1": f1(theta),
             "SA_H,CAP": capacity(theta), "f_e": frequency(theta),
-        }
+        },
+        "θ over the third of α that is allowed": {"": 3.0 * theta / alpha},
     }  # fmt: skip
 
 

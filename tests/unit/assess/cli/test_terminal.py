@@ -56,6 +56,40 @@ def on_screen(monkeypatch: pytest.MonkeyPatch, *arguments: str | Path | int, **v
     return screen.text
 
 
+@pytest.mark.parametrize(
+    ("word", "command"),
+    [
+        ("rocking histories", ("run", "PROJECT", "-o", "OUT", "--no-report")),
+        ("primary pulses", ("envelope", "PROJECT")),
+        ("fragility curves", ("fragility", "PROJECT")),
+        ("records", ("records", "index", "RECORDS", "--catalogue", "CATALOGUE")),
+        ("cases", ("verify", "housner_1963", "--quick")),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_long_command_shows_progress_on_a_terminal_and_none_in_a_pipe(
+    word: str,
+    command: tuple[str, ...],
+    project: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    places = {"PROJECT": project, "RECORDS": project.parent / "records"}
+
+    def arguments(place: Path) -> list[str | Path | int]:
+        made = {"OUT": place / "made", "CATALOGUE": place / "catalogue.sqlite"}
+        place.mkdir()
+        return [*((places | made).get(each, each) for each in command), "--jobs", 1]
+
+    assert word in on_screen(monkeypatch, *arguments(tmp_path / "terminal"))
+    capsys.readouterr()
+    assert ended(*arguments(tmp_path / "pipe")) in (0, 1, 3)
+    said = capsys.readouterr().err
+    assert "\x1b" not in said
+    assert [line for line in said.splitlines() if ": " not in line] == []  # notes and warnings alone
+
+
 def test_a_terminal_may_be_without_colour_or_cursor(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     command = ("envelope", project, "--jobs", 1)
     assert "\x1b[38;5" in on_screen(monkeypatch, *command) or "\x1b[3" in on_screen(monkeypatch, *command)

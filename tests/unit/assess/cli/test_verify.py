@@ -6,17 +6,19 @@ import hashlib
 import json
 import tomllib
 from contextlib import redirect_stderr, redirect_stdout
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from io import StringIO
 
 import pytest
 
+from assess.errors import ProjectError
 from assess.examples import EXAMPLES
 from assess.project.build import build, uses_of_project
 from assess.project.schema import load
 from assess.results.files import read_verification
 from assess.results.json import dumps_verification
 from assess.results.uses import USES
+from assess.verification.read import cases_for, read_cases
 from tests.support.command import ended
 from tests.support.projects import project_toml
 
@@ -117,9 +119,96 @@ def test_run_names_the_annex_and_what_has_no_case(written, tmp_path):
 
 def test_annex_of_other_sources_is_told(written, tmp_path):
     _, folder = written
-    text = (folder / "verification.json").read_text(encoding="utf-8")
-    sha256 = json.loads(text)["program"]["sha256"]
-    (tmp_path / "v.json").write_text(text.replace(sha256, "0" * 64), encoding="utf-8")
-    project = tmp_path / "wall.toml"
+    results = read_verification(folder / "verification.json")
+    other = replace(results, program=replace(results.program, sha256="0" * 64))
+    assert "annex-other-sources" in told(tmp_path, dumps_verification(other))
+
+
+def told(folder, text, pdf=b""):
+    """Keys of what a run says of an annex of this text, with this PDF beside it."""
+    (folder / "v.json").write_text(text, encoding="utf-8")
+    if pdf:
+        (folder / "v.pdf").write_bytes(pdf)
+    project = folder / "wall.toml"
     project.write_text(project_toml(report={"verification": "v.json"}), encoding="utf-8")
-    assert "annex-other-sources" in {each.key for each in build(load(project)).messages}
+    return {each.key for each in build(load(project)).messages}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"expected": 0.1', '"expected": 0.2'),
+        ('"outcome": "pass"', '"outcome": "fail"'),
+        ('"quick": false', '"quick": true'),
+    ],
+)
+def test_annex_edited_by_hand_is_refused(written, tmp_path, old, new):
+    _, folder = written
+    text = (folder / "verification.json").read_text(encoding="utf-8")
+    assert old in text
+    with pytest.raises(ProjectError, match="was changed since it was written"):
+        told(tmp_path, text.replace(old, new))
+
+
+def test_annex_without_cases_is_refused(written, tmp_path):
+    _, folder = written
+    results = replace(read_verification(folder / "verification.json"), cases=())
+    with pytest.raises(ProjectError, match="has no cases"):
+        told(tmp_path, dumps_verification(results))
+
+
+def test_pdf_of_another_annex_is_told(written, tmp_path):
+    _, folder = written
+    text, pdf = (folder / "verification.json").read_text(encoding="utf-8"), (folder / "verification.pdf").read_bytes()
+    assert "annex-pdf" in told(tmp_path, text)
+    assert "annex-pdf" in told(tmp_path, text, pdf + b"%")
+    assert "annex-pdf" not in told(tmp_path, text, pdf)
+
+
+def test_failing_quick_and_chosen_cases_are_told(written, tmp_path):
+    _, folder = written
+    results = read_verification(folder / "verification.json")
+    (case,) = results.cases
+    assert {"annex-left-out"} <= told(tmp_path, dumps_verification(results))
+    worse = replace(results, quick=True, cases=(case, replace(case, key="a/b", fault="no <b>convergence</b>")))
+    assert {"annex-quick", "annex-failures"} <= told(tmp_path, dumps_verification(worse))
+
+
+def test_case_with_a_wider_tolerance_is_not_the_program_s(written, tmp_path):
+    _, folder = written
+    cases = tmp_path / "cases" / "own_arithmetic"
+    cases.mkdir(parents=True)
+    for name in ("tie.toml", "tie_project.toml"):
+        text = (folder / "cases" / "own_arithmetic" / name).read_text(encoding="utf-8")
+        (cases / name).write_text(text.replace("relative = 1e-6", "relative = 0.5"), encoding="utf-8")
+    done = assess("verify", "--cases", str(cases.parent), "-o", str(tmp_path / "out"), "--jobs", "1")
+    assert done.returncode == 0
+    assert "1 case not as with the program: own_arithmetic/tie" in done.stdout
+    text = (tmp_path / "out" / "verification.json").read_text(encoding="utf-8")
+    assert "annex-foreign" in told(tmp_path, text)
+
+
+def test_case_that_is_indicative_covers_nothing(written):
+    _, folder = written
+    results = read_verification(folder / "verification.json")
+    (case,) = results.cases
+    weaker = replace(case, source=replace(case.source, standing="indicative"))
+    assert "tie" in results.passed_uses
+    assert not replace(results, cases=(weaker,)).passed_uses
+
+
+def test_cases_for_a_project_share_what_matters():
+    cases = {each.key: set(each.case.uses) for each in read_cases()}
+    uses = ("single-block", "box", "rigid", "exact", "ntc2018", "ntc2018-linear")
+    chosen = {each.key for each in cases_for(read_cases(), uses)}
+    assert {"ntc_2018/wall_at_the_ground", "housner_1963/rectangular_pulse"} <= chosen
+    assert not {"livesley_1978/arches", "mehrotra_2019/chapter_7_tower", "own_arithmetic/tie"} & chosen
+    assert all(any(use in cases[key] for key in chosen) for use in uses)
+    assert len(chosen) < len(cases) / 3
+
+
+def test_nothing_that_has_a_case_is_left_without():
+    for use in USES:
+        having = {each.key for each in read_cases() if use in each.case.uses}
+        chosen = {each.key for each in cases_for(read_cases(), (use,))}
+        assert chosen == having

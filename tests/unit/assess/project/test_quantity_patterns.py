@@ -10,15 +10,24 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
+from pydantic import TypeAdapter, ValidationError
 
 from assess.examples import EXAMPLES, source
 from assess.project.quantities import length_of_unit
 from assess.project.quantity_patterns import quantity_pattern
 from assess.project.schema import json_schema
+from assess.project.sections.sensitivity import DensityChange, ForceChange, LengthChange, ShareChange, StressChange
 from assess.project.units import KINDS, prefixes_and_names, reads_unit, to_si
 from assess.project.usual_units import USUAL
 from tests.support.projects import as_editors_see
 
+CHANGES = {
+    "length": TypeAdapter(LengthChange),
+    "density": TypeAdapter(DensityChange),
+    "stress": TypeAdapter(StressChange),
+    "ratio": TypeAdapter(ShareChange),
+    "force": TypeAdapter(ForceChange),
+}
 UNITS = sorted({unit for units in USUAL.values() for unit in units} | {"g", "gal", "ton", "°", "′", "″", "‰", "meters"})
 TYPED = st.sampled_from([*UNITS, "1", "m", "kg", "s"]).flatmap(
     lambda unit: st.sampled_from([unit, f"{unit}^2", f"{unit}²", f"{unit}**-1", f"{unit}s", f"k{unit}", f"{unit}⁻²"])
@@ -92,6 +101,33 @@ def test_a_unit_alone_has_no_number(text: str, right: bool) -> None:
             length_of_unit(text)
 
 
+@given(
+    kind=st.sampled_from(["length", "density", "stress", "ratio", "force"]),
+    number=NUMBERS,
+    space=st.sampled_from(["", " ", "\u00a0"]),
+    unit=PRODUCTS | st.sampled_from([*UNITS, "%", "percent", "permille", "Percent", ""]),
+)
+def test_a_change_that_is_read_is_accepted(kind: str, number: str, space: str, unit: str) -> None:
+    text = f"{number}{space}{unit}"
+    try:
+        CHANGES[kind].validate_python(text)
+    except ValidationError:
+        return
+    assert accepts(text, kind, "change"), text
+
+
+@pytest.mark.parametrize(
+    "text", ["2", "2 cm", "5 %", "5 permille", "-0.1", "5 kg", "cm", "5 %%", "2 cm 3", "5 percents"]
+)
+def test_an_editor_shows_a_wrong_change_of_a_length(text: str) -> None:
+    try:
+        CHANGES["length"].validate_python(text)
+    except ValidationError:
+        assert not accepts(text, "length", "change") or text in ("2", "-0.1")  # signs and sizes are the reader's
+    else:
+        assert accepts(text, "length", "change")
+
+
 @pytest.fixture(scope="module")
 def schema() -> Draft202012Validator:
     Draft202012Validator.check_schema(json_schema())
@@ -109,3 +145,30 @@ def test_an_editor_finds_the_key_of_a_wrong_unit(schema: Draft202012Validator) -
     (material,) = tables["materials"].values()
     material["density"] = "1800 kg/m^2"
     assert [fault.json_path.rpartition(".")[2] for fault in schema.iter_errors(tables)] == ["density"]
+
+
+@pytest.mark.parametrize(
+    ("thickness", "right"),
+    [
+        ({"mean": "0.6 m", "sd": "2 cm"}, True),
+        ({"mean": 0.6, "cov": "5 %"}, True),
+        ({"mean": "0.6", "cov": 0.05}, False),
+        ({"mean": "0.6 m", "sd": "2 kg"}, False),
+        ({"mean": "0.6 m", "sd": "2"}, False),
+    ],
+)
+def test_an_editor_knows_the_unit_of_an_uncertain_number(
+    thickness: dict[str, Any], right: bool, schema: Draft202012Validator
+) -> None:
+    tables = tomllib.loads((source("single_wall") / "project.toml").read_text(encoding="utf-8"))
+    (body,) = tables["bodies"].values()
+    body["box"]["thickness"] = thickness
+    assert schema.is_valid(tables) is right
+
+
+def test_an_editor_knows_the_unit_of_a_change(schema: Draft202012Validator) -> None:
+    tables = tomllib.loads((source("single_wall") / "project.toml").read_text(encoding="utf-8"))
+    tables["analysis"]["sensitivity"] = {"thickness": "2 cm", "density": "5 %", "friction": False, "loads": 0.1}
+    assert schema.is_valid(tables)
+    tables["analysis"]["sensitivity"]["thickness"] = "2 kg"
+    assert not schema.is_valid(tables)

@@ -314,7 +314,7 @@ def test_json_schema_is_closed_and_strict() -> None:
         assert [key for key in table.get("required", []) if not table["properties"][key].get("description")] == []
     thickness = definitions["Box"]["properties"]["thickness"]
     length = {"$ref": "#/$defs/quantity-of-length"}
-    assert thickness["anyOf"] == [length, {"$ref": "#/$defs/UncertainNumber"}]
+    assert thickness["anyOf"] == [length, {"$ref": "#/$defs/UncertainNumber-of-length"}]
     assert thickness["description"] == 'size along x, like "1.25 m"'
 
 

@@ -57,7 +57,7 @@ def markdown(table: Table) -> str:
     """Return a table with what it asks and how its times grow."""
     head = ["program", "setting", "least", "median", "times ours", "n", *table.error_titles]
     lines = [
-        f"### {table.title}", "", table.asked, "",
+        f"## {table.title}", "", table.asked, "",
         "| " + " | ".join(head) + " |",
         "|---|---|" + "---:|" * (len(head) - 2),
         *(line(row, len(table.error_titles)) for row in table.rows), "",

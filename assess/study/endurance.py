@@ -11,7 +11,7 @@ from assess.loads.load import Force, Load, PointMass, Tie, found_text, pull_at_r
 from assess.mechanisms.ends import displacement_at
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
-from assess.messages.message import Message, Quantity, Severity, Term, message, warning
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.results import Lasting, LoadResult
 
 
@@ -75,14 +75,12 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     if not actions_of(mechanism.positive):
         return
     where = f"mechanisms.{mechanism.name}"
-    for load in mechanism.positive.loads:
-        if isinstance(load, Tie) and load.tension < load.pull:
-            values = {
-                "load": load.name,
-                "force": Quantity(load.pull, "force"),
-                "strength": Quantity(load.tension, "force"),
-            }
-            yield warning("pretension-above-strength", where, **values)
+    for tie in mechanism.positive.loads:
+        if isinstance(tie, Tie) and tie.tension < tie.pull:
+            forces = {"force": Quantity(tie.pull, "force"), "strength": Quantity(tie.tension, "force")}
+            yield message(
+                "pretension-above-strength", {"load": tie.name, **forces}, severity=Severity.WARNING, where=where
+            )
     thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in load_results(mechanism):
         if load.lasting == "not shown" and load.name not in thrusts:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -30,6 +31,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     started = time.monotonic()
     found = Findings(asked.out)
+    for number in (signal.SIGINT, signal.SIGTERM):  # also where it runs in the background; what was found is reported
+        signal.signal(number, signal.default_int_handler)
     batches = limited(planned(asked.group or list(GROUPS), seed=asked.seed), asked.inputs)
     try:
         judge_batches(batches, found.take, seed=asked.seed, jobs=asked.jobs, until=started + asked.seconds)

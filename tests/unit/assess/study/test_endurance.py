@@ -119,6 +119,13 @@ def test_seats_are_local_limits_and_printed(tmp_path):
     assert [duration_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
 
 
+@pytest.mark.parametrize(("seat", "told"), [("2.0 m", False), ("2.1 m", True), ("20", True)])
+def test_a_seat_wider_than_a_wall_gets_a_warning(tmp_path, seat, told):
+    study = study_of(tmp_path, f'{{ kind = "mass", mass = 800, at = [0.4, 4.0], seat = "{seat} m" }}'.replace("m m", "m"))
+    found = [each for each in study.messages if each.key == "seat-wide"]
+    assert [each.values["seat"].value for each in found] == [float(seat.split()[0])] * told
+
+
 @pytest.mark.parametrize(
     ("entry", "words"),
     [

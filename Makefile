@@ -7,6 +7,7 @@ SECONDS ?= 60
 MUTANTS ?= 150
 SEED ?= 1
 CLASS ?=
+PEERS ?=
 TESTS ?=
 SHARD ?= 1/1
 APART := build/apart
@@ -15,7 +16,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench fuzz kill faults mutate figures docs docs-links same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench peers fuzz kill faults mutate figures docs docs-links same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -51,13 +52,16 @@ bench: .venv/installed     ## speed, as ratios measured in one run; then studies
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py
 	$(BIN)/python tests/benchmarks/bench_mesh.py
 	$(BIN)/python -m tests.benchmarks.bench_portfolio
-	$(BIN)/python tests/benchmarks/bench_records.py
+	$(BIN)/python -m tests.benchmarks.bench_records
 	$(BIN)/python tests/benchmarks/bench_report.py
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m study
 	HYPOTHESIS_PROFILE=deep $(BIN)/python -m pytest -n 2 --dist worksteal tests/properties
 
-fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given: docs/robustness.md
-	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS))
+peers: build/peers/installed  ## speed and error beside other programs, in an environment of their own, into docs/speed.md
+	build/peers/bin/python -m tests.benchmarks.peers --write $(PEERS)
+
+fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
+	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
 
 kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tests/kill/study.py $(KILLS)
@@ -134,6 +138,16 @@ lock:                      ## for developers, with uv: pin every dependency with
 
 .venv/browser: .venv/installed  # Debian's browser, 100 MB, in which tests open the HTML report
 	@command -v chromedriver >/dev/null || tests/install_browser.sh || echo "$(NO_BROWSER)"
+	@touch $@
+
+build/peers/installed: .venv/installed pyproject.toml  # the group "peers", one by one: one that does not install is left out, and said so
+	$(PYTHON) -m venv build/peers
+	$(CURDIR)/$(BIN)/python -c 'import sysconfig; print(sysconfig.get_path("purelib")); print("$(CURDIR)")' \
+		> $$(build/peers/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')/ours.pth
+	@for each in $$($(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["dependency-groups"]["peers"])'); do \
+		build/peers/bin/python -m pip install --quiet --disable-pip-version-check "$$each" || echo "$$each does not install here"; done
+	rm -rf build/peers/lib/python*/site-packages/tests  # eqsig installs its tests under a name that is ours
+	@ldconfig -p | grep --quiet liblapack.so.3 || echo "openseespy also needs Debian's libblas3 and liblapack3"
 	@touch $@
 
 .venv/mutate: .venv/installed pyproject.toml  # the group "mutate", by a pip that may not know of groups yet

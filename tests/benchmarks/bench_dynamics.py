@@ -96,10 +96,22 @@ def of_equation(equation: Equation) -> tuple[Acceleration, float, float]:
 
 
 def by_scipy(equation: Equation, record: Record, tolerance: float) -> float:
-    """Largest rotation [rad] by DOP853 with events, restarted at every sample because the motion has a kink there."""
+    """Largest rotation [rad] by DOP853."""
+    return max(map(abs, swings_by_scipy(equation, record, tolerance)), default=0.0)
+
+
+def swings_by_scipy(
+    equation: Equation,
+    record: Record,
+    tolerance: float,
+    *,
+    method: str = "DOP853",
+    restitution: float = RESTITUTION,
+) -> list[float]:
+    """Signed peaks of the rotation [rad] with events, restarted at every sample because the motion has a kink there."""
     accelerate, threshold, slow = of_equation(equation)
     samples, dt = record.acceleration, record.dt
-    sign, phi, v, largest = 0, 0.0, 0.0, 0.0
+    sign, phi, v, found = 0, 0.0, 0.0, []
     impact, peak = (lambda _, y: y[0]), (lambda _, y: y[1])
     impact.terminal, impact.direction, peak.direction = True, -1, -1  # type: ignore[attr-defined]
     for i in range(record.npts - 1):
@@ -114,15 +126,15 @@ def by_scipy(equation: Equation, record: Record, tolerance: float) -> float:
                 sign, phi, v = -1 if a0 + slope * t > 0 else 1, 0.0, 0.0
             out = solve_ivp(
                 lambda t, y, s=sign, a0=a0, slope=slope: (y[1], accelerate(y[0], y[1], s * (a0 + slope * t))),
-                (t, dt), (phi, v), method="DOP853", rtol=tolerance, atol=tolerance * ALPHA, events=(impact, peak),
+                (t, dt), (phi, v), method=method, rtol=tolerance, atol=tolerance * ALPHA, events=(impact, peak),
             )  # fmt: skip
-            largest = max([largest, *(y[0] for y in out.y_events[1])])
+            found += [sign * float(y[0]) for y in out.y_events[1]]
             t, (phi, v) = float(out.t[-1]), out.y[:, -1]
             if out.t_events[0].size:
-                sign, phi, v = -sign, 0.0, -RESTITUTION * v
+                sign, phi, v = -sign, 0.0, -restitution * v
                 if v < slow and abs(a0 + slope * t) <= threshold:
                     sign = 0
-    return float(largest)
+    return found
 
 
 def cold_seconds(equation: Equation) -> float:

@@ -85,6 +85,15 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     assert context.rise == 0.0
 
 
+@pytest.mark.parametrize(("force", "told"), [("29 kN", False), ("30 kN", False), ("31 kN", True)])
+def test_a_pretension_above_the_strength_gets_a_warning(tmp_path, force, told):
+    found = [
+        each for each in study_of(tmp_path, tie(PROOF, force=force), top=SOURCE).messages if "strength" in each.key
+    ]
+    assert [each.key for each in found] == ["pretension-above-strength"] * told
+    assert all((each.values["force"].value, each.values["strength"].value) == (31e3, 30e3) for each in found)
+
+
 def test_a_tie_with_an_end_gives_a_local_limit_where_its_point_has_moved_so_far(tmp_path):
     study = study_of(tmp_path, tie(', until = "0.15 m"'))
     (found,), at = loads_of(study), 2 * asin(0.15 / (2 * 4.5))

@@ -1,0 +1,1 @@
+"""Speed beside other programs, with the error of each beside its time: `make peers`."""

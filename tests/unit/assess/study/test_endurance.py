@@ -121,7 +121,9 @@ def test_seats_are_local_limits_and_printed(tmp_path):
 
 @pytest.mark.parametrize(("seat", "told"), [("2.0 m", False), ("2.1 m", True), ("20", True)])
 def test_a_seat_wider_than_a_wall_gets_a_warning(tmp_path, seat, told):
-    study = study_of(tmp_path, f'{{ kind = "mass", mass = 800, at = [0.4, 4.0], seat = "{seat} m" }}'.replace("m m", "m"))
+    study = study_of(
+        tmp_path, f'{{ kind = "mass", mass = 800, at = [0.4, 4.0], seat = "{seat} m" }}'.replace("m m", "m")
+    )
     found = [each for each in study.messages if each.key == "seat-wide"]
     assert [each.values["seat"].value for each in found] == [float(seat.split()[0])] * told
 

@@ -286,6 +286,9 @@ TEXTS: Mapping[str, str] = {
     "friction",
     # warnings and notes of a project
     "box-size": "a number without a unit is in m, so this is {given}; if another unit was meant, write {likely}",
+    "friction-large": "a coefficient of friction of {given} is more than masonry has, {most}; is a point lost?",
+    "level-large": "a level of {given} is beyond any plausible site, {most}; is it in another unit?",
+    "corner-long": "T_C* of {given} is longer than at any site in Italy, {most}; is a point lost?",
     "material-unit": "a number without a unit is in SI, so this is {given}, which is impossible for masonry; write "
     "{likely} if that was meant, and check the units of the other numbers",
     "weight-density": "{given} is a weight per volume; divided by standard gravity, 9.80665 m/s2, it gives a "

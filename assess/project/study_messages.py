@@ -16,6 +16,7 @@ from assess.model.overlaps import overlaps_of
 from assess.project import sections
 from assess.project.bodies import bodies_of
 from assess.project.definitions import definitions_of
+from assess.project.plausible_numbers import implausible_numbers
 from assess.project.procedures import procedures_of
 from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
@@ -32,6 +33,7 @@ def project_messages(
 ) -> Iterator[Message]:
     """Yield what the engineer should know before reading any result."""
     mechanisms = study.mechanisms
+    yield from implausible_numbers(content)
     for name, solid in solids.items():
         if solid is not None:
             yield from _of_body(name, solid, content.bodies[name])

@@ -33,6 +33,7 @@ PLAIN: Mapping[str, tuple[Measure, Mapping[str, float]]] = {"pga": ("pga", IN_G)
 YEARS = {"1/year", "1/yr", "1/y", "1/a", "year^-1"}
 PERIODS = {"year", "years", "yr", "a"}
 EARTH_RADIUS = 6371.0  # km
+PLACE = ("lon", "lat", "depth", "custom_site_id", "site_id", "sid")
 FARTHEST = 50.0  # km from the nearest site of a file to the one asked for
 EXAMPLE = "pga [g], annual_rate [1/year]"
 IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
@@ -105,8 +106,8 @@ def _openquake(path: Path, lines: list[str], longitude: float | None, latitude: 
     years = _years(comment)
     row, distance = _site(header, rows[1:], longitude, latitude)
     levels = [(at, _number(name[4:], name)) for at, name in enumerate(header) if name.startswith("poe-")]
-    if alien := [name for name in header[levels[0][0] if levels else len(header) :] if name[:4] != "poe-"]:
-        raise HazardError(f'column "{alien[0]}" stands among those of probabilities, poe-…; the table is damaged')
+    if alien := [name for name in header if not name.startswith("poe-") and name not in PLACE]:
+        raise HazardError(f'column "{alien[0]}" is none of {", ".join(PLACE)}, poe-…; is the header damaged?')
     im = factor * np.array([level for _, level in levels])
     poe = np.array([_number(row[at], header[at]) for at, _ in levels])
     if ((poe < 0.0) | (poe > 1.0) | np.isnan(poe)).any():

@@ -1,8 +1,8 @@
-"""Kill `assess run` and `assess records index --jobs 2` many times, at random and at aimed moments, and count.
+"""Kill `assess run`, `fragility`, `verify` and `records index --jobs 2` many times, at random and at aimed moments.
 
-python tests/kill/study.py [KILLS]: 120 if absent; two thirds of them are of runs. After each kill no process may be
-left, and the folder must hold, after the next command, all of the old outputs or all of the new byte for byte; the
-catalogue must become what an index that is not killed makes. Ends with 1 where anything is lost.
+python tests/kill/study.py [KILLS] [SEED]: 120 and 1 if absent; a third are of runs, a third of indexes. After each kill
+no process may be left, and the folder must hold, after the next command, all of the old outputs or all of the new byte
+for byte; the catalogue must become what an index that is not killed makes. Ends with 1 where anything is lost.
 """
 
 from __future__ import annotations
@@ -49,6 +49,27 @@ t_l = "6 s"
 [analysis]
 procedures = ["asce43-05-spectrum"]
 """
+STUDY = """
+[mechanisms.parapet]
+kind = "equivalent-block"
+p = {height}
+uplift = 0.2
+radius = 0.6
+[records]
+synthetic = {{ count = 2, duration = "20 s", seed = 1 }}
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = "0.2 g"
+t_l = "6 s"
+[analysis.fragility]
+measures = ["pga"]
+states = ["rocking", "overturning"]
+samples = 8
+draws = 100
+"""
+WRITTEN = {"run": WALL, "fragility": STUDY, "verify": ""}  # projects of the commands that are killed
+CASES = {4: "housner_1963", 5: "oppenheim_1992"}  # of `verify`
 FILES = 60  # of records
 Outputs = dict[str, str]
 
@@ -141,39 +162,39 @@ def outputs(folder: Path) -> Outputs:
     }
 
 
-def kill_runs(place: Path, kills: int, dice: random.Random, count: Count) -> None:
-    """Kill runs that replace the outputs of one wall by those of another."""
-    projects = [place / f"{height}" / "wall.toml" for height in (4, 5)]
-    whole, out = list[Outputs](), place / "out"
-    for project, height in zip(projects, (4.0, 5.0), strict=True):
-        project.parent.mkdir()
-        project.write_text(WALL.format(height=int(height)))
-        whole.append({})
+def kill_writers(what: str, place: Path, kills: int, dice: random.Random, count: Count) -> None:
+    """Kill a command that replaces its outputs of one wall, or case, by those of another."""
+    whole, out, asked = list[Outputs](), place / what, list[list[str]]()
     out.mkdir()
     (out / "mine.txt").write_text("mine")
+    for height in (4, 5):
+        project = place / f"{what}-{height}.toml"
+        project.write_text(WRITTEN[what].format(height=height))
+        asked.append([what, CASES[height] if what == "verify" else str(project), "-o", str(out), "--jobs", "2"])
+        whole.append({})
     steps = seconds = 0.0
     for turn in (0, 1, 0):
-        code, told, seconds = struck(["run", str(projects[turn]), "-o", str(out), "--jobs", "2"], out, None)
+        code, told, seconds = struck(asked[turn], out, None)
         assert code in (0, 1, 3), told
         steps = int(told.split()[-2])
         whole[turn] = outputs(out)
-    say(f"a run: {len(whole[0])} files, {steps:.0f} steps, {seconds:.1f} s")
+    say(f"{what}: {len(whole[0])} files, {steps:.0f} steps, {seconds:.1f} s")
     for number in range(kills):
         now = 0 if outputs(out) == whole[0] else 1
         near_the_end = dice.randrange(max(1, int(steps) - 4 * len(whole[0]) - 20), int(steps) + 1)
         aimed = (0, near_the_end, near_the_end, dice.randrange(1, int(steps) + 1))[number % 4]
         blow = Blow(dice.choice(SIGNALS), aimed, dice.uniform(0.1, 1.1 * seconds))
-        code, told, _ = struck(["run", str(projects[1 - now]), "-o", str(out), "--jobs", "2"], out, blow)
-        judged(count, "run", blow, code, told)
+        code, told, _ = struck(asked[1 - now], out, blow)
+        judged(count, what, blow, code, told)
         recover_for_reading(out, tell=lambda _: None)
         found = outputs(out)
         if found not in whole:
-            count.faults.append(f"run {blow}: neither the old outputs nor the new: {sorted(found)}")
-        count.ends[f"run: {'old' if found == whole[now] else 'new'} outputs after it"] += 1
+            count.faults.append(f"{what} {blow}: neither the old outputs nor the new: {sorted(found)}")
+        count.ends[f"{what}: {'old' if found == whole[now] else 'new'} outputs after it"] += 1
         with output_folder(out, command="the study", owner=RECORDS):
             pass  # a command that writes clears what is left
         if left := [path.name for path in out.iterdir() if path.name.startswith(".assess") and path.name != MANIFEST]:
-            count.faults.append(f"run {blow}: left behind: {left}")
+            count.faults.append(f"{what} {blow}: left behind: {left}")
         say(f"{number + 1}: {blow}: ended with {code}")
 
 
@@ -214,8 +235,10 @@ def main(kills: int = 120, seed: int = 1) -> int:
     signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background it is ignored, by children too
     count, dice = Count(), random.Random(seed)
     with TemporaryDirectory(prefix="assess-kill-") as place:
-        kill_runs(Path(place), kills - kills // 3, dice, count)
-        kill_indexes(Path(place), kills // 3, dice, count)
+        kill_writers("run", Path(place), kills // 3, dice, count)
+        kill_writers("fragility", Path(place), kills // 6, dice, count)
+        kill_writers("verify", Path(place), kills // 6, dice, count)
+        kill_indexes(Path(place), kills - 2 * (kills // 3), dice, count)
     say("\n".join(f"{number:5}  {end}" for end, number in sorted(count.ends.items())))
     say("\n".join(count.faults))
     say(f"{kills} kills, {len(count.faults)} faults")

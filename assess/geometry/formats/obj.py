@@ -23,6 +23,7 @@ from spectra.arrays import BoolArray, FloatArray, IntArray
 
 VERTEX, FACE, OBJECT, GROUP = b"vfog"
 BLANK = 32
+STRAY = b"0123456789.+-"
 AFTER_SLASH = re.compile(rb"/[^\s]*")
 LEAST = 3  # corners of a face
 VERTICES = (3, 4, 6, 7)  # numbers of a vertex: x y z, with a weight, or a colour of three or four numbers
@@ -44,6 +45,10 @@ def read_obj(file: Path) -> MeshFile:
     objects, groups = [""], [""]
     known = 0
     for block in read_blocks(file):
+        if any((block.first == sign).any() for sign in STRAY):
+            raise ValueError(
+                "a line of it begins with a number, where a keyword stands; it is damaged, export it again"
+            )
         short = block.second <= BLANK
         at, face = (short & (block.first == letter) & (block.words > 1) for letter in (VERTEX, FACE))
         vertices.append(_positions(block, at))

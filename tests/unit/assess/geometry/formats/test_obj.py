@@ -152,3 +152,11 @@ def test_boxes_with_faces_counted_back_have_both_volumes(tmp_path: Path) -> None
     (tmp_path / "boxes.obj").write_text(text)
     found = load(tmp_path / "boxes.obj", density=1.0, name="boxes")
     assert (found.mass, found.history) == (pytest.approx(9.0, rel=1e-12), ())
+
+
+@pytest.mark.parametrize("stray", [b"v 1 0 0\r.5\n", b"0.5 1 2\n", b"-1 0 0\n"])
+def test_a_line_that_begins_with_a_number_is_refused(tmp_path: Path, stray: bytes) -> None:
+    """A carriage return within a number makes a vertex of what stands before it and leaves the rest behind."""
+    (tmp_path / "a.obj").write_bytes(b"v 0 0 0\n" + stray + b"v 0 1 0\nv 0 0 1\nf 1 2 3\n")
+    with pytest.raises(ValueError, match="begins with a number"):
+        read_obj(tmp_path / "a.obj")

@@ -1,0 +1,35 @@
+"""Numbers that no wall and no site has get a warning; those at the limit get none."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from assess.project.build import build
+from assess.project.schema import load
+from tests.support.projects import NTC, block, project_toml, wall
+
+
+@pytest.mark.parametrize(
+    ("friction", "level", "corner", "keys"),
+    [
+        (2.0, "3 g", "1 s", set()),
+        (9.5, "3 g", "1 s", {"friction-large"}),
+        (0.5, "98.1 g", "1 s", {"level-large"}),
+        (0.5, "0.1 g", "9.3 s", {"corner-long"}),
+    ],
+)
+def test_implausible_numbers_get_a_warning(
+    tmp_path: Path, friction: float, level: str, corner: str, keys: set[str]
+) -> None:
+    text = project_toml(
+        site={"limit_state": "SLV", "spectrum": NTC | {"t_c_star": corner}},
+        materials={"m": {"density": 1900, "friction": friction}},
+        bodies={"wall": wall(0.8, height=5.0, material="m")},
+        mechanisms={"wall": block("wall")},
+        analysis={"levels": [level]},
+    )
+    (tmp_path / "project.toml").write_text(text)
+    found = {each.key for each in build(load(tmp_path / "project.toml")).messages}
+    assert found & {"friction-large", "level-large", "corner-long"} == keys

@@ -60,8 +60,8 @@ bench: .venv/installed     ## speed, as ratios measured in one run; then studies
 peers: build/peers/installed  ## speed and error beside other programs, in an environment of their own, into docs/speed.md
 	build/peers/bin/python -m tests.benchmarks.peers --write $(PEERS)
 
-fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given: docs/robustness.md
-	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS))
+fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
+	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
 
 kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tests/kill/study.py $(KILLS)

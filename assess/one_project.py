@@ -46,10 +46,13 @@ def _assess(job: Job) -> Row:
 
     project = load_task(job.task)
     if job.keep == "rows":
-        return row_of_verdict(job, find_verdict(build_to_decide(project)))
-    results = run(build(project), jobs=1)
+        study = build_to_decide(project)
+        return row_of_verdict(job, find_verdict(study), study.messages)
+    study = build(project)
+    results = run(study, jobs=1)
     report = _write(job, results)
-    return row_of_verdict(job, results.verdict, report=report, results=f"{job.folder.name}/{RESULTS}")
+    said = [each for each in study.messages if not each.key.startswith("annex-")]  # which is of the report
+    return row_of_verdict(job, results.verdict, said, report=report, results=f"{job.folder.name}/{RESULTS}")
 
 
 @contextmanager

@@ -14,7 +14,7 @@ from records.flatfile import COLUMNS, BadCell, Flatfile, Recording
 class FlatfileMatch:
     """How a flatfile matches the records: rows matched and not, records described, bad cells.
 
-    warning : why no row matches, or which columns are missing, None otherwise
+    warning : why no row matches, which columns are missing, or how many records have no row; None otherwise
     """
 
     matched: int
@@ -52,7 +52,8 @@ def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> Flatf
     """
     found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
     matched = len({by.nga for by in found})
-    said = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
+    said = _missing(flatfile.missing) or _absent(candidates, flatfile.recordings)
+    said = said if found else _reason(candidates, flatfile.recordings)
     return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, said)
 
 
@@ -76,6 +77,16 @@ def _missing(keys: Sequence[str]) -> Message | None:
         return None
     known = "; ".join(f"{key}: {', '.join(COLUMNS[key])}" for key in keys)
     return warning("flatfile-columns-missing", keys=", ".join(keys), known=known)
+
+
+def _absent(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> Message | None:
+    """Say how many records have no row; None if all have one."""
+    found = zip(candidates, _find_recordings(candidates, recordings), strict=True)
+    alone = [one for one, by in found if by is None]
+    if not alone:
+        return None
+    counts = {"total": str(len(candidates)), "count": str(len(alone))}
+    return warning("flatfile-rows-absent", **counts, file=_file(alone[0].path))
 
 
 def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> Message:

@@ -13,6 +13,8 @@ RECORD_TEXTS: Mapping[str, str] = {
     "flatfile-columns-missing": "the flatfile has no column of {keys} under a name that is known, and the records' own "
     "files are believed there; is its header misspelt? Known are, however they are spaced: {known}",
     "flatfile-no-records": "no row of the flatfile fits, for there is no record that can be read",
+    "flatfile-rows-absent": "of {total} records {count} have no row in the flatfile, like {file}; event, magnitude, "
+    "distance and Vs30 are those of their own files, where they state them; was a row lost?",
     "flatfile-other-numbers": "no row of the flatfile fits: the files have NGA numbers {first} to {last}, the table "
     "{first_row} to {last_row}; it may be of another search or another NGA project",
     "flatfile-no-numbers": "no row of the flatfile fits: rows are found by the NGA number in a file's name or by the "

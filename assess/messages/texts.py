@@ -37,6 +37,9 @@ TEXTS: Mapping[str, str] = {
     "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
     "displacements and histories; give {missing} (until: the displacement of its point of application at which it "
     'is lost, or "collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
+    "{strength}; check force and strength",
+    "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',
     "unheld": "the mechanism is stable only because of {loads}, not shown to last to collapse, so its displacements "
     "and histories cannot be evaluated; give until (for a tie also strength, length and fracture_strain) and a "
     "source",

@@ -28,6 +28,7 @@ class Row:
     demand_capacity : its deciding demand over capacity [-]; None where unknown
     procedure : the procedure that gives it
     missing : number of inputs that the verdict lacks
+    warnings : number of warnings on the input, as `assess check` prints them
     mechanisms : number of mechanisms
     report : link to the report, relative to the table; "" for none
     results : link to results.json, relative to the table; "" for none
@@ -47,6 +48,7 @@ class Row:
     demand_capacity: float | None = None
     procedure: str = ""
     missing: int = 0
+    warnings: int = 0
     mechanisms: int = 0
     report: str = ""
     results: str = ""

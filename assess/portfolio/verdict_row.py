@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from math import inf
 
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
+from assess.messages.message import Message, Severity
 from assess.portfolio.row import Row, RowOutcome
 from assess.portfolio.tasks import Job
 
@@ -12,7 +15,9 @@ EXIT_CODES: dict[RowOutcome, int] = {"pass": 0, "fail": 1, "incomplete": 3, "": 
 _ORDER = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)  # the worst first
 
 
-def row_of_verdict(job: Job, found: Verdict | None, *, report: str = "", results: str = "") -> Row:
+def row_of_verdict(
+    job: Job, found: Verdict | None, messages: Sequence[Message] = (), *, report: str = "", results: str = ""
+) -> Row:
     """Return the row of a project that was assessed, by its worst mechanism and the answer that is worst there.
 
     Parameters
@@ -21,13 +26,16 @@ def row_of_verdict(job: Job, found: Verdict | None, *, report: str = "", results
         Of the project.
     found : Verdict or None
         Of its run.
+    messages : sequence of Message
+        On its input.
     report, results : str
         Links to its report and to its results.json; "" for none.
     """
     task = job.task
+    warned = sum(each.severity is Severity.WARNING for each in messages)
     if found is None:
-        code = EXIT_CODES[""]
-        return Row(task.key, task.title, task.sha256, "done", report=report, results=results, exit_code=code)
+        kept = Row(task.key, task.title, task.sha256, "done", report=report, results=results)
+        return replace(kept, warnings=warned, exit_code=EXIT_CODES[""])
     one = min(found.mechanisms, key=_severity, default=None)
     answer = None if one is None else min(one.answers, key=_severity_of_answer, default=None)
     outcome: RowOutcome = found.outcome.value
@@ -44,6 +52,7 @@ def row_of_verdict(job: Job, found: Verdict | None, *, report: str = "", results
         demand_capacity=None if answer is None else answer.ratio,
         procedure="" if answer is None else answer.procedure,
         missing=len(found.missing),
+        warnings=warned,
         mechanisms=len(found.mechanisms),
         report=report,
         results=results,

@@ -81,7 +81,7 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
 
 
 def build_to_decide(project: Project) -> Study:
-    """Build the study of a project as far as its verdict depends on it: without messages, sensitivity and report.
+    """Build the study of a project as far as its verdict depends on it, with the messages on its input.
 
     Raises
     ------
@@ -90,7 +90,8 @@ def build_to_decide(project: Project) -> Study:
     with locate_errors(str(project.path)):
         if project.variations:
             return study_of(project)
-        return deciding_part_of(project)[0]
+        study, files, messages = deciding_part_of(project)
+        return replace(study, messages=input_messages(project, study, files, messages))
 
 
 def uses_of_project(project: Project) -> tuple[str, ...]:
@@ -109,7 +110,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     content = project.content
     report = report_matter_of(content, project.folder)
     study, files, messages = deciding_part_of(project, executor=executor)
-    spectrum, solids = files.spectrum, files.solids
+    solids = files.solids
     annex = annex_of(project, uses_of(content, study))
     return replace(
         study,
@@ -118,14 +119,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
-        messages=(
-            *project.messages,
-            *uncertainty_messages(project),
-            *locate(spectrum.warnings if spectrum else (), "site.spectrum"),
-            *project_messages(content, solids, study),
-            *messages,
-            *annex_messages(annex),
-        ),
+        messages=(*input_messages(project, study, files, messages), *annex_messages(annex)),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
             for variation in project.variations
@@ -133,6 +127,25 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
         sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
+    )
+
+
+def input_messages(project: Project, study: Study, files: Files, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+    """Return the messages on a project's input.
+
+    Parameters
+    ----------
+    project : as read
+    study : what its verdict depends on
+    files : that it names
+    messages : on its records
+    """
+    return (
+        *project.messages,
+        *uncertainty_messages(project),
+        *locate(files.spectrum.warnings if files.spectrum else (), "site.spectrum"),
+        *project_messages(project.content, files.solids, study),
+        *messages,
     )
 
 

@@ -32,7 +32,7 @@ def number_and_unit(text: str) -> tuple[str, str]:
     plain = " ".join(text.translate(_PLAIN).split())
     found = _NUMBER.match(plain)
     unit = plain[found.end() :] if found else ""
-    fault = "" if len(text) > LONGEST else _separated(plain) or _in_two_units(unit)
+    fault = "" if len(text) > LONGEST else _separated(plain) or _in_two_units(unit) or _pointless(plain)
     if fault:
         raise QuantityError(fault)
     if len(text) > LONGEST or found is None:
@@ -56,6 +56,12 @@ def _separated(text: str) -> str:
         return 'more in the number than one decimal point; write it like "1250.5"'
     decimals = f".{grouped[2]}" if grouped[2] else ""
     return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
+
+
+def _pointless(text: str) -> str:
+    """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
+    found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
+    return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
 
 
 def _in_two_units(unit: str) -> str:

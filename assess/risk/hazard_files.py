@@ -105,6 +105,8 @@ def _openquake(path: Path, lines: list[str], longitude: float | None, latitude: 
     years = _years(comment)
     row, distance = _site(header, rows[1:], longitude, latitude)
     levels = [(at, _number(name[4:], name)) for at, name in enumerate(header) if name.startswith("poe-")]
+    if alien := [name for name in header[levels[0][0] if levels else len(header) :] if name[:4] != "poe-"]:
+        raise HazardError(f'column "{alien[0]}" stands among those of probabilities, poe-…; the table is damaged')
     im = factor * np.array([level for _, level in levels])
     poe = np.array([_number(row[at], header[at]) for at, _ in levels])
     if ((poe < 0.0) | (poe > 1.0) | np.isnan(poe)).any():

@@ -7,12 +7,14 @@ from dataclasses import replace
 from math import inf
 from typing import Literal
 
-from assess.loads.load import Force, Load, PointMass, found_text, pull_at_rest
+from assess.loads.load import Force, Load, PointMass, Tie, found_text, pull_at_rest
 from assess.mechanisms.ends import displacement_at
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
-from assess.messages.message import Message, Severity, Term, message
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.results import Lasting, LoadResult
+
+WIDEST_SEAT = 2.0  # m: floors and roofs rest on less
 
 
 def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
@@ -68,11 +70,23 @@ def _lasting(lasts: bool, broken: bool) -> Lasting:
 def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     """Yield a warning for each tie or force that resists but is not shown to last, and if all depends on them.
 
+    A tie with a pretension above its strength gets one, too, and so does a seat wider than walls are thick.
+
     A force that drives one way and resists the other is a thrust and gets no warning.
     """
+    where = f"mechanisms.{mechanism.name}"
+    for mass in mechanism.positive.loads:
+        if isinstance(mass, PointMass) and mass.seat is not None and mass.seat > WIDEST_SEAT:
+            seat = Quantity(mass.seat, "length")
+            yield message("seat-wide", {"load": mass.name, "seat": seat}, severity=Severity.WARNING, where=where)
+    for tie in mechanism.positive.loads:
+        if isinstance(tie, Tie) and tie.tension < tie.pull:
+            forces = {"force": Quantity(tie.pull, "force"), "strength": Quantity(tie.tension, "force")}
+            yield message(
+                "pretension-above-strength", {"load": tie.name, **forces}, severity=Severity.WARNING, where=where
+            )
     if not actions_of(mechanism.positive):
         return
-    where = f"mechanisms.{mechanism.name}"
     thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in load_results(mechanism):
         if load.lasting == "not shown" and load.name not in thrusts:

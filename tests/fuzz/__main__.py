@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
 
-from tests.fuzz.answer import Answer, answer
-from tests.fuzz.case import Case, reopened
-from tests.fuzz.findings import Findings, keep
-from tests.fuzz.judgement import BROKEN, RIGHT, SAME, SILENT, WARNED, Judged, judged, shown
-from tests.fuzz.mutations import mutations
-from tests.fuzz.rightly import rightly
-from tests.fuzz.seeds import GROUPS, SHARES, seeds
+from assess.workers import available_cores
+from tests.fuzz.answer import answer
+from tests.fuzz.case import reopened
+from tests.fuzz.findings import Findings
+from tests.fuzz.judge import Ask, Judge
+from tests.fuzz.judgement import BROKEN, SILENT
+from tests.fuzz.mutations import Batch, cases_of, schedule
+from tests.fuzz.seeds import GROUPS, SHARES, seed_case, seeds
 
 FOLDER = Path("build/fuzz")
-Ask = Callable[[Case], Answer]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -26,69 +27,50 @@ def main(arguments: Sequence[str] | None = None) -> int:
     asked = _parser().parse_args(arguments)
     if asked.reproduce:
         return reproduce(asked.reproduce)
-    from tests.fuzz.workers import Worker
+    from tests.fuzz.workers import judge_batches
 
-    worker = Worker()
     started = time.monotonic()
     found = Findings(asked.out)
+    for number in (signal.SIGINT, signal.SIGTERM):  # also where it runs in the background; what was found is reported
+        signal.signal(number, signal.default_int_handler)
+    batches = limited(planned(asked.group or list(GROUPS), seed=asked.seed), asked.inputs)
     try:
-        fuzz(
-            found,
-            worker.ask,
-            groups=asked.group or list(GROUPS),
-            seed=asked.seed,
-            inputs=asked.inputs,
-            until=started + asked.seconds,
-        )
+        judge_batches(batches, found.take, seed=asked.seed, jobs=asked.jobs, until=started + asked.seconds)
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")
-    finally:
-        worker.stop()
     return report(found, time.monotonic() - started)
 
 
-def fuzz(
-    found: Findings,
-    ask: Ask,
-    *,
-    groups: Sequence[str],
-    seed: int,
-    inputs: int | None,
-    until: float = float("inf"),
-    without: Sequence[str] = (),
-) -> None:
-    """Take mutated cases of the classes in turn until the time or the inputs are spent; without: names of seeds."""
-    usual: dict[tuple[str, str], Answer] = {}
-
-    def judge(case: Case, whole: Case) -> Judged:
-        if (whole.group, whole.name) not in usual:
-            usual[whole.group, whole.name] = ask(whole)
-        got = ask(case)
-        result = judged(got, usual[whole.group, whole.name])
-        if case.group == "results" and result.outcome in (SAME, WARNED, SILENT):
-            result = shown(got, *(each.data.decode("utf-8", "replace") for each in (whole, case)))
-        right = result.outcome == SILENT and rightly(case, got, usual[whole.group, whole.name])
-        return Judged(RIGHT, detail=result.detail) if right else result
-
-    for case, whole in islice(_in_turn(groups, seed=seed, without=without), inputs):
-        if time.monotonic() > until:
-            return
-        found.take(case, judge(case, whole), again=lambda other, whole=whole: judge(other, whole))  # type: ignore[misc]
-
-
-def _in_turn(groups: Sequence[str], *, seed: int, without: Sequence[str]) -> Iterator[tuple[Case, Case]]:
-    """Mutated and unmutated cases, the classes by their shares."""
-    streams = {}
-    for group in groups:
-        cases = tuple(case for case in seeds(group) if case.name not in without)
-        keep(cases)
-        streams[group] = mutations(cases, seed=seed)
+def planned(groups: Sequence[str], *, seed: int, without: Sequence[str] = ()) -> Iterator[Batch]:
+    """Batches of classes by their shares; without: names of seeds."""
     shares = {group: SHARES[group] if len(groups) > 1 else 1 for group in groups}
-    while True:
-        for group, stream in streams.items():
-            for _ in range(shares[group]):
-                whole, case = next(stream)
-                yield case, whole
+    return schedule({group: seeds(group) for group in groups}, shares=shares, seed=seed, without=without)
+
+
+def limited(batches: Iterator[Batch], inputs: int | None) -> Iterator[Batch]:
+    """Yield the batches that make at least `inputs` inputs, or all."""
+    total = 0
+    for batch in batches:
+        if inputs is not None and total >= inputs:
+            return
+        total += batch.size
+        yield batch
+
+
+def fuzz(
+    found: Findings, ask: Ask, *, groups: Sequence[str], seed: int, inputs: int, without: Sequence[str] = ()
+) -> None:
+    """Judge mutated cases of the classes in turn in this process; without: names of seeds."""
+    judge = Judge(ask)
+    cases = (
+        (case, seed_case(batch.group, batch.name))
+        for batch in planned(groups, seed=seed, without=without)
+        for case in cases_of(batch, seed_case(batch.group, batch.name), seed=seed)
+    )
+    for case, whole in islice(cases, inputs):
+        result = judge.judge(case, whole)
+        read = result.outcome in BROKEN or result.outcome == SILENT
+        found.take(case, result, judge.smallest(case, whole, result) if read else case)
 
 
 def report(found: Findings, seconds: float) -> int:
@@ -105,9 +87,8 @@ def report(found: Findings, seconds: float) -> int:
 def reproduce(path: Path) -> int:
     """Run a saved case again, print what it gives, and end with 1 where it breaks."""
     case = reopened(path)
-    got = answer(case)
     whole = next((each for each in seeds(case.group) if each.name == case.name), case)
-    result = judged(got, answer(whole))
+    got, result = answer(case), Judge(answer).judge(case, whole)
     for edit in case.edits:
         sys.stdout.write(f"{case.target} byte {edit.offset}, {edit.where}: {edit.what}\n")
     sys.stdout.write(f"assess {' '.join(case.arguments)}\n{got.err}{got.told}\n{result.outcome}: {result.detail}\n")
@@ -120,6 +101,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--inputs", type=int, help="at most so many")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--class", dest="group", action="append", choices=list(GROUPS), help="repeat it; all if absent")
+    parser.add_argument("--jobs", type=int, default=available_cores(), help="processes; all cores if absent")
     parser.add_argument("--out", type=Path, default=FOLDER)
     parser.add_argument("--reproduce", type=Path, metavar="FILE")
     return parser

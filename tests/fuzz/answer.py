@@ -11,10 +11,13 @@ import tempfile
 import traceback
 import unittest.mock
 import warnings
+from collections.abc import Callable
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import typer
@@ -33,7 +36,8 @@ class Answer:
     """How a command ended; code None where it was killed, and `told` then says why.
 
     told : the last lines of a traceback, for a bug; out, err : what was printed, the folder's name taken out;
-    samples : of the records that were listed
+    samples : of the records that were listed; written: whether the file that the case shows is there, which `out` then
+    is the text of
     """
 
     code: int | None
@@ -41,6 +45,23 @@ class Answer:
     err: str = ""
     told: str = ""
     samples: tuple[Samples, ...] = ()
+    written: bool = False
+
+
+class Here(Executor):
+    """Computes the rows of a portfolio in this process, as starting another takes longer than most inputs."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Compute at once."""
+        done: Future[Any] = Future()
+        try:
+            done.set_result(fn(*args, **kwargs))
+        except Exception as error:
+            done.set_exception(error)
+        return done
 
 
 def answer(case: Case) -> Answer:
@@ -55,7 +76,7 @@ def answer(case: Case) -> Answer:
         tempfile.tempdir = str(folder / "tmp")
         os.chdir(folder / "in")
         arguments = [part.replace("{}", str(folder / "in")) for part in case.arguments]
-        got = _run(arguments, folder)
+        got = _shown(_run(arguments, folder), folder / "in" / case.shows) if case.shows else _run(arguments, folder)
         return replace(got, samples=_samples(arguments)) if case.group == "record" and got.code == 0 else got
     finally:
         tempfile.tempdir = before
@@ -70,7 +91,10 @@ def _run(arguments: list[str], folder: Path) -> Answer:
         warnings.simplefilter("default")
         sys.modules.pop("__warningregistry__", None)
         try:
-            with unittest.mock.patch("typer.main.get_command", _command):
+            with (
+                unittest.mock.patch("typer.main.get_command", _command),
+                unittest.mock.patch("assess.portfolio.executors.SpawnedPool", Here),
+            ):
                 main(arguments)
         except SystemExit as end:
             code = end.code if isinstance(end.code, int) else 0
@@ -80,6 +104,13 @@ def _run(arguments: list[str], folder: Path) -> Answer:
     logs = sorted((folder / "tmp").glob("assess-*.log"))
     told = told or (logs[-1].read_text(encoding="utf-8", errors="replace") if logs else "")
     return Answer(code, printed, said, told[-4000:])
+
+
+def _shown(got: Answer, file: Path) -> Answer:
+    """The answer with the text of a file in place of what was printed, if the file is there."""
+    if not file.is_file():
+        return got
+    return replace(got, out=file.read_text(encoding="utf-8", errors="replace"), written=True)
 
 
 def _samples(arguments: list[str]) -> tuple[Samples, ...]:

@@ -26,7 +26,8 @@ class Case:
     """A command on files in an empty folder.
 
     group : the class of inputs; files : content by relative path; target : the one that is mutated, "" for none;
-    arguments : of `assess`, "{}" standing for the folder; edits : what was changed
+    arguments : of `assess`, "{}" standing for the folder; edits : what was changed; shows : a file that the command
+    writes and that is compared instead of what it prints
     """
 
     group: str
@@ -35,6 +36,7 @@ class Case:
     target: str
     arguments: tuple[str, ...]
     edits: tuple[Edit, ...] = ()
+    shows: str = ""
 
     @property
     def data(self) -> bytes:
@@ -53,11 +55,18 @@ class Case:
 def rewritten(case: Case, data: bytes, *, where: str, what: str) -> tuple[Edit, ...]:
     """The edit that makes the target `data`: the smallest stretch that differs."""
     old = case.data
-    start = next((i for i, (a, b) in enumerate(zip(old, data, strict=False)) if a != b), min(len(old), len(data)))
-    end = 0
-    while end < min(len(old), len(data)) - start and old[len(old) - 1 - end] == data[len(data) - 1 - end]:
-        end += 1
+    start = _alike(old, data)
+    end = _alike(old[start:][::-1], data[start:][::-1])
     return (Edit(start, len(old) - start - end, data[start : len(data) - end], where, what),)
+
+
+def _alike(one: bytes, other: bytes) -> int:
+    """How many bytes are the same up to the first that is not."""
+    low, high = 0, min(len(one), len(other))
+    while low < high:
+        middle = (low + high + 1) // 2
+        low, high = (middle, high) if one[:middle] == other[:middle] else (low, middle - 1)
+    return low
 
 
 def saved(case: Case, path: Path, **more: object) -> Path:
@@ -78,4 +87,6 @@ def reopened(path: Path) -> Case:
         Edit(**(each | {key: base64.b64decode(each[key]) for key in ("inserted", "lost")})) for each in plain["edits"]
     )
     files = {name: base64.b64decode(data) for name, data in plain["files"].items()}
-    return Case(plain["group"], plain["name"], files, plain["target"], tuple(plain["arguments"]), edits)
+    return Case(
+        plain["group"], plain["name"], files, plain["target"], tuple(plain["arguments"]), edits, plain.get("shows", "")
+    )

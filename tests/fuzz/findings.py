@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -24,18 +23,17 @@ class Findings:
     groups: dict[tuple[str, ...], list[tuple[Case, Judged]]] = field(default_factory=dict)
     paths: dict[tuple[str, ...], Path] = field(default_factory=dict)
 
-    def take(self, case: Case, found: Judged, *, again: Callable[[Case], Judged]) -> None:
-        """Count one; a fault that is new is made minimal by `again` and saved, and so is a silent difference."""
+    def take(self, case: Case, found: Judged, smallest: Case) -> None:
+        """Count one; of a fault or a silent difference that is new, `smallest` is saved."""
         self.counts[case.group, found.outcome] += 1
         if found.outcome not in (*BROKEN, SILENT) or (found.outcome == SILENT and case.group == "options"):
             return
         key = group_of(case, found)
         if key not in self.groups:
-            smaller = minimal(case, found, again)
             name = f"{case.group}-{found.outcome.replace(', ', '-')}-{_short('|'.join(key))}.json"
             self.groups[key] = []
             told = {"outcome": found.outcome, "signature": found.signature, "detail": found.detail}
-            self.paths[key] = saved(smaller, self.folder / name, **told)
+            self.paths[key] = saved(smallest, self.folder / name, **told)
         self.groups[key].append((replace(case, files={}), found))
 
     @property
@@ -78,33 +76,6 @@ def group_of(case: Case, found: Judged) -> tuple[str, ...]:
     where = " + ".join(edit.where for edit in case.edits)
     kind = " + ".join(edit.what.split(":")[0].split(" at ")[0] for edit in case.edits)
     return (case.group, found.outcome, case.name, re.sub(r"\[\d+\]|\.\d+", ".#", where), kind)
-
-
-def minimal(case: Case, found: Judged, again: Callable[[Case], Judged]) -> Case:
-    """The case with one of its edits where that alone gives the same."""
-    if len(case.edits) < 2:
-        return case
-    whole = undone(case)
-    for edit in case.edits:
-        one = whole.edited((edit,))
-        other = again(one)
-        if (other.outcome, other.signature) == (found.outcome, found.signature):
-            return one
-    return case
-
-
-def undone(case: Case) -> Case:
-    """The case before its edits; those that were cut cannot be undone, so the original is kept beside."""
-    return ORIGINALS.get((case.group, case.name), case)
-
-
-ORIGINALS: dict[tuple[str, str], Case] = {}
-"""Unmutated cases by class and name, set by whoever runs them."""
-
-
-def keep(cases: Iterable[Case]) -> None:
-    """Remember unmutated cases."""
-    ORIGINALS.update({(case.group, case.name): case for case in cases})
 
 
 def _short(text: str) -> str:

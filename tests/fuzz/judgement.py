@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from math import isclose, isfinite
 from typing import Any
 
@@ -35,19 +36,26 @@ class Judged:
 def judged(found: Answer, usual: Answer) -> Judged:
     """The outcome of a mutated case, `usual` being the answer of its seed."""
     if found.code is None:
-        return Judged(found.told if found.told in (HANG, MEMORY) else BUG, found.told, found.told)
+        return judged_dead(found.told)
     if "MemoryError" in found.told:
         return Judged(MEMORY, _signature(found.told), found.told)
     if "Traceback (most recent call last)" in found.out + found.err:
         return Judged(TRACEBACK, _signature(found.out + found.err), found.err[-1500:])
     if found.code not in (0, 1, 2, 3):
         return Judged(BUG, _signature(found.told) or f"code {found.code}", found.err[-300:] + found.told[-1500:])
-    if found.code == 2:
+    if found.code == 2 and not found.written:
         return _refusal(found)
     strange = [line for line in found.err.splitlines() if re.search(r"\w+Warning: ", line)]
     if strange:
         return Judged(NOISE, re.sub(r"\d+", "#", strange[0]), found.err[-1500:])
+    if found.code == 2:  # of a portfolio: a row with its reason
+        return Judged(REFUSED, detail=found.out[-300:])
     return _accepted(found, usual)
+
+
+def judged_dead(told: str) -> Judged:
+    """The outcome of a case whose process was killed or died; told: how."""
+    return Judged(told if told in (HANG, MEMORY) else BUG, told, told)
 
 
 def shown(found: Answer, before: str, after: str) -> Judged:
@@ -60,7 +68,7 @@ def shown(found: Answer, before: str, after: str) -> Judged:
 
 def _slight(before: str, after: str) -> bool:
     """Whether all numbers agree within the tolerance of `assess diff`."""
-    old, new = (dict(_numbers(_parsed(text))) for text in (before, after))
+    old, new = _table(before), _table(after)
     return old.keys() == new.keys() and all(
         _close(old[key], new[key]) or _distance(old[key], new[key]) <= 1e-6 for key in old
     )
@@ -103,13 +111,13 @@ def _told(tree: Any, inside: bool = False) -> Iterator[str]:
 
 def apart(before: str, after: str) -> list[str]:
     """The places at which two outputs have different numbers, or one of them has none."""
-    old, new = (dict(_numbers(_parsed(text))) for text in (before, after))
+    old, new = _table(before), _table(after)
     return [key for key in {**old, **new} if key not in old or key not in new or not _close(old[key], new[key])]
 
 
 def difference(before: str, after: str) -> str | None:
     """The number that differs most between two outputs, in words; None where all agree within the tolerance."""
-    old, new = (dict(_numbers(_parsed(text))) for text in (before, after))
+    old, new = _table(before), _table(after)
     lost, more = sorted(old.keys() - new.keys()), sorted(new.keys() - old.keys())
     listed = f"{len(lost)} numbers gone {lost[:1]}, {len(more)} more {more[:1]}" if lost or more else ""
     far = [(key, old[key], new[key]) for key in old.keys() & new.keys() if not _close(old[key], new[key])]
@@ -117,6 +125,12 @@ def difference(before: str, after: str) -> str | None:
         return listed or None
     key, one, other = max(sorted(far, key=str), key=lambda each: _distance(each[1], each[2]))
     return f"{key}: {one!r} -> {other!r} ({len(far)} of {len(old)} numbers); {listed}".removesuffix("; ")
+
+
+@lru_cache(maxsize=16)
+def _table(text: str) -> dict[str, Any]:
+    """Numbers by their place; the same output is compared with many."""
+    return dict(_numbers(_parsed(text)))
 
 
 def _parsed(text: str) -> Any:

@@ -162,3 +162,91 @@ procedures = ["asce43-05-spectrum"]
 frequency = { from = "1 Hz", to = "2 Hz", count = 2 }
 amplitude = { from = "0 g", to = "4 g", count = 2 }
 """
+WALL = """title = "Wall"
+engineer = "E. N. Gineer"
+[site.spectrum]
+code = "ntc2018"
+a_g = "0.20 g"
+f_0 = 2.4
+t_c_star = "0.3 s"
+soil = "B"
+topography = "T1"
+[site]
+limit_state = "SLV"
+[verdict]
+basis = "ntc2018"
+limit_state = "SLV"
+[procedures.ntc2018]
+knowledge_level = "LC1"
+[building]
+use_class = "II"
+ground_elevation = 0
+[materials.stone]
+density = "2000 kg/m^3"
+disintegration = "excluded"
+[bodies.wall]
+material = "stone"
+box = { thickness = "0.60 m", length = "6.0 m", height = "7.0 m" }
+[mechanisms.wall]
+kind = "single-block"
+blocks = ["wall"]
+direction = [1, 0, 0]
+sides = "one"
+loads = [
+  { kind = "force", force = "10 kN", direction = [-1, 0, 0], at = [0.0, 3.5], until = "0.10 m" },
+  { kind = "mass", mass = "2500 kg", at = [-0.10, 7.0], seat = "0.20 m" },
+]
+[analysis]
+procedures = ["ntc2018-linear", "ntc2018-nonlinear"]
+[report.sources]
+"materials.stone.disintegration" = "measured: one opening of the plaster"
+"""
+VERDICT = WALL.replace('limit_state = "SLV"\n[procedures', """limit_state = "SLV"
+procedures = ["ntc2018-nonlinear"]
+works = "improvement"
+survey_tolerance = "10 mm"
+[procedures""").replace("ground_elevation = 0\n", """ground_elevation = 0
+limit_states = { SLV = { period = "0.5 s", damping = 0.10, reason = "measured" } }
+height = "9 m"
+storeys = 3
+""")  # fmt: skip
+UNCERTAIN = RUN.replace("uplift = 0.2", "uplift = { mean = 0.2, cov = 0.1 }").replace(
+    "p = 2.4", 'p = { mean = "2.4 1/s", sd = 0.1, distribution = "normal", group = "a" }\nrestitution = { mean = 0.8, '
+    'cov = 0.05, distribution = "uniform" }'
+).replace("[analysis.pulses]", "[analysis.uncertainty]\nsamples = 16\nseed = 2\n[analysis.pulses]")  # fmt: skip
+HAZARD = """hazard = [
+  { return_period = 30, pga = "0.05 g" }, { return_period = 475, pga = "0.16 g" }, { rate = 4e-4, pga = "0.30 g" }
+]
+"""
+FRAGILITY = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = 0.2
+t_l = "6 s"
+[mechanisms.parapet]
+kind = "equivalent-block"
+p = 4.0
+uplift = 0.2
+radius = 0.6
+[records]
+files = ["records/*.AT2"]
+[analysis.fragility]
+measures = ["pga", "pgv"]
+states = ["rocking", 0.5, "overturning"]
+method = "ida"
+samples = 8
+seed = 1
+draws = 100
+largest_factor = 100
+epistemic = { model = 0.2 }
+[analysis.risk]
+target = 1e-4
+%s"""
+LOCKED = (
+    RUN.replace("synthetic = { count = 1, duration = 8, seed = 1 }\n", "").replace("[records]\n", "")
+    + """[records]
+files = ["records/*.AT2"]
+scale_to = "pga"
+"""
+)

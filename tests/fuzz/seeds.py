@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import importlib.util
-import io
 import json
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
@@ -14,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from assess.cli import main
-from records.record import Earthquake, make_record
 from records.writing import at2_text, csv_text
-from tests.fuzz import projects
+from tests.fuzz import projects, studies
 from tests.fuzz.case import Case
+from tests.fuzz.motions import motion
+from tests.fuzz.studies import fragility_file, made, results_file
 from tests.support.places import REAL_RECORDS
 
 UNIT = Path(__file__).parents[1] / "unit"
@@ -34,9 +32,15 @@ FLATFILE = (
 )
 
 
+@cache
 def seeds(group: str) -> tuple[Case, ...]:
     """The cases of a class."""
     return tuple(GROUPS[group]())
+
+
+def seed_case(group: str, name: str) -> Case:
+    """One of them by its name."""
+    return next(case for case in seeds(group) if case.name == name)
 
 
 def _projects() -> Iterator[Case]:
@@ -49,12 +53,6 @@ def _projects() -> Iterator[Case]:
     yield Case(
         "project", "envelope", {PROJECT: projects.RUN.encode()}, PROJECT, ("envelope", "{}", "--json", "--jobs", "1")
     )
-
-
-def _runs() -> Iterator[Case]:
-    """The whole assessment, which takes half a second: for the class "run"."""
-    files = {PROJECT: projects.RUN.encode()}
-    yield Case("run", "run", files, PROJECT, ("run", "{}", "--no-report", "--jobs", "1", "-o", "{}/out"))
 
 
 def _meshes() -> Iterator[Case]:
@@ -90,15 +88,15 @@ def _module(path: str) -> Any:
 def _mesh_files() -> dict[str, bytes]:
     plain, trimesh = _module("assess/geometry/test_mesh.py"), _module("assess/geometry/formats/test_gltf.py")
     wall = plain.WALL.vertices, plain.WALL.triangles
-    made = {name.lower(): write(*wall) for name, write in plain.WRITERS.items()}
+    files = {name.lower(): write(*wall) for name, write in plain.WRITERS.items()}
     header, content = trimesh.gltf(*wall, [{"mesh": 0}])
-    made |= {
+    files |= {
         "wall.off": trimesh.off(*wall),
         "wall.glb": trimesh.glb(header, content),
         "wall.gltf": _embedded(header, content),
         "wall.3mf": trimesh.mf3(*wall, unit="meter", items='<item objectid="1"/>'),
     }
-    return made | dict(_cad_files())
+    return files | dict(_cad_files())
 
 
 def _embedded(header: dict[str, Any], content: bytes) -> bytes:
@@ -124,10 +122,9 @@ def _cad_files() -> Iterator[tuple[str, bytes]]:
 
 
 def _records() -> Iterator[Case]:
-    made = _module("records/test_formats.py").MADE
-    for name, (write, *_) in made.items():
+    for name, (write, *_) in _module("records/test_formats.py").MADE.items():
         yield _record(f"{name}.dat", write().encode("latin-1"))
-    yield _record("own.csv", csv_text(_motion(0)).encode())
+    yield _record("own.csv", csv_text(motion(0)).encode())
     for name, data in _waveforms().items():
         yield _record(name, data, "--unit", "mm/s2")
     for folder in sorted(REAL_RECORDS.iterdir()) if REAL_RECORDS.is_dir() else ():
@@ -156,19 +153,9 @@ def _waveforms() -> dict[str, bytes]:
         }
 
 
-def _motion(number: int) -> Any:
-    random = np.random.default_rng(number)
-    wide = np.hanning(11 + 8 * number)
-    shake = np.convolve(random.normal(0.0, 1.0, 500) * np.hanning(500), wide, mode="same")
-    quake = Earthquake(time=f"198{number}-10-18", magnitude=6.0 + 0.2 * number)
-    return make_record(
-        "x", shake / wide.sum(), 0.02, event=f"Quake {number}", station="S", component="000", earthquake=quake
-    )
-
-
 @cache
 def _folder() -> dict[str, bytes]:
-    files = {f"motions/RSN{100 + number}_Q.AT2": at2_text(_motion(number)).encode() for number in range(3)}
+    files = {f"motions/RSN{100 + number}_Q.AT2": at2_text(motion(number)).encode() for number in range(3)}
     return files | {"target.csv": TARGET.encode(), "flat.csv": FLATFILE.encode()}
 
 
@@ -187,22 +174,7 @@ def _flatfiles() -> Iterator[Case]:
 @cache
 def _catalogued() -> dict[str, bytes]:
     """The folder with its catalogue, made by `assess records index`."""
-    with tempfile.TemporaryDirectory() as folder:
-        for name, data in _folder().items():
-            (Path(folder) / name).parent.mkdir(exist_ok=True)
-            (Path(folder) / name).write_bytes(data)
-        _ended("records", "index", f"{folder}/motions", "--jobs", "1")
-        made = {str(path.relative_to(folder)): path.read_bytes() for path in Path(folder, "motions").iterdir()}
-        return _folder() | made
-
-
-def _ended(*arguments: str) -> None:
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
-        try:
-            main(list(arguments))
-        except SystemExit as end:
-            if end.code not in (0, 1, 3):
-                raise RuntimeError(said.getvalue()) from None
+    return made(_folder(), "records", "index", "{}/motions", "--jobs", "1")
 
 
 def _catalogues() -> Iterator[Case]:
@@ -213,30 +185,22 @@ def _catalogues() -> Iterator[Case]:
     yield Case("catalogue", "spectra", files, name, ("records", "spectra", "{}/motions", "--csv", "--jobs", "1"))
 
 
-@cache
-def _results_file() -> bytes:
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / PROJECT).write_text(projects.RUN)
-        _ended("run", folder, "--no-report", "--jobs", "1", "-o", f"{folder}/out")
-        return (Path(folder) / "out" / "results.json").read_bytes()
-
-
 def _results() -> Iterator[Case]:
-    files = {"a.json": _results_file(), "b.json": _results_file()}
+    files = {"a.json": results_file(), "b.json": results_file()}
     yield Case("results", "diff", files, "b.json", ("diff", "{}/a.json", "{}/b.json", "--json"))
-
-
-def _reports() -> Iterator[Case]:
-    """The report again, which takes seconds: for the class "report"."""
-    yield Case("report", "report", {"b.json": _results_file()}, "b.json", ("report", "{}/b.json", "-o", "{}/out"))
 
 
 def _options() -> Iterator[Case]:
     files = {
         **_catalogued(),
         PROJECT: projects.ONE.encode(),
-        "a.json": _results_file(),
-        "m.csv": csv_text(_motion(1)).encode(),
+        "run.toml": projects.RUN.encode(),
+        "a.json": results_file(),
+        "fragility.json": fragility_file(),
+        "table.csv": studies.TABLE.encode(),
+        "template.toml": projects.WALL.encode(),
+        **{name: data for name, data in _mesh_files().items() if name == "wall.off"},
+        "m.csv": csv_text(motion(1)).encode(),
     }
     one, two = "{}/motions/RSN100_Q.AT2", "{}/m.csv"
     for name, arguments in {
@@ -253,6 +217,14 @@ def _options() -> Iterator[Case]:
         "records index": ("records", "index", "{}/motions", "--jobs", "1"),
         "new": ("new", "{}/made", "--example", "single_wall"),
         "schema": ("schema",),
+        "geometry": ("geometry", "{}/wall.off"),
+        "envelope": ("envelope", "{}/run.toml", "--jobs", "1"),
+        "run": ("run", "{}/run.toml", *studies.RUN[2:]),
+        "batch": studies.BATCH,
+        "summary": ("summary", "{}/a.json"),
+        "verify": ("verify", "housner_1963", "--jobs", "1"),
+        "verify --for": ("verify", "--list", "--for", "{}"),
+        "report": ("report", "{}/fragility.json", "-o", "{}/out"),
     }.items():
         yield Case("options", name, files, "", arguments)
 
@@ -264,13 +236,19 @@ GROUPS: Mapping[str, Callable[[], Iterator[Case]]] = {
     "record": _records,
     "flatfile": _flatfiles,
     "results": _results,
+    "summary": studies.summaries,
     "catalogue": _catalogues,
     "options": _options,
-    "run": _runs,
-    "report": _reports,
+    "run": studies.runs,
+    "uncertain": studies.uncertain,
+    "portfolio": studies.portfolios,
+    "lock": studies.locks,
+    "fragility": studies.fragilities,
+    "annex": studies.annexes,
+    "report": studies.reports,
 }
 SHARES: Mapping[str, int] = {
-    "project": 25, "mesh": 20, "geometry": 5, "record": 30, "flatfile": 6, "results": 8, "catalogue": 8, "options": 8,
-    "run": 1, "report": 0,
+    "project": 20, "mesh": 12, "geometry": 6, "record": 30, "flatfile": 6, "results": 5, "summary": 4, "catalogue": 6,
+    "options": 5, "run": 5, "uncertain": 2, "portfolio": 6, "lock": 4, "fragility": 5, "annex": 4, "report": 0,
 }  # fmt: skip
 """How many of a hundred or so inputs each class has; none of a class that is run only where it is named."""

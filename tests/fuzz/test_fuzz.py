@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import islice
@@ -10,14 +11,28 @@ from pathlib import Path
 
 import pytest
 
-from tests.fuzz.__main__ import fuzz, report, reproduce
+from tests.fuzz.__main__ import fuzz, planned, report, reproduce
 from tests.fuzz.answer import Answer, answer
 from tests.fuzz.case import Case, Edit, reopened, saved
 from tests.fuzz.findings import Findings
-from tests.fuzz.judgement import BUG, HANG, MEMORY, NOISE, REFUSED, RIGHT, SAME, SILENT, TRACEBACK, WARNED, judged
-from tests.fuzz.mutations import mutations
+from tests.fuzz.judgement import (
+    BUG,
+    HANG,
+    MEMORY,
+    NOISE,
+    REFUSED,
+    RIGHT,
+    SAME,
+    SILENT,
+    TRACEBACK,
+    WARNED,
+    Judged,
+    judged,
+)
+from tests.fuzz.mutations import SIZE, Batch, cases_of, schedule
 from tests.fuzz.rightly import rightly
 from tests.fuzz.seeds import SHARES, seeds
+from tests.fuzz.workers import Worker, judge_batches
 
 QUICK = [group for group, share in SHARES.items() if share > 1]
 IN_C = ("wall.step", "wall.ifc", "wall.3dm")  # readers that can take the process with them
@@ -34,10 +49,49 @@ def test_a_slice_ends_with_results_and_refusals_alone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("group", QUICK)
 def test_the_same_seed_gives_the_same_inputs(group: str) -> None:
-    first, second, other = (list(islice(mutations(seeds(group), seed=seed), 30)) for seed in (1, 1, 2))
+    whole = seeds(group)[0]
+    first, second = (list(cases_of(Batch(group, whole.name, 3), whole, seed=1)) for _ in range(2))
     assert first == second
-    assert first != other
-    assert all(case != whole for whole, case in first)
+    assert first != list(cases_of(Batch(group, whole.name, 3), whole, seed=2))
+    assert first != list(cases_of(Batch(group, whole.name, 4), whole, seed=1))
+    assert all(case != whole for case in first)
+
+
+def test_several_processes_judge_the_same_inputs_as_one(tmp_path: Path) -> None:
+    alone, together = Findings(tmp_path / "1"), Findings(tmp_path / "2")
+    batches = list(islice(planned(["flatfile"], seed=5), 4))
+    fuzz(alone, answer, groups=["flatfile"], seed=5, inputs=sum(batch.size for batch in batches))
+    judge_batches(iter(batches), together.take, seed=5, jobs=2, until=float("inf"))
+    assert alone.counts == together.counts
+    assert alone.groups.keys() == together.groups.keys()
+
+
+def test_a_process_that_hangs_or_dies_is_replaced_and_goes_on_after_the_input(tmp_path: Path) -> None:
+    heard: list[tuple[Case, Judged, Case]] = []
+    worker = Worker(1, hangs_after=0.0)
+    try:
+        batch = Batch("flatfile", "spectrum", 1)
+        worker.give(batch)
+        worker.watch(lambda *told: heard.append(told))
+        assert [(found.outcome, bool(case.files)) for _, found, case in heard] == [(HANG, True)]
+        assert worker.at == 1
+        worker.process.kill()
+        worker.process.join()
+        assert worker.hear(lambda *told: heard.append(told))
+        assert (heard[-1][1].outcome, worker.at) == (MEMORY, 2)
+        while worker.hear(lambda *told: heard.append(told)):
+            pass
+        assert len(heard) == batch.size
+    finally:
+        worker.stop()
+
+
+def test_classes_take_turns_by_their_shares() -> None:
+    cases = {group: seeds(group) for group in ("flatfile", "record")}
+    inputs = Counter[str]()
+    for batch in islice(schedule(cases, shares={"flatfile": 1, "record": 3}, seed=1), 200):
+        inputs[batch.group] += batch.size
+    assert inputs["record"] == pytest.approx(3 * inputs["flatfile"], abs=4 * SIZE)
 
 
 @pytest.mark.parametrize("group", QUICK)
@@ -137,6 +191,7 @@ def test_one_sample_is_right_and_two_for_one_are_not() -> None:
 
 
 def test_a_case_is_saved_and_reopened_whole(tmp_path: Path) -> None:
-    (whole, case), *_ = islice(mutations(seeds("mesh"), seed=1), 1)
+    whole = seeds("mesh")[0]
+    case = next(cases_of(Batch("mesh", whole.name, 1), whole, seed=1))
     assert whole.edited(case.edits) == case
     assert reopened(saved(case, tmp_path / "a" / "case.json")) == case

@@ -68,10 +68,10 @@ def places(tree: Any, at: Path = ()) -> Iterator[Path]:
 
 
 @st.composite
-def changed(draw: st.DrawFn, tree: Any) -> tuple[Any, str, str]:
-    """A tree with one change: the tree, the place, and what was done."""
+def changed(draw: st.DrawFn, tree: Any, listed: list[Path]) -> tuple[Any, str, str]:
+    """A tree with one change at one of the places `listed`: the tree, the place, and what was done."""
     new = copy.deepcopy(tree)
-    path = draw(st.sampled_from(sorted(places(new), key=str)))
+    path = draw(st.sampled_from(listed))
     parent = new
     for step in path[:-1]:
         parent = parent[step]
@@ -86,7 +86,7 @@ def changed(draw: st.DrawFn, tree: Any) -> tuple[Any, str, str]:
         else:
             parent.insert(0, copy.deepcopy(old))
     elif verb == "other":  # what stands at another place of the tree
-        parent[key] = copy.deepcopy(_at(tree, draw(st.sampled_from(sorted(places(tree), key=str)))))
+        parent[key] = copy.deepcopy(_at(tree, draw(st.sampled_from(listed))))
     elif verb == "scaled" and isinstance(old, int | float):
         parent[key] = old * draw(st.sampled_from(FACTORS))
     elif verb == "type":
@@ -148,7 +148,7 @@ def json_edits(case: Case, *, start: int, count: int) -> list[tuple[Edit, ...]]:
 
 def _edits(case: Case, tree: Any, text: Callable[[Any], str], *, start: int, count: int) -> list[tuple[Edit, ...]]:
     found = []
-    for new, where, what in drawn(changed(tree), start=start, count=count):
+    for new, where, what in drawn(changed(tree, sorted(places(tree), key=str)), start=start, count=count):
         data = text(new).encode("utf-8", "surrogatepass")
         found.append(rewritten(case, data, where=where, what=what))
     return found

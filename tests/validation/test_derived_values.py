@@ -72,7 +72,7 @@ def test_outcomes_change_at_the_value(key: str, name: str, alpha: float, lineari
 def test_every_derived_case_of_the_literature_is_made_again() -> None:
     """The thesis has goldens of its own."""
     derived = {each.key for each in read_cases() if each.case.source.standing == "derived"}
-    assert {key for key in derived if not key.startswith("mehrotra")} == DERIVED.keys()
+    assert {key for key in derived if not key.startswith("mehrotra")} <= DERIVED.keys()
 
 
 def test_the_chain_of_bars_is_the_closed_form_of_an_equal_portal() -> None:

@@ -12,6 +12,8 @@ SIZED = re.compile(
     rb"RIGHTCIRCULARCYLINDER|RIGHTCIRCULARCONE|SIUNIT|MEASUREWITHUNIT))\s*\(([^;]*)\)\s*;"
 )
 LIST = re.compile(rb"IFCCARTESIANPOINTLIST([23])D\s*\(\s*\(([^;]*?\))\s*\)[^;]*;")
+DIRECTION = re.compile(rb"IFCDIRECTION\s*\(\s*\(([^()]*)\)\s*\)")
+ZERO = re.compile(rb"\s*[-+]?0+\.?0*(?:E[-+]?\d+)?\s*", re.IGNORECASE)
 POINT = re.compile(rb"IFC(?:CARTESIANPOINT|DIRECTION)\s*\(\s*\(([^()]*)\)\s*\)")
 REAL = re.compile(rb"\s*[-+]?\d+\.\d*(?:E[-+]?\d+)?\s*", re.IGNORECASE)
 WHOLE = re.compile(rb"\s*[-+]?\d+\s*")
@@ -30,6 +32,10 @@ def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
     ValueError : a number of values is impossible
     """
     text = re.sub(rb"/\*.*?\*/|'[^']*'", b"''", file.read_bytes(), flags=re.DOTALL)
+    for ratios in DIRECTION.findall(text):
+        if all(map(ZERO.fullmatch, ratios.split(b","))):
+            shown = ratios.decode("latin-1")
+            raise ValueError(f"the direction ({shown:.40}) in it has no length; it is damaged, export it again")
     _points(POINT.findall(text))
     for dimensions, rows in LIST.findall(text):
         for row in re.findall(rb"\(([^()]*)\)", rows):

@@ -21,7 +21,7 @@ from assess.geometry.formats.mesh_file import (
 from assess.geometry.formats.subprocess_reader import run_in_subprocess
 from spectra.arrays import FloatArray
 
-READ = "import sys, rhino3dm; rhino3dm.File3dm.FromByteArray(open(sys.argv[1], 'rb').read())"
+READ = "import sys, rhino3dm; sys.exit(rhino3dm.File3dm.FromByteArray(open(sys.argv[1], 'rb').read()) is None)"
 UNITS = {  # rhino3dm.UnitSystem [m]
     "Microns": 1e-6,
     "Millimeters": 1e-3,
@@ -49,8 +49,8 @@ def read_3dm(file: Path) -> MeshFile:
     """
     import rhino3dm
 
-    run_in_subprocess(READ, file, name="openNURBS")
-    model = rhino3dm.File3dm.FromByteArray(file.read_bytes())
+    refused = run_in_subprocess(READ, file, name="openNURBS")  # after tens of seconds of some damaged files
+    model = None if refused else rhino3dm.File3dm.FromByteArray(file.read_bytes())
     if model is None:
         raise ValueError("not a Rhino file")
     found: list[Part] = []

@@ -51,7 +51,7 @@ def table(peers: dict[str, Peer], *, rounds: int, seconds: float) -> Table:
     with silence():
         rows = measure(programs, errors, rounds=rounds, seconds=seconds)
     each = ", ".join(
-        f"{1e6 * row.least / row.answer.steps:,.3g} µs ({row.program.name})"  # type: ignore[attr-defined]
+        f"{1e6 * row.least / row.answer.steps:,.2f} µs ({row.program.name})"  # type: ignore[attr-defined]
         for row in {row.program.name: row for row in rows}.values()
     )
     return Table(
@@ -59,8 +59,8 @@ def table(peers: dict[str, Peer], *, rounds: int, seconds: float) -> Table:
         f"A block of {WIDTH:.2f} x {HEIGHT:.2f} m under one cycle of a sine, three times what starts it, and rest, "
         f"{LENGTH:g} s in all; building the model is included. Swings: the first before any impact, the second the "
         f"largest, the third after two impacts. Reference: DOP853 at 3e-14 with Housner's restitution, "
-        "{RESTITUTION:.3f}, which the programs of contact are not told; what they lose at an impact is their own, so a "
-        "difference of the third swing is one of models too. "
+        f"{RESTITUTION:.3f}, which the programs of contact are not told; what they lose at an impact is their own, so "
+        "a difference of the third swing is one of models too. "
         "The member of RockingBC deforms: part of its difference is the elasticity of its foot.",
         ("error of the first swing", "second", "third"),
         rows,

@@ -43,7 +43,7 @@ def test_csv_has_every_row_in_order_at_full_precision(written: Path) -> None:
 def test_workbook_has_filters_a_frozen_head_links_and_no_formula(written: Path) -> None:
     sheet = load_workbook(written / "ranked.xlsx").active
     assert sheet.title == "ranked"
-    assert sheet.auto_filter.ref == f"A2:M{len(ROWS) + 2}"
+    assert sheet.auto_filter.ref == f"A2:N{len(ROWS) + 2}"
     assert sheet.freeze_panes == "B3"
     assert {cell.data_type for row in sheet.iter_rows() for cell in row} <= {"s", "n", "inlineStr"}
     targets = [cell.hyperlink.target for row in sheet.iter_rows() for cell in row if cell.hyperlink]

@@ -228,14 +228,20 @@ def test_an_index_tells_what_became_of_a_flatfile(folder: Path, capsys: pytest.C
     assert 'flatfile, row 4, ClstD (km): "12,5": impossible value; ignored\n' in out
     assert ended("records", "index", folder, "--flatfile", flat, "--json") == 0
     told = json.loads(capsys.readouterr().out)["flatfile"]
-    assert (told["matched"], told["unmatched"], told["records"], told["warning"]) == (3, 1, 3, None)
+    assert (told["matched"], told["unmatched"], told["records"]) == (3, 1, 3)
+    assert told["warning"].startswith("of 5 records 2 have no row in the flatfile, like rsn100_q.at2;")
     assert [(cell["row"], cell["column"], cell["value"]) for cell in told["bad_cells"]] == [
         (4, "Earthquake Magnitude", "67"),
         (4, "ClstD (km)", "12,5"),
         (5, "Record Sequence Number", "last"),
     ]
     assert select(folder, "--count", 2, "--flatfile", flat) == 0
-    assert "warning: records.flatfile: row 4," in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "warning: records.flatfile: row 4," in out
+    assert "warning: records.flatfile: of 5 records 2 have no row" in out
+    flat.write_text(FLATFILE + "".join(f"{number},Q,1982,6,20,400\n" for number in (100, 103, 104)))
+    assert ended("records", "index", folder, "--flatfile", flat, "--json") == 0
+    assert json.loads(capsys.readouterr().out)["flatfile"]["warning"] is None
 
 
 @pytest.mark.parametrize(

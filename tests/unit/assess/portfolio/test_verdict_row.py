@@ -12,7 +12,7 @@ from assess.messages.message import message
 from assess.one_project import assess_project
 from assess.portfolio.folder_names import folder_name
 from assess.portfolio.projects import Task
-from assess.portfolio.tasks import Job
+from assess.portfolio.tasks import Job, Keep
 from assess.portfolio.verdict_row import row_of_verdict
 from assess.project import build
 from tests.support.portfolios import task
@@ -75,3 +75,16 @@ def test_the_row_alone_is_the_row_of_a_full_run(tmp_path: Path, monkeypatch: pyt
     assert whole == replace(alone, results=f"{place}/results.json")
     assert (tmp_path / "out" / place / "results.json").is_file()
     assert alone.worst_mechanism == "high"
+
+
+@pytest.mark.parametrize("keep", ["rows", "results"])
+def test_a_row_counts_the_warnings_on_its_input(tmp_path: Path, keep: Keep) -> None:
+    """A wall of 600 m is computed as it is given; in the table nothing else would say that its unit may be wrong."""
+    for height, warned in ((6.0, False), (600.0, True)):
+        text = project_toml(
+            site={"limit_state": "SLV", "spectrum": NTC}, bodies={"high": wall(0.4, height=height)},
+            mechanisms={"high": block("high")},
+        )  # fmt: skip
+        (tmp_path / "project.toml").write_text(text)
+        one = Task("One wall", "", tmp_path / "project.toml", None, "")
+        assert (assess_project(Job(one, tmp_path / "out", keep, "")).warnings > 0) is warned

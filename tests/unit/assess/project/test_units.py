@@ -76,6 +76,8 @@ BAD = [
     ("-,5 m", "length", 'a decimal comma; write "-0.5 m"'),
     ("0,100 m", "length", 'a decimal comma; write "0.100 m"'),
     ("1,250 mm", "length", 'write "1.250 mm" for a decimal comma, "1250 mm" for thousands'),
+    ("05 m", "length", 'a 0 before the digits; write "5", or "0.5" if a point was lost'),
+    ("-00.16 g", "acceleration", "a 0 before the digits"),
     ("1,250.5 mm", "length", 'thousands set apart; write "1250.5 mm"'),
     ("1.250,5 mm", "length", 'thousands set apart; write "1250.5 mm"'),
     ("1 250 mm", "length", 'thousands set apart; write "1250 mm"'),

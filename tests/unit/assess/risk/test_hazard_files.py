@@ -88,6 +88,7 @@ def test_byte_order_mark_and_windows_lines(tmp_path):
         (("1.522632E-01", "0.0001"), "the annual rate rises"),
         (("1.522632E-01,1.000000E-02", "1.0,1.0"), "fewer than two"),
         ((",1.000000E-02,0.000000E+00", ""), "site 2 has another number of columns"),
+        (("poe-0.1000000", "mm-0.1000000"), 'column "mm-0.1000000" stands among those of probabilities'),
         (("lon,lat", "x,y"), "2 sites and no columns lon and lat"),
     ],
 )

@@ -85,6 +85,15 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     assert context.rise == 0.0
 
 
+@pytest.mark.parametrize(("force", "told"), [("29 kN", False), ("30 kN", False), ("31 kN", True)])
+def test_a_pretension_above_the_strength_gets_a_warning(tmp_path, force, told):
+    found = [
+        each for each in study_of(tmp_path, tie(PROOF, force=force), top=SOURCE).messages if "strength" in each.key
+    ]
+    assert [each.key for each in found] == ["pretension-above-strength"] * told
+    assert all((each.values["force"].value, each.values["strength"].value) == (31e3, 30e3) for each in found)
+
+
 def test_a_tie_with_an_end_gives_a_local_limit_where_its_point_has_moved_so_far(tmp_path):
     study = study_of(tmp_path, tie(', until = "0.15 m"'))
     (found,), at = loads_of(study), 2 * asin(0.15 / (2 * 4.5))
@@ -108,6 +117,15 @@ def test_seats_are_local_limits_and_printed(tmp_path):
     assert (first.kind, first.what, first.branch) == ("seat", "mass 1", "positive")
     assert first.rotation == pytest.approx(asin(0.12 / 4.0), rel=1e-12)
     assert [duration_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
+
+
+@pytest.mark.parametrize(("seat", "told"), [("2.0 m", False), ("2.1 m", True), ("20", True)])
+def test_a_seat_wider_than_a_wall_gets_a_warning(tmp_path, seat, told):
+    study = study_of(
+        tmp_path, f'{{ kind = "mass", mass = 800, at = [0.4, 4.0], seat = "{seat} m" }}'.replace("m m", "m")
+    )
+    found = [each for each in study.messages if each.key == "seat-wide"]
+    assert [each.values["seat"].value for each in found] == [float(seat.split()[0])] * told
 
 
 @pytest.mark.parametrize(

@@ -94,6 +94,17 @@ def test_a_single_point_without_decimal_point_is_refused_and_a_habit_is_not(tmp_
     refuse_commas(file, lambda _: None)
 
 
+@pytest.mark.parametrize("ratios", ["0.,0.,0.", "0,0", "0.,-0.0E+00, 0."])
+def test_a_direction_without_length_is_refused(tmp_path: Path, ratios: str) -> None:
+    """Of an opening it makes no shape, and the wall would be read without its door."""
+    building(tmp_path / "house.ifc", prefix=None)
+    content = (tmp_path / "house.ifc").read_text()
+    for place in re.finditer(r"(?<=IFCDIRECTION\(\()[^()]*", content):
+        (tmp_path / "flat.ifc").write_text(content[: place.start()] + ratios + content[place.end() :])
+        with pytest.raises(GeometryError, match=rf"the direction \({ratios[:3]}.*\) in it has no length"):
+            load(tmp_path / "flat.ifc", density=1.0, name="wall")
+
+
 @pytest.mark.parametrize("part", [0.0, 0.3, 0.6, 0.99])
 def test_an_ifc_file_cut_short_is_refused(tmp_path: Path, part: float) -> None:
     building(tmp_path / "house.ifc", prefix=None)

@@ -131,6 +131,14 @@ def test_a_rhino_file_cut_short_is_refused(tmp_path: Path) -> None:
             load(tmp_path / "short.3dm", density=1.0, name="wall")
 
 
+def test_what_its_own_process_refuses_is_not_read_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """OpenNURBS takes half a minute to refuse some damaged files."""
+    (tmp_path / "wall.3dm").write_bytes(b"hello")
+    monkeypatch.setattr(rhino3dm, "File3dm", None)
+    with pytest.raises(GeometryError, match="not a Rhino file"):
+        load(tmp_path / "wall.3dm", density=1.0, name="wall")
+
+
 def test_a_damaged_rhino_file_cannot_keep_the_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assess.geometry.formats.rhino.READ", "import time; time.sleep(60)")
     monkeypatch.setattr("assess.geometry.formats.subprocess_reader.MIN_TIME", 0.1)

@@ -43,3 +43,11 @@ def export_formats(incomplete: str) -> Sequence[str]:
 
     before, comma, last = incomplete.rpartition(",")
     return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]
+
+
+def solved_cases(incomplete: str) -> Sequence[str]:
+    """Complete the key of a solved case, or of all cases of one source."""
+    from assess.verification.read import read_cases
+
+    keys = {each.key for each in read_cases()}
+    return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from assess.cli.completions import solved_cases
 from assess.cli.options import Jobs
 from assess.cli.report import Language
 
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 def verify(
     names: Annotated[
         list[str] | None,
-        typer.Argument(metavar="CASE", help="Keys of cases, or of their sources (default: all)."),
+        typer.Argument(
+            metavar="CASE", autocompletion=solved_cases, help="Keys of cases, or of their sources (default: all)."
+        ),
     ] = None,
     project: Annotated[
         Path | None,

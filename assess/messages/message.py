@@ -191,3 +191,8 @@ def note(key: str, where: str = "", /, **values: Value) -> Message:
     values : that its sentence names
     """
     return message(key, values, where=where)
+
+
+def list_values(first: Value, *others: Value) -> Value:
+    """Return several values as one, which a language writes one after the other."""
+    return message("listed", {"first": first, "others": list_values(*others)}) if others else first

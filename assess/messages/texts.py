@@ -32,6 +32,7 @@ TEXTS: Mapping[str, str] = {
     "both again with `assess verify`",
     "annex-uncovered": "no solved case that passes in the annex of verification {file} and is more than indicative "
     "exercises these things that the project uses: {uses}",
+    "listed": "{first}; {others}",
     # loads
     "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
     "displacements and histories; give {missing} (until: the displacement of its point of application at which it "

@@ -28,6 +28,7 @@ from assess.project.bare_numbers import bare_number_messages
 from assess.project.key_text import error_line, escape_text, value_text
 from assess.project.keys import places_of
 from assess.project.quantity_patterns import with_quantity_patterns
+from assess.project.schema_faults import with_located_faults
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.sections.uncertain_number import with_uncertain_numbers
@@ -263,4 +264,5 @@ def schema_text() -> str:
 def json_schema() -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of the project file."""
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE}
-    return {**with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema())), **head}
+    found = with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema()))
+    return {**with_located_faults(found), **head}

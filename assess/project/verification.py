@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from assess.errors import ProjectError, ResultsError
-from assess.messages.message import Message, warning, whole_number
+from assess.messages.message import Message, list_values, warning, whole_number
 from assess.outputs.manifest import VERIFICATION
 from assess.project.file_digests import file_sha256
 from assess.project.report_matter import report_matter_of
@@ -15,6 +15,7 @@ from assess.project.schema import Project, resolve
 from assess.results import Input
 from assess.results.files import read_verification
 from assess.results.program import describe_program
+from assess.results.uses import USES
 from assess.results.verification import AnnexResult, VerificationResults
 from records.paths import relative_path
 
@@ -78,7 +79,9 @@ def annex_messages(annex: AnnexResult | None) -> Iterator[Message]:
     if not annex.pdf_as_written:
         yield warning("annex-pdf", where, file=annex.path)
     if annex.uncovered:
-        yield warning("annex-uncovered", where, file=annex.path, uses=", ".join(annex.uncovered))
+        yield warning(
+            "annex-uncovered", where, file=annex.path, uses=list_values(*map(USES.__getitem__, annex.uncovered))
+        )
 
 
 def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from assess.cli.tables.text_table import on_one_line
 from assess.messages.plural import count_noun
+from assess.results.uses import USES
 from assess.results.verification import CaseResult, Spread, ValueResult, VerificationResults
 
 WIDEST = 160  # characters of a line
@@ -67,9 +68,9 @@ def _totals(results: VerificationResults, seconds: float) -> Iterator[str]:
         yield f"{count_noun(indicative, 'case')} indicative only, no evidence; they cover nothing"
     if results.foreign:
         yield f"{count_noun(len(results.foreign), 'case')} not as with the program: {', '.join(results.foreign)}"
-    bare = [each.use for each in results.coverage if each.use not in results.passed_uses]
+    bare = [str(USES[each.use]) for each in results.coverage if each.use not in results.passed_uses]
     if bare:
-        yield f"used by the project, without a case that passes and is evidence: {', '.join(bare)}"
+        yield f"used by the project, without a case that passes and is evidence: {'; '.join(bare)}"
 
 
 def _spread(spread: Spread) -> str:

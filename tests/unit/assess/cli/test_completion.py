@@ -11,7 +11,10 @@ from pathlib import Path
 import pytest
 
 from assess.examples import EXAMPLES
+from assess.verification.read import read_cases
 from spectra.registry import SPECTRA
+
+CASES = {key for each in read_cases() for key in (each.key, each.key.partition("/")[0])}
 
 
 @pytest.fixture(scope="module")
@@ -55,6 +58,8 @@ def completed(line: str, environment: dict[str, str]) -> list[str]:
         ("assess spectrum --code ntc", [name for name in SPECTRA if name.startswith("ntc")]),
         ("assess fragility x --export nrml,p", ["nrml,pelicun"]),
         ("assess records list x --unit c", ["cm/s2"]),
+        ("assess verify housner_1963/r", ["housner_1963/rectangular_pulse"]),
+        ("assess verify hous", sorted([key for key in CASES if key.startswith("hous")])),
     ],
 )
 def test_bash_completes(line: str, offered: list[str], environment: dict[str, str]) -> None:

@@ -173,11 +173,14 @@ def test_hinges_that_stay_while_faces_move_are_told(tmp_path: Path) -> None:
 
 def test_the_json_schema_takes_a_scatter_where_the_program_does() -> None:
     schema = json_schema()
-    number = {"$ref": "#/$defs/UncertainNumber"}
     definitions = schema["$defs"]
-    assert definitions["UncertainNumber"]["required"] == ["mean"]
-    assert number in definitions["Material"]["properties"]["density"]["anyOf"]
-    assert number in definitions["Hinges"]["properties"]["A"]["items"]["anyOf"]
-    assert number in definitions["SingleBlock"]["properties"]["restitution"]["anyOf"]
+
+    def number(kind: str) -> dict[str, str]:
+        assert definitions[f"UncertainNumber-of-{kind}"]["required"] == ["mean"]
+        return {"$ref": f"#/$defs/UncertainNumber-of-{kind}"}
+
+    assert number("density") in definitions["Material"]["properties"]["density"]["anyOf"]
+    assert number("length") in definitions["Hinges"]["properties"]["A"]["items"]["anyOf"]
+    assert number("ratio") in definitions["SingleBlock"]["properties"]["restitution"]["anyOf"]
     assert "anyOf" not in definitions["BodyLoad"]["properties"]["tolerance"]
     assert "or { mean, cov }" not in str(schema)

@@ -24,6 +24,9 @@ POINTS, WEIGHTS = np.polynomial.legendre.leggauss(6)
 DEPTH = 30  # powers of e below the first row
 
 
+LARGEST_LOGARITHM = 600.0  # of a rate: a steep first interval, extended far below, is more than floats hold
+
+
 @dataclass(frozen=True, repr=False)
 class HazardCurve(ShortRepr):
     """Annual rates at which intensities are exceeded, at least two rows; wrong rows raise HazardError.
@@ -147,7 +150,8 @@ def _gauss(
     width = np.diff(corners)[:, None] / panels
     starts = corners[:-1, None] + width * np.arange(panels)
     u = starts[:, :, None] + 0.5 * width[:, :, None] * (1.0 + POINTS)
-    density = k[:, None, None] * np.exp(v_0[:, None, None] - k[:, None, None] * (u - u_0[:, None, None]))
+    logarithm = v_0[:, None, None] - k[:, None, None] * (u - u_0[:, None, None])
+    density = k[:, None, None] * np.exp(np.minimum(logarithm, LARGEST_LOGARITHM))
     inside = probability(np.exp(u).ravel()).reshape(u.shape) * density
     return np.asarray((inside @ WEIGHTS).sum(axis=1) * 0.5 * width[:, 0])
 

@@ -106,6 +106,14 @@ def test_rows_are_copies_that_cannot_change():
     assert not hazard.annual_rate.flags.writeable
 
 
+def test_a_steep_first_interval_leaves_a_number_below_it():
+    """Its slope, 43, makes rates of far smaller motions more than floats hold, and 0 times that is no number."""
+    hazard = HazardCurve([0.15, 0.16, 0.30], [1 / 30, 1 / 475, 4e-4])
+    step = Empirical(np.array([1e-9, 0.2]), np.array([0.0, 1.0]))
+    for probability in (Lognormal(0.4, 0.5).probability, Lognormal(0.4, 2.0).probability, step.probability):
+        assert rate(probability, hazard).below >= 0.0
+
+
 def test_contributions_between_other_edges_are_those_of_the_rows_in_parts():
     hazard, edges = HazardCurve([0.02, 0.3, 1.0], [5e-2, 5e-4, 2e-5]), np.geomspace(0.02, 1.0, 33)
     curve = Lognormal(0.35, 0.5)

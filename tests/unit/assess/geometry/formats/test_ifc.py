@@ -114,6 +114,16 @@ def test_an_ifc_file_cut_short_is_refused(tmp_path: Path, part: float) -> None:
         load(tmp_path / "short.ifc", density=1.0, name="wall")
 
 
+@pytest.mark.parametrize("lost", ["((0.,0.,0.));", "(0.,0.,0.);", "($);"])
+def test_an_entity_without_its_name_is_refused(tmp_path: Path, lost: str) -> None:
+    """A point that has lost its name has crashed ifcopenshell."""
+    building(tmp_path / "house.ifc", prefix=None)
+    content = (tmp_path / "house.ifc").read_text()
+    (tmp_path / "lost.ifc").write_text(re.sub(r"=IFCCARTESIANPOINT\(\([^;]*;", f"={lost}", content, count=1))
+    with pytest.raises(GeometryError, match=r"#\d+ has no name of an entity in it"):
+        load(tmp_path / "lost.ifc", density=1.0, name="wall")
+
+
 def test_a_number_that_stands_twice_is_refused(tmp_path: Path) -> None:
     """The same entity under the number of one that it is made of has crashed ifcopenshell."""
     file = tmp_path / "house.ifc"

@@ -17,6 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ("assess", "records", "reports", "spectra")
 KINDS = (".py", ".typed", ".toml", ".csv", ".md", ".po", ".html", ".css", ".js")
 """Endings of files that a wheel may hold; whatever else lies in a folder of the packages is rubbish."""
+INPUTS = ("assess/verification/cases/", (".AT2", ".ply"))
+"""The folder in which records and meshes lie too, and their endings: inputs of solved cases, which a user runs again."""
 NO_PART = (".venv", "__pycache__", ".pyc", "_cache/", ".hypothesis", "build/", "dist/")
 MEGABYTE = 1e6
 
@@ -30,11 +32,16 @@ def faults_of_wheel(wheel: Path, root: Path = ROOT) -> list[str]:
         for path in (root / package).rglob("*")
         if path.is_file() and "__pycache__" not in path.parts
     }
-    strange = {name for name in found | wanted if not name.endswith(KINDS)}
+    strange = {name for name in found | wanted if not (name.endswith(KINDS) or _is_input(name))}
     return [
         *(f"{wheel.name} lacks {name}" for name in sorted(wanted - found)),
         *(f"{wheel.name} should not hold {name}" for name in sorted((found - wanted) | strange)),
     ]
+
+
+def _is_input(name: str) -> bool:
+    folder, kinds = INPUTS
+    return name.startswith(folder) and name.endswith(kinds)
 
 
 def faults_of_sdist(sdist: Path, wheel: Path) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from assess.cli.options import ProjectPath
+from assess.cli.progress import progress
 
 
 def check(project: ProjectPath) -> None:
@@ -12,11 +13,13 @@ def check(project: ProjectPath) -> None:
     """
     from assess.project.schema import load
 
-    loaded = load(project)
-    from assess.cli.tables.project import description, sensitivity_text
-    from assess.project.build import build
-    from assess.study.parameters import parameters
+    with progress() as shown:
+        loaded = load(project)
+        from assess.cli.tables.project import description, sensitivity_text
+        from assess.project.build import build
+        from assess.study.parameters import parameters
 
-    study = build(loaded)
+        shown.step("mechanisms")
+        study = build(loaded)
     print(description(loaded, parameters(study), study.sweeps, study.messages), end="")
     print(sensitivity_text(study.variables), end="")

@@ -84,10 +84,14 @@ def _bar() -> Iterator[Progress]:
         task = display.add_task("reading", total=None)
 
         class Bar:
+            shown = ""
+
             def count(self, stage: str, done: int, total: int) -> None:
-                display.update(task, description=escape(stage), completed=done, total=total or None)
+                """Draw at once what is new, also if it ends before the display draws again by itself."""
+                new, self.shown = stage != self.shown, stage
+                display.update(task, description=escape(stage), completed=done, total=total or None, refresh=new)
 
             def step(self, stage: str) -> None:
-                display.update(task, description=escape(stage), completed=0, total=None)
+                self.count(stage, 0, 0)
 
         yield Bar()

@@ -10,7 +10,6 @@ from tests.support.required import fail_if_required, names_required
 SKIPPED = {
     "browser": "Skipped: needs chromium and chromedriver: .venv/browser of the Makefile",
     "cad": "Skipped: the extra 'ifc' is not installed",
-    "miniseed": "Skipped: could not import 'obspy': No module named 'obspy'",
     "records": f"Skipped: {NO_RECORDS}",
 }
 

@@ -15,6 +15,7 @@ from reports.render.csv import csv_lines
 
 SEVERITY = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 NO_VERDICT = "no verdict"
+NO_ROCKING = "0 (no rocking)"
 HEADER = ("run", "mechanism", "kind", "verdict", "state", "decided by", "D/C", "index")
 NUMBERS = ("holds up to [g]", "p [1/s]", "lambda [-]", "missing")
 
@@ -96,7 +97,7 @@ def _cells(row: Row) -> list[str]:
     texts = [row.run, row.mechanism, row.kind, row.verdict.replace("fail", "FAIL"), row.limit_state, row.procedure]
     numbers = (row.capacity_pga_g, row.p_per_s, row.uplift_multiplier)
     measure = f"{row.index} {_number(row.index_value)}".strip()
-    shown = [_number(row.ratio), measure, *map(_number, numbers), ", ".join(row.missing)]
+    shown = [NO_ROCKING if row.ratio == 0.0 else _number(row.ratio), measure, *map(_number, numbers), ", ".join(row.missing)]
     return [*map(escape_text, texts), *map(escape_text, shown)]
 
 

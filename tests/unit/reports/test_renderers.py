@@ -37,6 +37,8 @@ DATA = {
     "assess.results.fragility",
     "assess.results.inputs",
     "assess.results.uncertainty",
+    "assess.results.uses",
+    "assess.results.verification",
     "assess.codes.bases",
     "assess.codes.basis",
     "assess.codes.check",

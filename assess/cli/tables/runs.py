@@ -97,7 +97,8 @@ def _cells(row: Row) -> list[str]:
     texts = [row.run, row.mechanism, row.kind, row.verdict.replace("fail", "FAIL"), row.limit_state, row.procedure]
     numbers = (row.capacity_pga_g, row.p_per_s, row.uplift_multiplier)
     measure = f"{row.index} {_number(row.index_value)}".strip()
-    shown = [NO_ROCKING if row.ratio == 0.0 else _number(row.ratio), measure, *map(_number, numbers), ", ".join(row.missing)]
+    ratio = NO_ROCKING if row.ratio == 0.0 else _number(row.ratio)
+    shown = [ratio, measure, *map(_number, numbers), ", ".join(row.missing)]
     return [*map(escape_text, texts), *map(escape_text, shown)]
 
 

@@ -141,7 +141,8 @@ def test_what_its_own_process_refuses_is_not_read_again(tmp_path: Path, monkeypa
 
 def test_a_damaged_rhino_file_cannot_keep_the_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assess.geometry.formats.rhino.READ", "import time; time.sleep(60)")
-    monkeypatch.setattr("assess.geometry.formats.subprocess_reader.MIN_TIME", 0.1)
+    for limit, value in {"MIN_TIME": 0.1, "SPEED": 1e9, "CLOCK_FACTOR": 1.5}.items():
+        monkeypatch.setattr(f"assess.geometry.formats.subprocess_reader.{limit}", value)
     model = model_in("Meters")
     model.Objects.AddMesh(mesh(CUBE), called("wall"))
     with pytest.raises(GeometryError, match=r"openNURBS has not read it after \d s; is it damaged"):

@@ -149,7 +149,8 @@ def test_a_damaged_step_file_cannot_take_the_program_with_it(tmp_path: Path) -> 
 
 def test_a_step_file_that_is_never_meshed_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assess.geometry.formats.step.MESH", "import time; time.sleep(60)  # {} {}")
-    monkeypatch.setattr("assess.geometry.formats.subprocess_reader.MIN_TIME", 0.1)
+    for limit, value in {"MIN_TIME": 0.1, "CLOCK_FACTOR": 1.5}.items():
+        monkeypatch.setattr(f"assess.geometry.formats.subprocess_reader.{limit}", value)
     (tmp_path / "wall.step").write_text(step(CUBE, prefix="$"))
     with pytest.raises(GeometryError, match=r"has not read it after \d s; is it damaged"):
         load(tmp_path / "wall.step", density=1.0, name="wall")

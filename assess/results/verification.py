@@ -149,6 +149,11 @@ class CaseResult(ShortRepr):
         return "fail" if self.fault or not self.values or any(v.outcome == "fail" for v in self.values) else "pass"
 
     @property
+    def is_indicative(self) -> bool:
+        """Whether it is no evidence, such as one whose model stands in figures only."""
+        return self.source.standing == "indicative"
+
+    @property
     def values(self) -> tuple[ValueResult, ...]:
         """The values of all its quantities."""
         return tuple(value for each in self.quantities for value in each.values)
@@ -204,10 +209,14 @@ class VerificationResults(ShortRepr):
         return tuple(each for each in self.cases if each.outcome == "fail")
 
     @property
+    def evidence(self) -> tuple[CaseResult, ...]:
+        """The cases that are more than indicative."""
+        return tuple(each for each in self.cases if not each.is_indicative)
+
+    @property
     def passed_uses(self) -> frozenset[str]:
         """What at least one case exercises that passes and is not only indicative."""
-        firm = (each for each in self.cases if each.outcome == "pass" and each.source.standing != "indicative")
-        return frozenset(word for each in firm for word in each.uses)
+        return frozenset(word for each in self.evidence if each.outcome == "pass" for word in each.uses)
 
     @property
     def quantities(self) -> tuple[QuantityResult, ...]:
@@ -216,20 +225,21 @@ class VerificationResults(ShortRepr):
 
     @cached_property
     def shares(self) -> Spread:
-        """Differences over what the tolerance of each allows [-]; values without a tolerance are left out."""
-        return spread_of(share for case in self.cases for share in case.shares)
+        """Differences of the evidence over what the tolerance of each allows [-]; values without one are left out."""
+        return spread_of(share for case in self.evidence for share in case.shares)
 
     @cached_property
     def relative(self) -> Spread:
-        """Differences over the largest value of the quantity [-]."""
-        return spread_of(difference for each in self.quantities for difference in each.relative)
+        """Differences of the evidence over the largest value of the quantity [-]."""
+        found = (each for case in self.evidence for each in case.quantities)
+        return spread_of(difference for each in found for difference in each.relative)
 
     @property
     def farthest(self) -> tuple[str, str]:
         """Key of the case and name of the quantity with the largest of these differences; empty where there is none."""
         found = [
             (max(each.relative), case.key, each.name)
-            for case in self.cases
+            for case in self.evidence
             for each in case.quantities
             if each.relative
         ]

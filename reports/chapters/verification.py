@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.results.uses import USES
-from assess.results.verification import VerificationResults
+from assess.results.verification import CaseResult, VerificationResults
 from reports.chapters import verification_case, verification_words
 from reports.chapters.cells import OUTCOMES
 from reports.chapters.verification_figures import figures
@@ -78,13 +78,13 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
     share, relative = results.shares, results.relative
     if share.median is not None and share.worst is not None:
         yield say(
-            "Difference over tolerance: median {median}, largest {worst}.",
+            "Difference over tolerance, of the cases that are evidence: median {median}, largest {worst}.",
             median=quantity(share.median, figures=2),
             worst=quantity(share.worst, figures=2),
         )
     if relative.median is not None and relative.worst is not None:
         yield say(
-            "Difference over the largest value of its quantity: median {median}, largest {worst} ({where}).",
+            "Difference over the largest value of its quantity, likewise: median {median}, largest {worst} ({where}).",
             median=quantity(relative.median, figures=2),
             worst=quantity(relative.worst, figures=2),
             where=Verbatim(", ".join(results.farthest)),
@@ -119,11 +119,17 @@ def overview(results: VerificationResults) -> Table:
             STANDINGS[each.source.standing],
             len(each.values),
             max(each.shares, default=None),
-            Graded(each.outcome, OUTCOMES[each.outcome]),
+            _graded(each),
         )
         for each in results.cases
     )
     return Table("cases", say("Solved cases, in the order of their pages."), columns, rows, small=True)
+
+
+def _graded(case: CaseResult) -> Graded:
+    """Return the outcome of a case; one that agrees and is no evidence is not coloured as one that is."""
+    quiet = case.is_indicative and case.outcome == "pass"
+    return Graded("comparison" if quiet else case.outcome, OUTCOMES[case.outcome])
 
 
 def _program(results: VerificationResults) -> Iterator[Block]:

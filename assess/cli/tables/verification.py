@@ -29,7 +29,8 @@ def _cases(results: VerificationResults) -> Iterator[str]:
     for case in results.cases:
         worst = f"worst {max(case.shares):.2g} of the tolerance" if case.shares else "exact"
         misprints = f", {count_noun(case.misprints, 'misprint')}" if case.misprints else ""
-        said = case.fault or f"{count_noun(len(case.values), 'value')}, {worst}{misprints}"
+        weight = ", indicative only" if case.is_indicative else ""
+        said = case.fault or f"{count_noun(len(case.values), 'value')}, {worst}{misprints}{weight}"
         word = "FAIL" if case.outcome == "fail" else "pass"
         yield f"{word}  {case.key:<{width}}  {said}"
         if case.outcome == "fail" and not case.fault:
@@ -63,9 +64,9 @@ def _totals(results: VerificationResults, seconds: float) -> Iterator[str]:
         yield f"difference over tolerance: {_spread(results.shares)}"
     if results.relative.worst is not None:
         yield f"over the largest value of its quantity: {_spread(results.relative)} ({', '.join(results.farthest)})"
-    indicative = sum(each.source.standing == "indicative" for each in results.cases)
+    indicative = len(results.cases) - len(results.evidence)
     if indicative:
-        yield f"{count_noun(indicative, 'case')} indicative only, no evidence; they cover nothing"
+        yield f"{count_noun(indicative, 'case')} indicative only: no evidence, not among these differences"
     if results.foreign:
         yield f"{count_noun(len(results.foreign), 'case')} not as with the program: {', '.join(results.foreign)}"
     bare = [str(USES[each.use]) for each in results.coverage if each.use not in results.passed_uses]

@@ -190,13 +190,17 @@ def test_case_with_a_wider_tolerance_is_not_the_program_s(written, tmp_path):
     assert "annex-foreign" in told(tmp_path, text)
 
 
-def test_case_that_is_indicative_covers_nothing(written):
+def test_case_that_is_indicative_covers_nothing_and_is_not_among_the_differences(written):
     _, folder = written
     results = read_verification(folder / "verification.json")
     (case,) = results.cases
     weaker = replace(case, source=replace(case.source, standing="indicative"))
     assert "tie" in results.passed_uses
-    assert not replace(results, cases=(weaker,)).passed_uses
+    beside = replace(results, cases=(weaker,))
+    assert not beside.passed_uses
+    assert results.shares.worst is not None
+    assert beside.shares.worst is beside.relative.worst is None
+    assert beside.farthest == ("", "")
 
 
 def test_cases_for_a_project_share_what_matters():

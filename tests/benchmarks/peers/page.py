@@ -15,6 +15,7 @@ PAGE = Path(__file__).parents[3] / "docs/speed.md"
 BEGIN, END = "<!-- measured: written by `make peers` -->", "<!-- end of what is measured -->"
 LEAST = 1e-14
 """An error of rounding, which has no digits to print."""
+APART = "\N{NO-BREAK SPACE}"  # between a number and its unit, in cells that are narrow
 OURS = ("numpy", "scipy", "numba")
 
 
@@ -78,15 +79,15 @@ def line(row: Row, count: int) -> str:
 
 def percent(error: float) -> str:
     """Return a relative error to two digits."""
-    return f"{100 * error:.2g} %" if abs(error) > LEAST else "< 1e-12 %"
+    return f"{100 * error:.2g}{APART}%" if abs(error) > LEAST else f"<{APART}1e-12{APART}%"
 
 
 def duration(seconds: float) -> str:
     """Return seconds to three digits in a unit that suits them."""
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
         if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds * 1e9:.3g} ns"
+            return f"{seconds / size:.3g}{APART}{unit}"
+    return f"{seconds * 1e9:.3g}{APART}ns"
 
 
 def times(ratio: float) -> str:

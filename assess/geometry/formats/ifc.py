@@ -40,11 +40,28 @@ def read_ifc(file: Path) -> MeshFile:
     ifcopenshell.get_log()  # empties it
     model = ifcopenshell.open(str(file))
     missing = frozenset(map(int, MISSING.findall(ifcopenshell.get_log())))
+    _refuse_lost(model, missing)
     refuse_commas(file, cache(partial(_attributes, model.schema_identifier)))
     products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
     above = cache(partial(_classes, model.schema_identifier))
     elements = tuple(_element(each, above) for each in products)
     return MeshFile(elements, partial(_mesh_products, model, products, elements, missing), unit=1.0, up="z")
+
+
+def _refuse_lost(model: Any, missing: Set[int]) -> None:
+    """Raise where an absent entity takes an element or an opening with it, so that nothing would be left to tell of it.
+
+    missing : numbers of the entities that refer to others absent from the file
+    """
+    for number in sorted(missing):
+        entity = model.by_id(number)
+        shapeless = entity.is_a("IfcElement") and not entity.Representation
+        empty = entity.is_a("IfcRepresentation") and not entity.Items
+        if shapeless or empty or entity.is_a("IfcProductRepresentation") or entity.is_a("IfcRelVoidsElement"):
+            raise ValueError(
+                f"{entity.is_a()} #{number} refers to an entity that is not in it, so that an element or an opening "
+                "would be lost; it is damaged, export it again"
+            )
 
 
 def _has_body(product: Any) -> bool:

@@ -1,7 +1,8 @@
-"""Numbers of an IFC file that lost their decimal point, which ifcopenshell reads without a warning."""
+"""Numbers of an IFC file that are none, or lost their decimal point: ifcopenshell reads them without a warning."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -29,9 +30,12 @@ def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
 
     Raises
     ------
-    ValueError : a number of values is impossible
+    ValueError : a value is no number, or a number of values is impossible
     """
     text = re.sub(rb"/\*.*?\*/|'[^']*'", b"''", file.read_bytes(), flags=re.DOTALL)
+    for row in POINT.findall(text):
+        if not all(map(_is_finite, row.split(b","))):
+            raise ValueError(f"({row.decode('latin-1'):.40}) in it are not numbers; it is damaged, export it again")
     for ratios in DIRECTION.findall(text):
         if all(map(ZERO.fullmatch, ratios.split(b","))):
             shown = ratios.decode("latin-1")
@@ -44,6 +48,13 @@ def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
         wanted, found = attributes(name.decode("latin-1")), _arguments(arguments)
         if wanted not in (None, found):
             raise ValueError(COMMAS.format(what=f"an {name.decode('latin-1')}", found=found, wanted=wanted))
+
+
+def _is_finite(value: bytes) -> bool:
+    try:
+        return not value.strip() or math.isfinite(float(value))
+    except ValueError:
+        return False
 
 
 def _points(points: list[bytes]) -> None:

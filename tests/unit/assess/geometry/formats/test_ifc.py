@@ -105,6 +105,36 @@ def test_a_direction_without_length_is_refused(tmp_path: Path, ratios: str) -> N
             load(tmp_path / "flat.ifc", density=1.0, name="wall")
 
 
+@pytest.mark.parametrize("kind", ["CARTESIANPOINT", "DIRECTION"])
+@pytest.mark.parametrize("value", ["nan", "inf", "o"])
+def test_what_is_no_number_is_refused(tmp_path: Path, kind: str, value: str) -> None:
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    file.write_text(re.sub(rf"(IFC{kind}\(\()[^,)]*", rf"\g<1>{value}", file.read_text(), count=1))
+    with pytest.raises(GeometryError, match=rf"\({re.escape(value)},.* in it are not numbers"):
+        load(file, density=1.0, name="wall", element="south")
+
+
+@pytest.mark.parametrize(
+    ("kind", "lost"),
+    [
+        ("IfcWall", r"(=IFCWALL\(.*,)#\d+(,[^,#]*,[^,#]*\);)"),
+        ("IfcProductDefinitionShape", r"(=IFCPRODUCTDEFINITIONSHAPE\(.*\()#\d+(\)\);)"),
+        ("IfcShapeRepresentation", r"(=IFCSHAPEREPRESENTATION\(.*\()#\d+(\)\);)"),
+        ("IfcRelVoidsElement", r"(=IFCRELVOIDSELEMENT\(.*,)#\d+(,#\d+\);)"),
+        ("IfcRelVoidsElement", r"(=IFCRELVOIDSELEMENT\(.*,#\d+,)#\d+(\);)"),
+    ],
+)
+def test_what_takes_an_element_or_an_opening_with_it_is_refused(tmp_path: Path, kind: str, lost: str) -> None:
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    text, found = re.subn(lost, r"\g<1>#99999\g<2>", file.read_text(), count=1)
+    assert found == 1
+    file.write_text(text)
+    with pytest.raises(GeometryError, match=rf"{kind} #\d+ refers to an entity that is not in it"):
+        load(file, density=1.0, name="wall", element="south")
+
+
 @pytest.mark.parametrize("part", [0.0, 0.3, 0.6, 0.99])
 def test_an_ifc_file_cut_short_is_refused(tmp_path: Path, part: float) -> None:
     building(tmp_path / "house.ifc", prefix=None)

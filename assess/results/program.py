@@ -39,7 +39,9 @@ def package_folder() -> Path:
 
 
 def sources_digest(folder: Path) -> str:
-    """Return the SHA-256 of the Python files of the program: paths relative to `folder`, in order, and contents.
+    """Return the SHA-256 of the files of the program: paths relative to `folder`, in order, and contents.
+
+    Solved cases and examples are among them; what Python and numba keep for themselves is not.
 
     Parameters
     ----------
@@ -48,7 +50,10 @@ def sources_digest(folder: Path) -> str:
     """
     digest = hashlib.sha256()
     files = sorted(
-        (path.relative_to(folder).as_posix(), path) for name in PACKAGES for path in (folder / name).rglob("*.py")
+        (path.relative_to(folder).as_posix(), path)
+        for name in PACKAGES
+        for path in (folder / name).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and not path.name.startswith(".")
     )
     for name, path in files:
         content = path.read_bytes()

@@ -47,8 +47,11 @@ def test_the_digest_changes_with_any_source_and_nothing_else(tmp_path: Path) -> 
     for name in PACKAGES:
         (tmp_path / name / "inner").mkdir(parents=True)
         (tmp_path / name / "inner" / "a.py").write_text(f"A = '{name}'\n")
+    (tmp_path / "assess/inner/case.toml").write_text("values = [1]")
     first = sources_digest(tmp_path)
-    (tmp_path / "reports" / "a.txt").write_text("no source")
+    (tmp_path / "reports" / ".DS_Store").write_text("no source")
+    (tmp_path / "reports/__pycache__").mkdir()
+    (tmp_path / "reports/__pycache__/a.cpython-311.pyc").write_text("kept by Python")
     (tmp_path / "tests").mkdir()
     (tmp_path / "tests" / "a.py").write_text("")
     moved = tmp_path.with_name(f"{tmp_path.name}-moved")
@@ -57,7 +60,9 @@ def test_the_digest_changes_with_any_source_and_nothing_else(tmp_path: Path) -> 
     (tmp_path / "reports/inner/a.py").rename(tmp_path / "reports/inner/b.py")
     renamed = sources_digest(tmp_path)
     (tmp_path / "reports/inner/b.py").write_text("A = 1\n")
-    assert len({first, renamed, sources_digest(tmp_path)}) == 3
+    written = sources_digest(tmp_path)
+    (tmp_path / "assess/inner/case.toml").write_text("values = [2]")
+    assert len({first, renamed, written, sources_digest(tmp_path)}) == 4
 
 
 @pytest.mark.parametrize("field", ["licence", "origin", "sha256"])

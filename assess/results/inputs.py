@@ -14,7 +14,7 @@ class Program(ShortRepr):
 
     licence : of the package, such as "MIT"; "" in results of older versions, like the next two
     origin : who publishes it, with the address of its sources if the package names one
-    sha256 : of its own Python files: of two runs with the same, the same code made both
+    sha256 : of its own files: of two runs with the same, the same code made both
     """
 
     name: str

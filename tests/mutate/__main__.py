@@ -16,7 +16,7 @@ from tests.mutate.covering import Covering
 from tests.mutate.mutant import Mutant, draw
 from tests.mutate.report import outcome, report, score, table
 from tests.mutate.site import ROOT
-from tests.mutate.trial import Trial, collect, copy_tree, try_mutant
+from tests.mutate.trial import Trial, collect, copy_tree, failing, try_mutant
 
 FOLDER = ROOT / "build/mutate"
 
@@ -27,29 +27,35 @@ def main() -> int:
     started = time.monotonic()
     covering = Covering(FOLDER)
     covering.measure()
+    below, again = tuple(asked.path or [""]), _survivors(asked.seed) if asked.again else None
     drawn = [
-        each for each in draw(asked.mutants, seed=asked.seed) if each.site.path.startswith(tuple(asked.path or [""]))
+        each
+        for each in draw(asked.mutants, seed=asked.seed)
+        if each.site.path.startswith(below) and (again is None or _name(each) in again)
     ]
-    if asked.again:
-        drawn = [each for each in drawn if _name(each) in _survivors(asked.seed)]
-    trials, minutes = list[Trial](), 0.0
-    for trial in _trials(
-        drawn, covering, processes=asked.processes
-    ):  # the report of a run that is interrupted is of use
-        trials.append(trial)
-        minutes = (time.monotonic() - started) / 60
-        FOLDER.joinpath("report.md").write_text(report(trials, seed=asked.seed, minutes=minutes), encoding="utf-8")
-    counts = Counter(map(outcome, trials))
-    left = [_name(trial.mutant) for trial in trials if outcome(trial) == "survived"]
-    FOLDER.joinpath(f"survivors-{asked.seed}.json").write_text(json.dumps(left))
-    sys.stdout.write(f"{table(trials)}{minutes:.0f} minutes; {FOLDER / 'report.md'}\n")
-    return int(100 * score(counts) < asked.least)
+    trials = dict[Mutant, Trial]()
+    trees = [copy_tree(FOLDER / f"tree-{number}") for number in range(asked.processes)]
+    covering.collected = collect(trees[0])
+    while drawn:
+        for trial in _trials(drawn, covering, trees):  # the report of a run that is interrupted is of use
+            trials[trial.mutant] = trial
+            minutes = (time.monotonic() - started) / 60
+            written = report(list(trials.values()), seed=asked.seed, minutes=minutes)
+            FOLDER.joinpath("report.md").write_text(written, encoding="utf-8")
+        killers = {trial.killer for trial in trials.values()} & set(covering.collected)
+        unsound = failing(sorted(killers), trees[0])
+        drawn = [mutant for mutant, trial in trials.items() if trial.killer in unsound]
+        covering.leave_out(unsound)
+    left = [_name(trial.mutant) for trial in trials.values() if outcome(trial) == "survived"]
+    if not asked.path:
+        _survivors_file(asked.seed).write_text(json.dumps(left))
+    minutes = (time.monotonic() - started) / 60
+    sys.stdout.write(f"{table(list(trials.values()))}{minutes:.0f} minutes; {FOLDER / 'report.md'}\n")
+    return int(100 * score(Counter(map(outcome, trials.values()))) < asked.least)
 
 
-def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) -> Iterator[Trial]:
+def _trials(mutants: Sequence[Mutant], covering: Covering, copies: Sequence[Path]) -> Iterator[Trial]:
     """Try mutants, each process in its own copy of the tree, and say what became of each."""
-    copies = [copy_tree(FOLDER / f"tree-{number}") for number in range(processes)]
-    covering.collected = collect(copies[0])
     trees: SimpleQueue[Path] = SimpleQueue()
     for tree in copies:
         trees.put(tree)
@@ -61,7 +67,7 @@ def _trials(mutants: Sequence[Mutant], covering: Covering, *, processes: int) ->
         finally:
             trees.put(tree)
 
-    with ThreadPoolExecutor(processes) as pool:
+    with ThreadPoolExecutor(len(copies)) as pool:
         tried = as_completed([pool.submit(one, mutant) for mutant in mutants])
         for number, trial in enumerate((each.result() for each in tried), 1):
             site = trial.mutant.site
@@ -78,7 +84,14 @@ def _name(mutant: Mutant) -> str:
 
 
 def _survivors(seed: int) -> set[str]:
-    return set(json.loads(FOLDER.joinpath(f"survivors-{seed}.json").read_text()))
+    file = _survivors_file(seed)
+    if not file.is_file():
+        raise SystemExit(f"no run with seed {seed} has ended here; leave out --again")
+    return set(json.loads(file.read_text()))
+
+
+def _survivors_file(seed: int) -> Path:
+    return FOLDER / f"survivors-{seed}.json"
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -68,6 +68,11 @@ class Covering:
 
     # ----------------------------------------------------------------------------------------------------------- asking
 
+    def leave_out(self, tests: Iterable[str]) -> None:
+        """Let tests judge no mutant from now on: those that fail without one."""
+        for test in tests:
+            self.seconds.pop(test, None)
+
     @cached_property
     def seconds(self) -> dict[str, float]:
         """Of each test that passed and whose file exists."""

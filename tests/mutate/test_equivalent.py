@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from tests.mutate.equivalent import listed
-
-ROOT = Path(__file__).parents[2]
+from tests.support.places import place_of
 
 
 @pytest.mark.parametrize(
@@ -16,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 )
 def test_an_equivalent_mutant_can_still_be_made(key: tuple[str, str, str, str], reason: str) -> None:
     path, function, before, after = key
-    lines = [line.strip() for line in (ROOT / path).read_text(encoding="utf-8").splitlines()]
+    lines = [line.strip() for line in place_of(path).read_text(encoding="utf-8").splitlines()]
     assert set(before.splitlines()) <= set(lines)
     assert before != after
     assert not function or f" {function.split('.')[-1]}" in "\n".join(lines)

@@ -22,7 +22,9 @@ FIRST, ALL = 12.0, 90.0  # s of tests, as they were measured: tried at first, an
 START, COMPILE = 30.0, 200.0  # s of a processor that pytest may take to begin, and kernels to be compiled again
 SLOWER = 4.0  # than measured, where a test is not in a loop without end
 WAITING = 10.0  # times the limit, for a processor that others use, or for what never comes
-KILLED, TIMEOUT, SURVIVED, UNREACHED = "killed", "timeout", "survived", "not reached"
+KILLED, TIMEOUT, SURVIVED, UNREACHED, UNJUDGED = "killed", "timeout", "survived", "not reached", "not judged"
+INTERRUPTED, NO_SUCH_TEST = 2, 4
+"""How pytest ends where a file of tests cannot be imported, and where a test is not found."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,11 @@ class Trial:
     outcome: str
     by: str  # the test that failed, or how many passed
     seconds: float
+
+    @property
+    def killer(self) -> str:
+        """The test that failed; "" where none did."""
+        return failed_tests(self.by)[0] if self.outcome == KILLED and failed_tests(self.by) else ""
 
 
 def copy_tree(to: Path) -> Path:
@@ -120,13 +127,56 @@ class _Mutated:
 
 
 def run_tests(tests: Sequence[str], tree: Path, *, limit: float, cache: Path) -> tuple[str, str]:
-    """Run tests until one fails; a process that runs or grows beyond its limits has been changed as well."""
+    """Run tests until one fails; a process that runs or grows beyond its limits has been changed as well.
+
+    A mutant may change the name of a test's parameters, so that pytest finds it no more: then its file is run.
+    """
+    code, output = _pytest(tests, tree, "-x", limit=limit, cache=cache)
+    if code == NO_SUCH_TEST:
+        code, output = _pytest(sorted({each.split("::")[0] for each in tests}), tree, "-x", limit=limit, cache=cache)
+    if code in (None, -signal.SIGXCPU, -signal.SIGKILL):
+        return TIMEOUT, f"more than {limit:.0f} s"
+    if code == 0:
+        return SURVIVED, ""
+    failed = [line for line in output.splitlines() if line.startswith(("FAILED ", "ERROR "))]
+    said = failed[0] if failed else (output.strip().splitlines() or ["nothing"])[-1]
+    noticed = code < 0 or (code in (1, INTERRUPTED) and failed)
+    return (KILLED, said) if noticed else (UNJUDGED, f"pytest ends with {code}: {said}")
+
+
+def failing(tests: Sequence[str], tree: Path) -> set[str]:
+    """Return which tests fail in a tree without a mutant, so that they judge none."""
+    if not tests:
+        return set()
+    _, output = _pytest(tests, tree, limit=START + COMPILE + SLOWER * ALL * len(tests), cache=tree / "kernels")
+    return set(failed_tests(output)) & set(tests)
+
+
+def failed_tests(output: str) -> list[str]:
+    """Return the tests that the lines of pytest say to have failed."""
+    lines = (line for line in output.splitlines() if line.startswith(("FAILED ", "ERROR ")))
+    return [line.partition(" ")[2].partition(" - ")[0] for line in lines]
+
+
+def _pytest(tests: Sequence[str], tree: Path, *options: str, limit: float, cache: Path) -> tuple[int | None, str]:
+    """Run tests in a tree and return the exit code, None where it never ends, and what pytest prints."""
     listed = tree / "tests.txt"
     listed.write_text("\n".join(tests), encoding="utf-8")
     cache.mkdir(mode=0o700, exist_ok=True)
     given = {"PYTHONPATH": str(tree), "PYTHONDONTWRITEBYTECODE": "1", "NUMBA_CACHE_DIR": str(cache)}
     given["ASSESS_RECORDS"] = str(REAL_RECORDS)
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-rfE", "-p", "no:cacheprovider", f"@{listed}"]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        *options,
+        "-q",
+        "--tb=no",
+        "-rfE",
+        "-p",
+        "no:cacheprovider",
+        f"@{listed}",
+    ]
     process = subprocess.Popen(
         command, cwd=tree, env={**os.environ, **given}, text=True, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -135,15 +185,10 @@ def run_tests(tests: Sequence[str], tree: Path, *, limit: float, cache: Path) ->
     try:
         output, _ = process.communicate(timeout=WAITING * limit)
     except subprocess.TimeoutExpired:
-        return TIMEOUT, f"more than {limit:.0f} s"
+        return None, ""
     finally:
         _end(process)
-    if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        return TIMEOUT, f"more than {limit:.0f} s"
-    if process.returncode == 0:
-        return SURVIVED, ""
-    failed = [line for line in output.splitlines() if line.startswith(("FAILED", "ERROR"))]
-    return KILLED, failed[0] if failed else (output.strip().splitlines() or [f"exit code {process.returncode}"])[-1]
+    return process.returncode, output
 
 
 def _end(process: subprocess.Popen[str]) -> None:

@@ -11,7 +11,8 @@ from assess.mechanisms import impact, virtual_work
 from assess.verification.read import read_cases
 from assess.verification.verify import run_case
 from spectra import asce7
-from tests.verification.faults import FAULTS, ROOT
+from tests.support.places import place_of
+from tests.verification.faults import FAULTS
 
 CASES = {each.key: each for each in read_cases()}
 
@@ -65,4 +66,4 @@ def test_case_that_cannot_be_run_fails_and_says_why():
 
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda each: each.name)
 def test_fault_of_the_study_stands_in_the_source_once(fault):
-    assert (ROOT / fault.module).read_text(encoding="utf-8").count(fault.right) == 1
+    assert place_of(fault.module).read_text(encoding="utf-8").count(fault.right) == 1

@@ -88,6 +88,6 @@ def _prepare(connection: sqlite3.Connection, path: Path) -> None:
     if not tables:
         with connection:
             connection.execute("BEGIN")
-            connection.execute("CREATE TABLE rows (key TEXT PRIMARY KEY, identity TEXT, row TEXT)")
+            connection.execute("CREATE TABLE IF NOT EXISTS rows (key TEXT PRIMARY KEY, identity TEXT, row TEXT)")
             connection.execute(f"PRAGMA application_id = {APPLICATION}")
             connection.execute(f"PRAGMA user_version = {VERSION}")

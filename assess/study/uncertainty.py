@@ -177,7 +177,7 @@ def changes(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags
     """
     groups = sampler.sampling.groups
     by_histories = {
-        name: np.array([uses_histories(procedure) for procedure, _, _ in asked])
+        name: np.array([uses_histories(procedure) for procedure, _, _ in asked], dtype=np.bool_)
         for name, asked in sampler.questions.items()
     }
     changed: dict[tuple[str, str], Flags] = {}

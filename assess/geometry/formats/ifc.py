@@ -25,6 +25,7 @@ WHOLE_BODIES = (
 )  # fmt: skip
 FAILED = re.compile(r"^\[error\].*Failed to convert:\s*#(\d+)=", re.MULTILINE)
 MISSING = re.compile(r"^\[error\].*Instance reference #\d+ used by instance #(\d+)\b.* not found", re.MULTILINE)
+SCHEMA, LONGEST_SCHEMA = re.compile(rb"FILE_SCHEMA\s*\(\s*\(\s*'([^']*)'"), 64
 NOT_MEASURED = ("Axis", "FootPrint", "Box", "Annotation", "Profile", "Reference", "Clearance", "CoG", "Lighting")
 UNMESHED = "its body could not be built from what the file says of it; repair or export this element again"
 
@@ -37,6 +38,7 @@ def read_ifc(file: Path) -> MeshFile:
     import ifcopenshell
 
     refuse_damaged(file)
+    _refuse_schema(file)
     ifcopenshell.get_log()  # empties it
     model = ifcopenshell.open(str(file))
     missing = frozenset(map(int, MISSING.findall(ifcopenshell.get_log())))
@@ -46,6 +48,13 @@ def read_ifc(file: Path) -> MeshFile:
     above = cache(partial(_classes, model.schema_identifier))
     elements = tuple(_element(each, above) for each in products)
     return MeshFile(elements, partial(_mesh_products, model, products, elements, missing), unit=1.0, up="z")
+
+
+def _refuse_schema(file: Path) -> None:
+    """Raise where the name of the schema is so long that ifcopenshell would crash on it."""
+    found = SCHEMA.search(file.read_bytes())
+    if found and len(found[1]) > LONGEST_SCHEMA:
+        raise ValueError(f"{found[1].decode('latin-1'):.12}… is no name of a schema; it is damaged, export it again")
 
 
 def _refuse_lost(model: Any, missing: Set[int]) -> None:

@@ -21,7 +21,7 @@ from assess.results.table import table
 from assess.results.uncertainty import UncertainAnswer, UncertaintyResult
 from assess.study.run import run
 from tests.support.motions import write_noise
-from tests.support.projects import NTC, block, project_toml, study_of, wall
+from tests.support.projects import ASCE7, NTC, block, project_toml, study_of, wall
 
 THICK = {"mean": "0.60 m", "cov": 0.1}
 SUITE = None
@@ -262,3 +262,12 @@ def test_table_summary_and_differences(folder: Path) -> None:
     assert ("bodies.wall.box.thickness, cov", 0.1, 0.2) in [(each.what, each.before, each.after) for each in differing]
     assert any(each.what.startswith("demand_capacity, 95 %") for each in differing)
     assert not [each for each in changes(results, results) if each.kind == "uncertainty"]
+
+
+def test_a_mechanism_without_an_answer_has_no_influence_to_tell(folder: Path) -> None:
+    """An impact that keeps nothing is outside ASCE 43-05 A.2, the only method asked for."""
+    body = {"kind": "equivalent-block", "p": {"mean": 2.4, "cov": 0.1}, "uplift": 0.2, "radius": 1.2, "restitution": 0}
+    code = {"site": {"spectrum": ASCE7, "limit_state": "DBE"}, "verdict": {"basis": "asce43-05"}}
+    found = assessed(folder, mechanisms={"wall": body}, procedures=["asce43-05-spectrum"], **code)
+    assert found.uncertainty is not None
+    assert found.uncertainty.answers == ()

@@ -105,6 +105,15 @@ def test_a_direction_without_length_is_refused(tmp_path: Path, ratios: str) -> N
             load(tmp_path / "flat.ifc", density=1.0, name="wall")
 
 
+@pytest.mark.parametrize("name", ["IFC" + "9" * 400, "IFC9", ""])
+def test_an_unknown_schema_is_refused_however_long_its_name(tmp_path: Path, name: str) -> None:
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    file.write_text(file.read_text().replace("'IFC4'", f"'{name}'", 1))
+    with pytest.raises(GeometryError, match="schema"):
+        load(file, density=1.0, name="wall", element="south")
+
+
 @pytest.mark.parametrize("kind", ["CARTESIANPOINT", "DIRECTION"])
 @pytest.mark.parametrize("value", ["nan", "inf", "o"])
 def test_what_is_no_number_is_refused(tmp_path: Path, kind: str, value: str) -> None:

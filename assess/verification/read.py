@@ -13,6 +13,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from assess.errors import AssessError
+from assess.examples import EXAMPLES
 from assess.results.uses import JOINTS, KINDS, ORDINARY, USES
 from assess.verification.case import Case, CaseFile, Quantity
 from assess.verification.solvers import SOLVERS
@@ -84,6 +85,12 @@ def _case_files(folder: Path) -> Iterator[CaseFile]:
     for path in sorted(folder.rglob("*.toml")):
         try:
             content = tomllib.loads(path.read_text(encoding="utf-8"))
+        except UnicodeDecodeError:
+            raise AssessError(f"{path}: not UTF-8; save it as UTF-8") from None
+        except OSError as error:
+            raise AssessError(f"{path}: {error.strerror or 'cannot be read'}; a case is a file") from None
+        except RecursionError:
+            raise AssessError(f"{path}: nested too deeply; a case has few levels") from None
         except tomllib.TOMLDecodeError as error:
             raise AssessError(f"{path}: {error}") from None
         if OF_A_CASE & content.keys():
@@ -121,14 +128,31 @@ def _faults(case: Case, folder: Path) -> Iterator[str]:
         yield f'solver: "{case.solver}" is not known; known: {", ".join(SOLVERS)}'
     if case.solver in ("project", "parameters") and len(case.given.keys() & {"file", "example"}) != 1:
         yield "given: a project is a `file` beside the case, or an `example`"
-    for name in CaseFile("", folder, case).names:
-        if not (folder / name).is_file():
-            yield f"given: there is no file {name} beside the case"
+    yield from _given_faults(case, folder)
     names = [each.name for each in case.quantities]
     if not names or len(set(names)) < len(names):
         yield "quantities: give each name once, and one at least"
     for each in case.quantities:
         yield from (f'quantities "{each.name}": {fault}' for fault in _quantity_faults(each))
+
+
+def _given_faults(case: Case, folder: Path) -> Iterator[str]:
+    """Yield what is wrong with the example and the files that a case is given."""
+    if (example := case.given.get("example")) is not None and example not in list(EXAMPLES):
+        near = get_close_matches(str(example), EXAMPLES, n=1)
+        yield f'given.example: "{example}" is not known; ' + (
+            f'did you mean "{near[0]}"?' if near else f"known: {', '.join(EXAMPLES)}"
+        )
+    several = case.given.get("files", [])
+    if not isinstance(several, list) or not all(isinstance(each, str) for each in several):
+        yield f'given.files: {several} is no list of names; write files = ["wall.csv"]'
+        return
+    if not isinstance(case.given.get("file", ""), str):
+        yield f'given.file: {case.given["file"]} is no name; write file = "wall.toml"'
+        return
+    for name in CaseFile("", folder, case).names:
+        if "\0" in name or not (folder / name).is_file():
+            yield f"given: there is no file {name} beside the case"
 
 
 def _quantity_faults(quantity: Quantity) -> Iterator[str]:

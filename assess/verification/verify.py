@@ -71,14 +71,28 @@ def note_scope(results: VerificationResults, uses: Sequence[str]) -> Verificatio
     own = read_cases(CASES)
     run = {each.key for each in results.cases}
     left_out = tuple(each.key for each in (cases_for(own, uses) if uses else own) if each.key not in run)
-    foreign = tuple(each.key for each in results.cases if any(_is_foreign(file, CASES) for file in each.inputs))
+    known = {each.key: each for each in own}
+    foreign = tuple(each.key for each in results.cases if _is_foreign(each, known.get(each.key)))
     return replace(results, left_out=left_out, foreign=foreign)
 
 
-def _is_foreign(file: Input, folder: Path) -> bool:
-    """Whether a file is not among the program's cases, or is another there; examples come out of the program."""
+def _is_foreign(result: CaseResult, own: CaseFile | None) -> bool:
+    """Whether a case is not the program's of that key, or has read a file that is not.
+
+    An example is copied out of the program for each run, so what a case of the program reads of one is the program's.
+    """
+    if own is None:
+        return True
+    root, example = own.path.parents[own.key.count("/")], own.case.given.get("example")
+    first, *others = result.inputs
+    beside = others if example is None else [e for e in others if not e.path.startswith(f"{own.project_folder}/")]
+    return any(not _is_file_of(root, each) for each in (first, *beside))
+
+
+def _is_file_of(folder: Path, file: Input) -> bool:
+    """Whether a folder has this file with this content."""
     own = folder / file.path
-    return not file.path.startswith("examples/") and (not own.is_file() or _sha256(own) != file.sha256)
+    return own.is_file() and _sha256(own) == file.sha256
 
 
 def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) -> Iterable[CaseResult]:
@@ -156,6 +170,8 @@ def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
 def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
     found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
     scaled = None if found is None or not divisor else found / divisor * quantity.factor
+    if scaled is not None and not math.isfinite(scaled):
+        scaled = None
     misprint = quantity.misprints.get(row)
     reference = expected if misprint is None else misprint.reading
     agrees = scaled is not None and abs(scaled - reference) <= quantity.tolerance.around(reference)
@@ -177,6 +193,6 @@ def _item(tree: Any, step: str) -> Any:
     if not isinstance(tree, Sequence) or isinstance(tree, str):
         return None
     named = (each for each in tree if isinstance(each, Mapping) and any(each.get(key) == step for key in NAMES))
-    if step.isdigit():
+    if step.isdecimal():
         return tree[int(step)] if int(step) < len(tree) else None
     return next(named, None)

@@ -7,6 +7,7 @@ import pytest
 from assess.errors import AssessError
 from assess.results.uses import USES
 from assess.verification.read import choose_cases, read_cases
+from assess.verification.verify import compare_case
 
 CASE = """
 title = "A title"
@@ -46,6 +47,10 @@ FAULTS = {
         "misprints",
     ),
     "a key twice": ("a = 1.0", "a = 1.0, a = 2.0", "line"),
+    "an example that is not shipped": ("thickness = 0.2", 'example = "casa_grand"', 'did you mean "casa_grande"'),
+    "an example that is no name": ("thickness = 0.2", "example = [1]", "given.example: "),
+    "files that are no names": ("thickness = 0.2", "files = 3", "given.files: "),
+    "a file that is no name": ("thickness = 0.2", "file = 3", "given.file: "),
     "no quantity": ("[[quantities]]", "[[quantity]]", "quantities: Field required"),
 }
 
@@ -58,6 +63,26 @@ def test_fault_of_a_file_is_named(tmp_path, old, new, said):
         read_cases(tmp_path)
     assert "case.toml" in str(raised.value)
     assert said in str(raised.value)
+
+
+def test_file_that_is_no_utf8_and_folder_named_as_a_file_are_refused(tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_bytes(CASE.replace("A title", "Größe").encode("latin-1"))
+    with pytest.raises(AssessError, match=r"case\.toml: not UTF-8"):
+        read_cases(tmp_path)
+    file.unlink()
+    file.mkdir()
+    with pytest.raises(AssessError, match=r"case\.toml: "):
+        read_cases(tmp_path)
+
+
+def test_value_too_large_for_a_number_is_none_found(tmp_path):
+    text = CASE.replace('path = "period_p.{row}"', 'path = "period_p.{row}"\nfactor = 1e308')
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    (case,) = read_cases(tmp_path)
+    result = compare_case(case, {"period_p": {"a": 1e10, "b": 1e-308}})
+    assert [each.found for each in result.quantities[0].values] == [None, pytest.approx(1.0)]
+    assert result.outcome == "fail"
 
 
 def test_whole_case_is_read_and_a_project_beside_it_is_none(tmp_path):

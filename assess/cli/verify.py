@@ -75,6 +75,8 @@ def verify(
         return
     if not chosen:
         raise AssessError("there is no such case; list them with `assess verify --list`")
+    if quick and not any(each.case.quick for each in chosen):
+        raise AssessError("these cases take long; leave out --quick")
     folder = output
     if folder is None and not (names or as_json):
         folder = Path("verification") if loaded is None else loaded.folder / f"{loaded.path.stem}-verification"
@@ -148,9 +150,12 @@ def _run(
 
 def _list(cases: tuple[CaseFile, ...]) -> str:
     """Write the key, standing and title of each case."""
+    from assess.cli.tables.text_table import on_one_line
+    from assess.cli.tables.verification import WIDEST
+
     width = max((len(each.key) for each in cases), default=0)
     lines = (f"{each.key:<{width}}  {each.case.source.standing:<14}  {each.case.title}" for each in cases)
-    text = "".join(f"{line}\n" for line in lines)
+    text = "".join(f"{on_one_line(line, WIDEST)}\n" for line in lines)
     if not text:
         sys.stderr.write("assess: note: no case\n")
     return text

@@ -84,6 +84,24 @@ def test_unknown_case_is_one_line(written):
     assert 'did you mean "own_arithmetic/tie"' in done.stderr
 
 
+def test_quick_run_of_slow_cases_alone_is_refused(tmp_path):
+    slow = next(each.key for each in read_cases() if not each.case.quick)
+    done = assess("verify", slow, "--quick", "-o", str(tmp_path / "out"))
+    assert done.returncode == 2
+    assert "these cases take long; leave out --quick" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_list_has_a_line_for_each_case_without_control_characters(written, tmp_path):
+    _, folder = written
+    for name in ("tie.toml", "tie_project.toml"):
+        text = (folder / "cases" / "own_arithmetic" / name).read_text(encoding="utf-8")
+        (tmp_path / name).write_text(text.replace('title = "', r'title = "\u001b[31m\n', 1), encoding="utf-8")
+    done = assess("verify", "--cases", str(tmp_path), "--list")
+    assert len(done.stdout.splitlines()) == 1
+    assert "\x1b" not in done.stdout
+
+
 @pytest.mark.parametrize(
     "name", [name for name in EXAMPLES if name not in ("san_leonardo_spire", "casa_grande", "casa_grande_flexible")]
 )
@@ -192,6 +210,24 @@ def test_case_with_a_wider_tolerance_is_not_the_program_s(written, tmp_path):
     assert "annex-foreign" in told(tmp_path, text)
 
 
+def test_case_of_one_s_own_under_examples_is_not_the_program_s(written, tmp_path):
+    _, folder = written
+    place = tmp_path / "cases" / "examples"
+    place.mkdir(parents=True)
+    for name in ("tie.toml", "tie_project.toml"):
+        (place / name).write_bytes((folder / "cases" / "own_arithmetic" / name).read_bytes())
+    done = assess("verify", "--cases", str(place.parent), "--json", "--jobs", "1")
+    assert json.loads(done.stdout)["foreign"] == ["examples/tie"]
+
+
+def test_example_that_a_case_of_the_program_runs_is_the_program_s():
+    key = "mehrotra_2019/table_5_5"
+    done = assess("verify", key, "--json", "--jobs", "1")
+    found = json.loads(done.stdout)
+    assert any(each["path"].startswith("examples/") for each in found["cases"][0]["inputs"])
+    assert found["foreign"] == []
+
+
 def test_case_that_is_indicative_covers_nothing_and_is_not_among_the_differences(written):
     _, folder = written
     results = read_verification(folder / "verification.json")
@@ -216,7 +252,8 @@ def test_cases_for_a_project_share_what_matters():
 
 
 def test_nothing_that_has_a_case_is_left_without():
+    cases = read_cases()
     for use in USES:
-        having = {each.key for each in read_cases() if use in each.case.uses}
-        chosen = {each.key for each in cases_for(read_cases(), (use,))}
+        having = {each.key for each in cases if use in each.case.uses}
+        chosen = {each.key for each in cases_for(cases, (use,))}
         assert chosen == having

@@ -8,7 +8,8 @@ import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import as_completed
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from posixpath import normpath
 from typing import Any
 
 from assess.results.inputs import Input
@@ -146,8 +147,8 @@ def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") ->
 def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
     """Yield what a case reads beside its own file: a project with all that it names, or single files."""
     if "inputs" in tree:
-        folder = file.project_folder
-        yield from (Input(f"{folder}/{each['path']}", each["sha256"]) for each in tree["inputs"])
+        folder = PurePosixPath(file.project_folder)
+        yield from (Input(normpath(folder / each["path"]), each["sha256"]) for each in tree["inputs"])
         return
     yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
     if "example" in file.case.given:

@@ -16,23 +16,26 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
     Parameters
     ----------
     folder : of the case, with the motions
-    given : `file`, a table of tests as CSV with the columns `motion`, a record file, `scale` of it [-] and `max_ratio`,
-        the largest |θ|/α measured, 1 or more where the block overturned; `block` with `p` [1/s], `slenderness` [rad],
+    given : `file`, a table of tests as CSV with the columns `motion`, a record file by its path from the case, `scale`
+        of it [-] and `max_ratio`, the largest |θ|/α measured, 1 or more where the block overturned; `block` with `p` [1/s], `slenderness` [rad],
         `restitution` [-]; `equation`
 
     Returns
     -------
     Mapping
-        `measured` and `computed`: `tests`, `overturned` as a share [-] and `quantiles` of min(|θ|/α, 1) by percentage;
+        `inputs`, the table and the motions; `measured` and `computed`: `tests`, `overturned` as a share [-] and `quantiles` of min(|θ|/α, 1) by percentage;
         `apart`: `distance`, the largest of their distribution functions (Kolmogorov and Smirnov), and `probability` of
         one as large from equal distributions.
     """
+    from os.path import relpath
+
     import numpy as np
     from scipy.constants import g
     from scipy.stats import ks_2samp
 
     from assess.dynamics.history import Jobs, peaks
     from assess.oscillator import Oscillator, SingleBlock, plain_branch
+    from assess.project.file_digests import file_sha256
     from records.reading import read_records
 
     with (folder / given["file"]).open(newline="", encoding="utf-8") as file:
@@ -49,7 +52,10 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
     measured = np.minimum([float(row["max_ratio"]) for row in rows], 1.0)
     computed = np.where(found.overturned, 1.0, np.minimum(found.max_ratio, 1.0))
     apart = ks_2samp(measured, computed)
+    table = folder / given["file"]
+    files = [table, *(folder / name for name in names)]
     return {
+        "inputs": [{"path": Path(relpath(each, table.parent)).as_posix(), "sha256": file_sha256(each)} for each in files],
         "measured": _distribution(measured),
         "computed": _distribution(computed),
         "apart": {"distance": float(apart.statistic), "probability": float(apart.pvalue)},

@@ -17,15 +17,15 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
     ----------
     folder : of the case, with the motions
     given : `file`, a table of tests as CSV with the columns `motion`, a record file by its path from the case, `scale`
-        of it [-] and `max_ratio`, the largest |θ|/α measured, 1 or more where the block overturned; `block` with `p` [1/s], `slenderness` [rad],
-        `restitution` [-]; `equation`
+        of it [-] and `max_ratio`, the largest |θ|/α measured, 1 or more where the block overturned; `block` with `p`
+        [1/s], `slenderness` [rad], `restitution` [-]; `equation`
 
     Returns
     -------
     Mapping
-        `inputs`, the table and the motions; `measured` and `computed`: `tests`, `overturned` as a share [-] and `quantiles` of min(|θ|/α, 1) by percentage;
-        `apart`: `distance`, the largest of their distribution functions (Kolmogorov and Smirnov), and `probability` of
-        one as large from equal distributions.
+        `inputs`, the table and the motions; `measured` and `computed`: `tests`, `overturned` as a share [-] and
+        `quantiles` of min(|θ|/α, 1) by percentage; `apart`: `distance`, the largest of their distribution functions
+        (Kolmogorov and Smirnov), and `probability` of one as large from equal distributions.
     """
     from os.path import relpath
 
@@ -53,9 +53,9 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
     computed = np.where(found.overturned, 1.0, np.minimum(found.max_ratio, 1.0))
     apart = ks_2samp(measured, computed)
     table = folder / given["file"]
-    files = [table, *(folder / name for name in names)]
+    files = [(Path(relpath(each, table.parent)), each) for each in (table, *(folder / name for name in names))]
     return {
-        "inputs": [{"path": Path(relpath(each, table.parent)).as_posix(), "sha256": file_sha256(each)} for each in files],
+        "inputs": [{"path": path.as_posix(), "sha256": file_sha256(each)} for path, each in files],
         "measured": _distribution(measured),
         "computed": _distribution(computed),
         "apart": {"distance": float(apart.statistic), "probability": float(apart.pvalue)},

@@ -14,7 +14,7 @@ from assess.errors import ProcedureError
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message
 from assess.oscillator import Oscillator
-from spectra.arrays import is_number
+from spectra.arrays import FloatArray, is_number
 from spectra.spectrum import Spectrum
 
 Support = Literal["free", "spanning", "hinged"]
@@ -169,6 +169,20 @@ class LocalLimit:
 
 
 @dataclass(frozen=True)
+class OpenSeat:
+    """A floor or beam that rests on the mechanism on a seat whose length is not given, in one branch.
+
+    what : the load, by its name
+    rotation, travel : of the branch [rad], and how far its point has then moved on the seat [m], both [n]
+    """
+
+    what: str
+    branch: BranchName
+    rotation: FloatArray
+    travel: FloatArray
+
+
+@dataclass(frozen=True)
 class Context:
     """Site, building and position of one mechanism, and the results of its time histories.
 
@@ -185,7 +199,7 @@ class Context:
     starting : the mechanism with every action that is there at rest, for multipliers; None: the oscillator itself
     breaking : the same with actions until they end, for the acceleration on the capacity curve; None: the oscillator
     limits : rotations at which actions end or seats are lost
-    seats_unknown : floors and beams that rest on the mechanism, by name, whose seat is not given
+    open_seats : floors and beams that rest on the mechanism and whose seat is not given, in each branch
     crushing : whether every hinge presses on a joint of finite strength
     knowledge : level of knowledge that the project gives for this mechanism, by the code that needs it
     limit_state : that the site's single spectrum is declared for; None where it is not, or the site gives its hazard
@@ -217,7 +231,7 @@ class Context:
     starting: Oscillator | None = None
     breaking: Oscillator | None = None
     limits: tuple[LocalLimit, ...] = ()
-    seats_unknown: tuple[str, ...] = ()
+    open_seats: tuple[OpenSeat, ...] = ()
     crushing: bool = False
     knowledge: Mapping[str, str] = field(default_factory=dict)
     limit_state: str | None = None

@@ -43,7 +43,20 @@ def unseating_rotation(chain: Chain, mass: PointMass) -> float:
     """Return the rotation at which the point of a load has moved horizontally by its seat [rad]; inf if never."""
     if mass.seat is None:
         return inf
-    return rotation_reaching(chain, mass, mass.seat, lambda path: np.abs(path.x - path.x[0]))
+    return rotation_reaching(chain, mass, mass.seat, _on_seat)
+
+
+def travel_on_seat(chain: Chain, mass: PointMass, rotation: FloatArray) -> FloatArray:
+    """Return how far the point of a load has moved horizontally [n] [m].
+
+    rotation : of the leading block, from 0 on [n] [rad]
+    """
+    return _on_seat(trace_point(move(chain, rotation), block=mass.block, at=mass.at))
+
+
+def _on_seat(path: Path) -> FloatArray:
+    moved: FloatArray = np.abs(path.x - path.x[0])
+    return moved
 
 
 def rotation_reaching(

@@ -11,7 +11,7 @@ import numpy as np
 
 from assess.loads.load import PointMass, Tie, lasts
 from assess.mechanisms.actions import ChainActions
-from assess.mechanisms.ends import unseating_rotation
+from assess.mechanisms.ends import scan_rotations, travel_on_seat, unseating_rotation
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Oscillator
 from spectra.arrays import FloatArray
@@ -57,6 +57,34 @@ def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limi
 def _among(rotation: float, jumps: FloatArray) -> bool:
     """Return whether a table jumps at a rotation [rad]; jumps : of the table [n]."""
     return bool(np.isclose(jumps, rotation, rtol=SAME, atol=0.0).any())
+
+
+@dataclass(frozen=True)
+class SeatTravel:
+    """How far the point of a load moves on its seat [m] over the rotation of a branch, counted as its table [rad] [n].
+
+    what : name of the load
+    """
+
+    what: str
+    branch: BranchName
+    rotation: FloatArray
+    travel: FloatArray
+
+
+def open_seats(mechanism: Mechanism) -> tuple[SeatTravel, ...]:
+    """Return the movement of each bearing mass (floor, beam) whose length of seat is not given, in each branch."""
+    return tuple(_open_seats(mechanism))
+
+
+def _open_seats(mechanism: Mechanism) -> Iterator[SeatTravel]:
+    rocker = mechanism.variants.deciding
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    for chain, name, rest in zip(chains, BRANCHES, rocker.equilibria, strict=False):
+        for mass in (each for each in chain.loads if isinstance(each, PointMass) and each.bearing):
+            if mass.seat is None:
+                rotation = scan_rotations(chain)
+                yield SeatTravel(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))
 
 
 def height_of_support(mechanism: Mechanism) -> float:

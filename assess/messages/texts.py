@@ -51,8 +51,11 @@ TEXTS: Mapping[str, str] = {
     "before it rocks from PGA {pga} upwards",
     "counts-at-rest": "a pass is valid only if every resisting tie and force acts in full as the motion starts: "
     "they count in the multiplier, but are not shown to last",
-    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end",
-    "seats-hold": "a pass at {state} is valid only if the seat of {what} survives a displacement d* of {moved}",
+    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end, and what "
+    "it is anchored to holds it",
+    "seats-hold": "a pass at {state} is valid only if the seats that are not given are longer than what moves on them "
+    "at the displacement capacity: {seats}",
+    "seat-travel": "{what}: {moved}",
     "not-scanned": "a pass by histories is valid only if no lower PGA is worse, which was not looked at: [analysis] "
     "scan = true runs the histories at rising PGA",
     # conditions and gaps of the verdict

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from assess.amplification.floor_motion import BaseMotion, ModalFilter
 from assess.codes.check import Reason, reason_message
-from assess.codes.context import Context, LocalLimit, Transfer
+from assess.codes.context import Context, LocalLimit, OpenSeat, Transfer
 from assess.loads.load import PointMass
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.limits import height_of_support, limits
+from assess.mechanisms.limits import height_of_support, limits, open_seats
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 from assess.study.endurance import unsupported_messages
@@ -93,7 +93,7 @@ def _without_floor_spectrum(
         starting=ways.starting,
         breaking=ways.breaking,
         limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
-        seats_unknown=seats_unknown(mechanism),
+        open_seats=tuple(OpenSeat(**vars(each)) for each in open_seats(mechanism)),
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
@@ -118,12 +118,6 @@ def transfer_to_support(amplified: Amplified, *, support: float) -> Transfer:
     if amplified.height is None or amplified.height < NEARLY * support:
         return "not"
     return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"
-
-
-def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the bearing masses (floors, beams) on the mechanism whose length of seat is not given."""
-    resting = [load for load in mechanism.positive.loads if isinstance(load, PointMass) and load.bearing]
-    return tuple(load.name for load in resting if load.seat is None)
 
 
 def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure as Drawn
 from PIL import Image
 
 from assess.codes.calculation_step import Step, step
-from assess.messages.message import Value, message
+from assess.messages.message import message
 from reports.document import (
     NOTHING,
     Banner,
@@ -104,8 +104,8 @@ def _verdict() -> tuple[Block, ...]:
 
 def _mechanism() -> tuple[Block, ...]:
     """Return every kind of text, figures in a row, a photograph and lines to copy."""
-    values: dict[str, Value] = {"state": HOSTILE, "what": "message#", "moved": quantity(0.0123, "length")}
-    said = message("seats-hold", values)
+    travel = message("seat-travel", {"what": "message#", "moved": quantity(0.0123, "length")})
+    said = message("seats-hold", {"state": HOSTILE, "seats": travel})
     sentence = say(
         "{figure} and {table} show {name}, {height} high.",
         figure=Reference("Figure", "row-1"),

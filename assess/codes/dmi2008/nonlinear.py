@@ -72,7 +72,7 @@ def _check(case: Case) -> Check:
         starts=lifts or 0.0,
         still=0.0,
         uplift=lifts,
-        conditions=(*break_conditions(case.curves), *seat_conditions(context, case.state, cap.du)),
+        conditions=(*break_conditions(case.curves), *seat_conditions(context, case.curves, case.state, cap.du)),
     )
     steps = (
         *activation_steps(case, EDITION),

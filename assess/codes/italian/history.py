@@ -160,7 +160,7 @@ def _check(
         remarks=fails_below(at_collapse, found.pga / g) if verdict == Outcome.PASS else remarks,
         conditions=(
             *scan_conditions(context.incremental),
-            *(seat_conditions(context, state, threshold.moved) if state == "SLV" else ()),
+            *(seat_conditions(context, curves, state, threshold.moved) if state == "SLV" else ()),
         ),
         capacity_pga_g=at_collapse,
         uplift_pga_g=None if lifts is None else lifts / context.amplification / FC,

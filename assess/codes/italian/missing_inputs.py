@@ -31,8 +31,9 @@ def _lacking(code: str, state: str, context: Context) -> Iterator[MissingInput]:
     if context.crushing and code not in context.knowledge:
         key, toml = f"procedures.{code}.knowledge_level", 'knowledge_level = "LC1"'
         yield MissingInput(_reason(Reason.KNOWLEDGE_UNKNOWN, {"toml": toml}, where=key), safe=True)
-    if state == "SLC" and context.seats_unknown:
-        values: dict[str, Value] = {"what": ", ".join(context.seats_unknown), "toml": 'seat = "0.12 m"'}
+    if state == "SLC" and context.open_seats:
+        names = dict.fromkeys(each.what for each in context.open_seats)
+        values: dict[str, Value] = {"what": ", ".join(names), "toml": 'seat = "0.12 m"'}
         yield MissingInput(_reason(Reason.SEAT_UNKNOWN, values), safe=False)
     if context.hazard is not None and state not in context.hazard.spectra:
         yield MissingInput(_reason(Reason.HAZARD_TOO_SHORT, {"state": state}, where="site.spectrum.hazard"), safe=False)

@@ -10,13 +10,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numpy as np
+
 from assess.codes.check import Step, step
 from assess.codes.context import Context, LocalLimit
 from assess.codes.italian.curves import Curves
-from assess.codes.italian.kinematic import BEFORE, displacement_at, displacement_at_collapse, multiplier_at
+from assess.codes.italian.kinematic import (
+    BEFORE,
+    displacement_at,
+    displacement_at_collapse,
+    multiplier_at,
+    rotation_at,
+)
 from assess.codes.italian.sheet import collapse_steps, displacement_steps
-from assess.messages.message import Message, Quantity, Severity, Value, message
-from assess.oscillator import Branch, multiplier
+from assess.messages.message import Message, Quantity, Severity, Value, list_values, message
+from assess.oscillator import Branch, multiplier, participation_ratio
 
 LOSS = 0.5  # of the largest acceleration capacity
 
@@ -117,13 +125,27 @@ def break_conditions(curves: Curves) -> tuple[Message, ...]:
     return (message("holds-to-its-end", {"what": what}, severity=Severity.WARNING),) if what else ()
 
 
-def seat_conditions(context: Context, state: str, moved: float) -> tuple[Message, ...]:
-    """Return the condition of a pass where floors or beams rest on the mechanism and their seats are not given."""
-    if not context.seats_unknown:
+def seat_conditions(context: Context, curves: Curves, state: str, moved: float) -> tuple[Message, ...]:
+    """Return the condition of a pass where floors or beams rest on the mechanism and their seats are not given.
+
+    A point above the centre of the masses moves more than it, so that each seat has a movement of its own; of two
+    branches the larger at the same rotation counts.
+
+    Parameters
+    ----------
+    context : of the mechanism
+    curves : of the branch
+    state : limit state
+    moved : displacement capacity d* [m]
+    """
+    e = participation_ratio(curves.lasting, mass=curves.mass)
+    rotation = rotation_at(curves.lasting, moved * e, mass=curves.mass)
+    travels: dict[str, float] = {}
+    for seat in context.open_seats:
+        travel = float(np.interp(rotation, seat.rotation, seat.travel))
+        travels[seat.what] = max(travel, travels.get(seat.what, 0.0))
+    if not travels:
         return ()
-    values: dict[str, Value] = {
-        "state": state,
-        "what": ", ".join(context.seats_unknown),
-        "moved": Quantity(moved, "length"),
-    }
+    seats = [message("seat-travel", {"what": what, "moved": Quantity(far, "length")}) for what, far in travels.items()]
+    values: dict[str, Value] = {"state": state, "seats": list_values(*seats)}
     return (message("seats-hold", values, severity=Severity.WARNING),)

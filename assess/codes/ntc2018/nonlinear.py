@@ -111,7 +111,7 @@ def _answer(case: Case, worked: Worked) -> Answer:
         uplift=uplift(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
         conditions=(
             *break_conditions(case.curves),
-            *(seat_conditions(case.context, case.state, cap.d) if case.state == "SLV" else ()),
+            *(seat_conditions(case.context, case.curves, case.state, cap.d) if case.state == "SLV" else ()),
         ),
     )
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
 import pytest
 from scipy.constants import g
 
 from assess.codes.applicability import apply_procedure
 from assess.codes.check import Outcome, Reason
-from assess.codes.context import Building, Context, Hazard
+from assess.codes.context import Building, Context, Hazard, OpenSeat
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import linear, nonlinear
 from assess.codes.ntc2018.building import floor_demand, modes_at
@@ -22,6 +23,7 @@ SPECTRA = {
     state: ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.35), place=ntc.Place())
     for state, a_g in (("SLD", 0.02), ("SLV", 0.05), ("SLC", 0.06))
 }
+FLOOR = OpenSeat("floor", "positive", np.linspace(0.0, 0.3, 301), 6.0 * np.linspace(0.0, 0.3, 301))
 PROCEDURES = {"ntc2018-linear": linear, "ntc2018-nonlinear": nonlinear}
 
 
@@ -69,20 +71,24 @@ def test_crushing_without_a_level_is_not_answered_and_says_what_lc1_would():
 
 
 def test_without_a_seat_slc_is_not_answered_and_slv_passes_on_that_condition():
-    (slc,) = asked(state="SLC", seats_unknown=("floor",))
+    (slc,) = asked(state="SLC", open_seats=(FLOOR,))
     assert (slc.verdict, slc.provisional, slc.reason.key) == (
         Outcome.NOT_ANSWERED,
         None,
         Reason.SEAT_UNKNOWN,
     )
-    (slv,) = asked(seats_unknown=("floor",))
+    (slv,) = asked(open_seats=(FLOOR,))
     assert slv.verdict == Outcome.PASS
-    assert [(each.key, each.values["what"]) for each in slv.conditions] == [("seats-hold", "floor")]
+    (condition,) = slv.conditions
+    assert condition.key == "seats-hold"
+    moved = condition.values["seats"].values["moved"].value
+    assert moved == pytest.approx(6.0 * slv.capacity_rotation_ratio * wall().branches[0].overturning, rel=1e-6)
+    assert moved > 1.5 * slv.capacity  # 6 m up, where the centre of masses is 2.9 m up
     assert asked()[0].conditions == ()
 
 
 def test_everything_that_is_missing_is_said_at_once():
-    (check,) = asked(state="SLC", seats_unknown=("floor",), crushing=True)
+    (check,) = asked(state="SLC", open_seats=(FLOOR,), crushing=True)
     told = {check.reason.key, *(each.key for each in check.remarks)}
     assert {Reason.KNOWLEDGE_UNKNOWN, Reason.SEAT_UNKNOWN} <= told
 

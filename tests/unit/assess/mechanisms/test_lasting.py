@@ -22,7 +22,7 @@ from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass, Tie, lasts, mirror_load
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.limits import held_above, limits
+from assess.mechanisms.limits import held_above, limits, open_seats
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.mechanisms.variants import collapse_branch
@@ -176,6 +176,16 @@ def test_a_mechanism_that_stands_by_such_a_tie_alone_has_no_curve_of_collapse():
     breaking = found(heavy, replace(holding, until=0.1))
     assert breaking.breaking is not None
     assert breaking.collapse is None
+
+
+def test_what_rests_on_a_seat_that_is_not_given_moves_with_its_own_point():
+    held = PointMass("held", 900.0, TOP, True, seat=0.12)
+    found = {each.branch: each for each in open_seats(wall(PointMass("floor", 900.0, TOP, True), held))}
+    assert {each.what for each in found.values()} == {"floor"}
+    positive, negative = found["positive"], found["negative"]
+    assert positive.travel == pytest.approx(4.5 * np.sin(positive.rotation), abs=1e-12)
+    r, start = hypot(0.8, 4.5), atan2(0.8, 4.5)  # about the other hinge
+    assert negative.travel == pytest.approx(r * np.abs(sin(start) - np.sin(start - negative.rotation)), abs=1e-12)
 
 
 def test_seats_are_lost_where_the_point_has_moved_sideways_by_them():

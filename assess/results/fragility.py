@@ -225,6 +225,11 @@ class RiskResult(ShortRepr):
     above_runs_with_epistemic: float = 0.0
 
     @property
+    def at_most(self) -> float | None:
+        """The rate with all that hazard and runs leave out [1/year]; None where that has no end."""
+        return None if self.below is None else self.annual_rate + self.above_runs + self.beyond + self.below
+
+    @property
     def outcome(self) -> Literal["pass", "fail", "incomplete"] | None:
         """Whether the rate is within its target, also with what hazard and runs leave out; None without a target."""
         if self.target_rate is None:

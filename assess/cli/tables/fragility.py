@@ -20,7 +20,17 @@ from assess.results.fragility import (
 from reports.render.csv import csv_lines
 
 HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
-RISK_HEADER = ["mechanism", "state", "curve", "rate [1/year]", "in 50 years", "with epistemic", "target", "outcome"]
+RISK_HEADER = [
+    "mechanism",
+    "state",
+    "curve",
+    "rate [1/year]",
+    "at most",
+    "in 50 years",
+    "with epistemic",
+    "target",
+    "outcome",
+]
 OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
 
 
@@ -72,8 +82,9 @@ def _interval(found: tuple[float, float] | None) -> str:
 def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
     target = "" if risk.target_rate is None else f"{risk.target_rate:.3g}"
     rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
+    most = "no bound" if risk.at_most is None else f"{risk.at_most:.2g}"
     wide = "not given" if risk.with_epistemic is None else f"{risk.with_epistemic:.2g}"
-    head = [mechanism.name, state_name(risk.state), risk.curve, rate, probability, wide]
+    head = [mechanism.name, state_name(risk.state), risk.curve, rate, most, probability, wide]
     return [*head, target, OUTCOMES[risk.outcome]]
 
 

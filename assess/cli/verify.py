@@ -62,11 +62,11 @@ def verify(
     """
     begun = time.perf_counter()
     from assess.errors import AssessError
-    from assess.verification.read import CASES, cases_for, choose_cases, read_cases
+    from assess.verification.read import cases_for, choose_cases, read_cases
 
     if cases is not None and not cases.is_dir():
         raise AssessError(f"{cases}: is no folder; give one with files of cases")
-    every = read_cases(cases or CASES)
+    every = read_cases() if cases is None else read_cases(cases)
     chosen = choose_cases(every, names or ())
     loaded, uses = (None, ()) if project is None else _project(project)
     chosen = chosen if loaded is None else cases_for(chosen, uses)

@@ -24,9 +24,10 @@ TEXTS: Mapping[str, str] = {
     "make it again with `assess verify`",
     "annex-failures": "of the {cases} solved cases in the annex of verification {file}, {failures} fail; rely on no "
     "result that they concern before the cause is known",
-    "annex-quick": "the annex of verification {file} has the quick cases only; make it again without --quick",
-    "annex-left-out": "the annex of verification {file} leaves out {number} of the program's cases that concern it; "
-    "make it again with `assess verify`, without naming cases",
+    "annex-quick": "the annex of verification {file} contains only the quick cases; make it again without --quick",
+    "annex-left-aside": "the annex of verification {file} is left aside: {why}",
+    "annex-left-out": "the annex of verification {file} leaves out {number} of the program's cases that concern this "
+    "project; make it again with `assess verify`, without naming cases",
     "annex-foreign": "the annex of verification {file} has {number} cases that are not as they come with the program",
     "annex-pdf": "the PDF beside the annex of verification {file} is missing or is not the one written with it; make "
     "both again with `assess verify`",

@@ -42,7 +42,7 @@ from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
 from assess.project.uses import uses_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
-from assess.project.verification import annex_messages, annex_of
+from assess.project.verification import annex_of
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
@@ -111,15 +111,15 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     report = report_matter_of(content, project.folder)
     study, files, messages = deciding_part_of(project, executor=executor)
     solids = files.solids
-    annex = annex_of(project, uses_of(content, study))
+    annex, said = annex_of(project, uses_of(content, study))
     return replace(
         study,
         annex=annex,
-        inputs=tuple(inputs_of(project, files.named.records)),
+        inputs=tuple(inputs_of(project, files.named.records, annex)),
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_asked_procedures(resolve(project), content),
-        messages=(*input_messages(project, study, files, messages), *annex_messages(annex)),
+        messages=(*input_messages(project, study, files, messages), *said),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
             for variation in project.variations

@@ -13,19 +13,27 @@ from assess.project.report_matter import picture_files
 from assess.project.schema import Project
 from assess.project.verification import annex_files
 from assess.results import Input
+from assess.results.verification import AnnexResult
 from records.paths import relative_path
 from records.record import Record
 
 
-def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
-    """Hash the project file and every file it names; if records are selected or locked, only those used."""
+def inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult | None) -> Iterator[Input]:
+    """Hash the project file and every file it names; if records are selected or locked, only those used.
+
+    Parameters
+    ----------
+    project : as read
+    records : in use
+    annex : of verification, whose files are hashed too; None if there is none
+    """
     yield Input(project.path.name, project.sha256)
     content = project.content
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
     used = record_files(content.records, [project.folder / record.path for record in records])
-    named = [*hazard_files(content), *picture_files(content), *annex_files(project)]
+    named = [*hazard_files(content), *picture_files(content), *annex_files(project, annex)]
     for path in dict.fromkeys([*bodies, *tables, *used, *named]):
         yield Input(relative_path(path, project.folder), file_sha256(path))
 

@@ -15,10 +15,12 @@ from assess.project.schema import Project, resolve
 from assess.results import Input
 from assess.results.files import read_verification
 from assess.results.program import describe_program
+from assess.results.solved_cases import exercised_by_case, keys_for
 from assess.results.uses import USES
 from assess.results.verification import AnnexResult, VerificationResults
 from records.paths import relative_path
 
+WHERE = "report.verification"
 SHOWN = ("report.language", "report.paper", "report.units")
 """Keys that say how the annex of a project looks."""
 
@@ -49,22 +51,15 @@ def annex_file(project: Project) -> Path | None:
     return place if place.is_file() else None
 
 
-def annex_files(project: Project) -> tuple[Path, ...]:
-    """Return the files of the annex that the report names: its results, and the PDF beside them."""
-    file = annex_file(project)
+def annex_files(project: Project, annex: AnnexResult | None) -> tuple[Path, ...]:
+    """Return the files of the annex that the report names: its results, and the PDF beside them; none without one."""
+    file = None if annex is None else annex_file(project)
     return () if file is None else tuple(each for each in (file, file.with_suffix(".pdf")) if each.is_file())
 
 
-def annex_messages(annex: AnnexResult | None) -> Iterator[Message]:
-    """Yield what limits the annex that a run names.
-
-    Parameters
-    ----------
-    annex : of the run; None yields nothing
-    """
-    if annex is None:
-        return
-    where = "report.verification"
+def _messages(annex: AnnexResult) -> Iterator[Message]:
+    """Yield what limits the annex that a run names."""
+    where = WHERE
     if annex.program.sha256 != describe_program().sha256:
         yield warning("annex-other-sources", where, file=annex.path)
     if annex.failures:
@@ -84,8 +79,10 @@ def annex_messages(annex: AnnexResult | None) -> Iterator[Message]:
         )
 
 
-def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:
-    """Return what a run says of its annex; None if there is none.
+def annex_of(project: Project, uses: Sequence[str]) -> tuple[AnnexResult | None, tuple[Message, ...]]:
+    """Return what a run says of its annex, None if there is none, and the messages on it.
+
+    An annex in the default place that cannot be read gets a message, and the run goes on as without one.
 
     Parameters
     ----------
@@ -94,17 +91,28 @@ def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:
 
     Raises
     ------
-    ProjectError : the file cannot be read as verification.json, was changed since it was written, or has no cases
+    ProjectError : the project names a file that cannot be read as verification.json, was changed since it was written,
+        or has no cases
     """
     file = annex_file(project)
     if file is None:
-        return None
+        return None, ()
     try:
-        found = read_verification(file)
+        annex = _annex(file, project, uses)
     except ResultsError as error:
-        raise ProjectError(f"report.verification: {error}") from None
+        if project.content.report.verification is not None:
+            raise ProjectError(f"{WHERE}: {error}") from None
+        path, why = relative_path(file, project.folder), str(error).removeprefix(f"{file}: ")
+        return None, (warning("annex-left-aside", WHERE, file=path, why=why),)
+    return annex, tuple(_messages(annex))
+
+
+def _annex(file: Path, project: Project, uses: Sequence[str]) -> AnnexResult:
+    """Read an annex; what it leaves out is counted for this project, whatever it was made for."""
+    found = read_verification(file)
     if not found.cases:
-        raise ProjectError(f"report.verification: {file}: has no cases; run `assess verify` again")
+        raise ResultsError(f"{file}: has no cases; run `assess verify` again")
+    run = {each.key for each in found.cases}
     pdf = file.with_suffix(".pdf")
     pdf_sha256 = file_sha256(pdf) if pdf.is_file() else ""
     return AnnexResult(
@@ -116,7 +124,7 @@ def annex_of(project: Project, uses: Sequence[str]) -> AnnexResult | None:
         failures=len(found.failures),
         quick=found.quick,
         uncovered=tuple(use for use in uses if use not in found.passed_uses),
-        left_out=len(found.left_out),
+        left_out=len(keys_for(exercised_by_case(), uses) - run),
         foreign=len(found.foreign),
         pdf_as_written=bool(pdf_sha256) and pdf_sha256 == found.pdf_sha256,
     )

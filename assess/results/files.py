@@ -7,7 +7,7 @@ from pathlib import Path
 
 from assess.errors import ResultsError
 from assess.results.fragility import FragilityResults
-from assess.results.json import REMEDY, loads, loads_fragility, loads_verification
+from assess.results.json import REMEDY, VERIFY_AGAIN, loads, loads_fragility, loads_verification
 from assess.results.run import Results
 from assess.results.verification import VerificationResults
 
@@ -32,22 +32,22 @@ def read_fragility(path: Path) -> FragilityResults:
 
 def read_verification(path: Path) -> VerificationResults:
     """Read the results of `assess verify`, as `read` does those of `assess run`."""
-    return loads_verification(_text(path), source=str(path))
+    return loads_verification(_text(path, VERIFY_AGAIN), source=str(path))
 
 
-def _text(path: Path) -> str:
+def _text(path: Path, remedy: str = REMEDY) -> str:
     try:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):
-            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {REMEDY}")
+            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {remedy}")
         if status.st_size > LARGEST:
             size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
-            raise ResultsError(f"{path}: {size} that results may have; {REMEDY}")
+            raise ResultsError(f"{path}: {size} that results may have; {remedy}")
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        raise ResultsError(f"{path}: not a text file; {REMEDY}") from None
+        raise ResultsError(f"{path}: not a text file; {remedy}") from None
     except OSError as error:
-        raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {REMEDY}") from None
+        raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {remedy}") from None
 
 
 def find_results(path: Path) -> Path:

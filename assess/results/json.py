@@ -34,6 +34,8 @@ T = TypeVar("T")
 
 _NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
 REMEDY = "give a results.json that `assess run` wrote"
+AGAIN = "run the project again"
+VERIFY_AGAIN = "run `assess verify` again"
 
 
 def dumps(results: Results) -> str:
@@ -126,9 +128,7 @@ def loads_verification(text: str, *, source: str = "results") -> VerificationRes
     """
     found = _loads(text, source, VERIFICATION_TREE)
     if dumps_verification(found) != text:
-        raise ResultsError(
-            f"{source}: was changed since it was written: its seal does not fit; run `assess verify` again"
-        )
+        raise ResultsError(f"{source}: was changed since it was written: its seal does not fit; {VERIFY_AGAIN}")
     return found
 
 
@@ -151,15 +151,13 @@ def _validate_at_once(text: str, tree: Tree[T]) -> T | None:
 
 
 def _validate_step_by_step(text: str, source: str, tree: Tree[T]) -> T:
-    data = _parse(text, source)
+    data = _parse(text, source, tree.remedy)
     version = data.get("schema_version") if isinstance(data, dict) else None
     if version is None:
         raise ResultsError(f"{source}: not a results file of assess (no schema_version); {tree.remedy}")
     if version != tree.version:
         found = json.dumps(version)[:40]
-        raise ResultsError(
-            f"{source}: schema_version: {found}: this program reads {tree.version}; run the project again"
-        )
+        raise ResultsError(f"{source}: schema_version: {found}: this program reads {tree.version}; {tree.again}")
     try:
         return tree.kind().validate_python(data)
     except RecursionError:
@@ -187,18 +185,17 @@ def _verification_type() -> TypeAdapter[VerificationResults]:
 
 @dataclass(frozen=True)
 class Tree(Generic[T]):
-    """A tree of results: its type, its version, and what to do about a file that holds none."""
+    """A tree of results: its type, its version, and what to do about a file that holds none, or another version."""
 
     kind: Callable[[], TypeAdapter[T]]
     version: int
     remedy: str
+    again: str
 
 
-RESULTS_TREE = Tree(_results_type, SCHEMA_VERSION, REMEDY)
-VERIFICATION_TREE = Tree(
-    _verification_type, VERIFICATION_VERSION, "give a verification.json that `assess verify` wrote"
-)
-FRAGILITY_TREE = Tree(_fragility_type, FRAGILITY_VERSION, "give a fragility.json that `assess fragility` wrote")
+RESULTS_TREE = Tree(_results_type, SCHEMA_VERSION, REMEDY, AGAIN)
+VERIFICATION_TREE = Tree(_verification_type, VERIFICATION_VERSION, VERIFY_AGAIN, VERIFY_AGAIN)
+FRAGILITY_TREE = Tree(_fragility_type, FRAGILITY_VERSION, "give a fragility.json that `assess fragility` wrote", AGAIN)
 
 
 @cache
@@ -246,17 +243,17 @@ def _non_finite(where: str, value: Any) -> Iterator[tuple[str, float]]:
             yield from _non_finite(f"{where}[{index}]", item)
 
 
-def _parse(text: str, source: str) -> Any:
+def _parse(text: str, source: str, remedy: str = REMEDY) -> Any:
     def refuse(constant: str) -> NoReturn:
-        raise ResultsError(f"{source}: holds {constant}, which is not JSON; {REMEDY}")
+        raise ResultsError(f"{source}: holds {constant}, which is not JSON; {remedy}")
 
     try:
         return json.loads(text, parse_constant=refuse)
     except json.JSONDecodeError as error:
-        raise ResultsError(f"{source}: line {error.lineno}: not JSON ({error.msg.lower()}); {REMEDY}") from None
+        raise ResultsError(f"{source}: line {error.lineno}: not JSON ({error.msg.lower()}); {remedy}") from None
     except ResultsError:
         raise
     except ValueError as error:  # a number of thousands of digits
-        raise ResultsError(f"{source}: {str(error).partition(';')[0].lower()}; {REMEDY}") from None
+        raise ResultsError(f"{source}: {str(error).partition(';')[0].lower()}; {remedy}") from None
     except RecursionError:
-        raise ResultsError(f"{source}: nested too deeply; {REMEDY}") from None
+        raise ResultsError(f"{source}: nested too deeply; {remedy}") from None

@@ -14,12 +14,11 @@ from pydantic import TypeAdapter, ValidationError
 
 from assess.errors import AssessError
 from assess.examples import EXAMPLES
-from assess.results.uses import JOINTS, KINDS, ORDINARY, USES
+from assess.results.solved_cases import CASES, OF_A_CASE, keys_for
+from assess.results.uses import USES
 from assess.verification.case import Case, CaseFile, Quantity
 from assess.verification.solvers import SOLVERS
 
-CASES = Path(__file__).parent / "cases"
-OF_A_CASE = {"source", "solver", "quantities"}
 FEWEST_WORDS = 3  # of a reason that says something
 
 
@@ -55,26 +54,15 @@ def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[Case
 
 
 def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFile, ...]:
-    """Return the cases that concern a project.
-
-    A case is chosen where it shares with the project anything but what is ordinary, such as a procedure, a spectrum, a
-    motion or a load; where it exercises a kind of mechanism of the project with one of its kinds of joint, and nothing
-    out of the ordinary that the project does not use; or where no case chosen so far exercises what it shares.
+    """Return the cases that concern a project, by the rule of `keys_for`.
 
     Parameters
     ----------
     cases : all of them
     uses : in the words of `assess.results.uses`
     """
-    used = frozenset(uses)
-    chosen = {each.key for each in cases if _concerns(frozenset(each.case.uses), used)}
-    bare = used - {word for each in cases if each.key in chosen for word in each.case.uses}
-    return tuple(each for each in cases if each.key in chosen or bare & set(each.case.uses))
-
-
-def _concerns(exercised: frozenset[str], used: frozenset[str]) -> bool:
-    both, particular = exercised & used, exercised - ORDINARY
-    return bool(particular & used) or (bool(both & KINDS and both & JOINTS) and not particular)
+    chosen = keys_for({each.key: each.case.uses for each in cases}, uses)
+    return tuple(each for each in cases if each.key in chosen)
 
 
 def _is_of(key: str, name: str) -> bool:

@@ -67,9 +67,9 @@ def note_scope(results: VerificationResults, uses: Sequence[str]) -> Verificatio
     results : of the cases that were run
     uses : what the project uses, in the words of `assess.results.uses`; empty for no project
     """
-    from assess.verification.read import CASES, cases_for, read_cases
+    from assess.verification.read import cases_for, read_cases
 
-    own = read_cases(CASES)
+    own = read_cases()
     run = {each.key for each in results.cases}
     left_out = tuple(each.key for each in (cases_for(own, uses) if uses else own) if each.key not in run)
     known = {each.key: each for each in own}

@@ -30,6 +30,7 @@ QUOTED = frozenset(
         ("direction-left-out", "why"),  # an error of the mechanism in that direction
         ("not-assessed-low", "why"),  # an error of the case
         ("not-assessed-high", "why"),
+        ("annex-left-aside", "why"),  # an error of the file
         ("file-not-read", "why"),  # an error of the file
         ("flatfile-columns-missing", "known"),  # names of columns
     }

@@ -17,6 +17,7 @@ from assess.project.build import build, uses_of_project
 from assess.project.schema import load
 from assess.results.files import read_verification
 from assess.results.json import dumps_verification
+from assess.results.solved_cases import exercised_by_case
 from assess.results.uses import USES
 from assess.verification.read import cases_for, read_cases
 from tests.support.command import ended
@@ -177,6 +178,50 @@ def test_annex_without_cases_is_refused(written, tmp_path):
     results = replace(read_verification(folder / "verification.json"), cases=())
     with pytest.raises(ProjectError, match="has no cases"):
         told(tmp_path, dumps_verification(results))
+
+
+@pytest.mark.parametrize(
+    ("damage", "why"),
+    [
+        (lambda text: text.replace('"schema_version": 1', '"schema_version": 0', 1), "schema_version: 0"),
+        (lambda text: text.replace('"expected": 0.1', '"expected": 0.2'), "was changed since it was written"),
+        (lambda text: "\udcff", "not a text file"),
+        (lambda text: text[:99], "not JSON"),
+    ],
+)
+def test_damaged_annex_is_left_aside_in_the_default_place_and_refused_where_it_is_named(written, tmp_path, damage, why):
+    _, folder = written
+    text = damage((folder / "verification.json").read_text(encoding="utf-8")).encode(errors="surrogateescape")
+    place = tmp_path / "wall-verification" / "verification.json"
+    place.parent.mkdir()
+    place.write_bytes(text)
+    project = tmp_path / "wall.toml"
+    project.write_text(project_toml(), encoding="utf-8")
+    study = build(load(project))
+    assert study.annex is None
+    assert [each.path for each in study.inputs if "verification" in each.path] == []
+    (message,) = [each.text for each in study.messages if each.key == "annex-left-aside"]
+    assert why in message
+    assert message.endswith("; run `assess verify` again")
+    project.write_text(project_toml(report={"verification": "wall-verification/verification.json"}), encoding="utf-8")
+    with pytest.raises(ProjectError, match=f"{why}.*; run `assess verify` again$"):
+        build(load(project))
+
+
+def test_annex_of_another_project_leaves_out_cases_of_this_one(written, tmp_path):
+    _, folder = written
+    results = replace(read_verification(folder / "verification.json"), left_out=())
+    (tmp_path / "v.json").write_text(dumps_verification(results), encoding="utf-8")
+    project = tmp_path / "wall.toml"
+    project.write_text(project_toml(report={"verification": "v.json"}), encoding="utf-8")
+    study, loaded = build(load(project)), load(project)
+    left_out = {each.key for each in cases_for(read_cases(), uses_of_project(loaded))} - {KEY}
+    assert len(left_out) > 10
+    assert study.annex.left_out == len(left_out)
+
+
+def test_words_of_cases_are_those_that_the_cases_give():
+    assert exercised_by_case() == {each.key: frozenset(each.case.uses) for each in read_cases()}
 
 
 def test_pdf_of_another_annex_is_told(written, tmp_path):

@@ -71,9 +71,7 @@ def dask(address: str) -> Engine:
     try:
         from distributed import Client, KilledWorker
     except ImportError:
-        raise AssessError(
-            '--scheduler: Dask is not installed; install it with: pip install "rocking-assess[cluster]"'
-        ) from None
+        raise AssessError("--scheduler: Dask is not installed; install it: pip install distributed") from None
 
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it writes tracebacks of what is handled here
 

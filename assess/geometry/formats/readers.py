@@ -34,7 +34,6 @@ READERS: Mapping[str, Reader] = {
     ".ifc": read_ifc,
 }
 WITHOUT_UNIT = (".stl", ".obj", ".ply", ".off")  # formats that do not say theirs
-EXTRAS = {".step": "step", ".stp": "step", ".3dm": "rhino", ".ifc": "ifc"}  # of this package, that installs the reader
 
 
 def read(file: Path, *, where: str) -> MeshFile:
@@ -90,10 +89,5 @@ def _one_line_errors(ending: str, *, where: str) -> Iterator[None]:
 
 def _missing_package(ending: str, missing: ModuleNotFoundError, *, where: str) -> str:
     """Return the line that says what to install."""
-    extra = EXTRAS.get(ending)
-    if extra is None:
-        return f'{where}: the package "{missing.name}" is not installed; install it again: pip install "rocking-assess"'
-    return (
-        f'{where}: {ending[1:].upper()} files need the package "{missing.name}"; '
-        f'install it: pip install "rocking-assess[{extra}]"'
-    )
+    package = str(missing.name).partition(".")[0]
+    return f'{where}: {ending[1:].upper()} files need the package "{package}"; install it: pip install {package}'

@@ -80,6 +80,9 @@ def test_the_kernel_is_the_same_compiled_and_plain() -> None:
         (1e6, 1.0, 0.05, "too coarse"),
         (1.0, np.inf, 0.05, "counts inf"),
         (1.0, 1.0, 0.0, "damping ratio 0.0"),
+        (1.0, 1.0, 1.0, "damping ratio 1.0"),
+        (1.0, 1.0, 1.5, "damping ratio 1.5"),
+        (1.0, 1.0, np.nan, "damping ratio nan"),
     ],
 )
 def test_impossible_buildings_are_refused(frequency: float, shape: float, damping: float, words: str) -> None:

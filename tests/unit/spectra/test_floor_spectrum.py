@@ -98,6 +98,13 @@ def test_circolare_2019_modal_at_and_above_resonance():
     assert part_amplification(1.0, 0.1, beta=0.5) == pytest.approx(5.0, rel=1e-12)
 
 
+def test_the_ground_is_the_least_beyond_the_longest_mode_and_not_at_it():
+    hardly = [Mode(0.3, 0.05, 0.01), Mode(0.1, 0.05, 0.01)]
+    at, beyond = circolare2019([0.3, 0.3001], spectrum=FLAT, modes=hardly) / g
+    assert at < 0.1
+    assert beyond == pytest.approx(0.5, rel=1e-12)
+
+
 def test_circolare_2019_modal_of_a_rigid_part_is_the_floor():
     """T_a -> 0: R = 1, so the squares of 0.5 x 0.9 and 0.5 x 0.4 remain; a soft part feels nothing."""
     modes = [Mode(0.3, 0.05, -0.9), Mode(0.1, 0.05, 0.4)]
@@ -116,7 +123,9 @@ def test_first_mode_factor(storeys, factor):
     ("t_1", "period", "ordinate"),
     [
         (0.3, 0.0, 0.600),
+        (0.3, 0.096, 1.2295),  # 0.6 below the plateau: 0.3 * 2 * 5 / (1 + 4 * 0.36)
         (0.3, 0.3, 3.000),
+        (0.3, 0.63, 1.5),  # 0.5 above it: 0.3 * 2 * 5 / (1 + 4 * 0.25)
         (0.3, 1.0, 0.348),
         (0.7, 0.5, 2.4),
         (0.7, 0.0, 0.6),

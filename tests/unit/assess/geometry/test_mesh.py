@@ -322,6 +322,15 @@ def test_a_flat_shell_beside_a_body_is_left_out(tmp_path: Path) -> None:
     repaired(tmp_path, vertices, triangles, volume=31.875, text="closed shells without volume removed: 1")
 
 
+@pytest.mark.parametrize("unit", [1e-3, 1e3])
+def test_what_is_flat_does_not_depend_on_the_unit(tmp_path: Path, unit: float) -> None:
+    """Two walls of which one is a thin sheet, in millimetres and in kilometres: neither is dropped."""
+    sheet = box(thickness=0.02, length=3.0, height=8.0, base=[9.0, 0.0, 0.0], density=DENSITY, name="sheet")
+    vertices, triangles = soup(WALL, sheet)
+    found = loaded(tmp_path, vertices / unit, triangles, scale=unit)
+    assert found.mass == pytest.approx(WALL.mass + sheet.mass, rel=1e-9)
+
+
 def test_a_surface_that_cuts_itself_is_refused(tmp_path: Path) -> None:
     """A prism over a star that is wound twice around its middle: the pentagon there counts twice."""
     turn = 4.0 * np.pi * np.arange(5) / 5.0
@@ -427,6 +436,21 @@ def test_single_precision_far_from_the_origin_is_refused_beyond_a_hundredth_of_t
     assert size_warning(loaded(tmp_path, far, WALL.triangles)) is None
     near = loaded(tmp_path, WALL.vertices + np.array([60000.1, 0.2, 0.3]), WALL.triangles, file="binary.stl")
     assert "in single precision, which resolves 0.0039 m there" in str(size_warning(near))
+
+
+@pytest.mark.parametrize(
+    ("kind", "single"), [("float", True), ("float32", True), ("double", False), ("float64", False)]
+)
+def test_a_ply_file_says_by_its_type_how_finely_it_resolves(tmp_path: Path, kind: str, single: bool) -> None:
+    """What is written in double precision may have been drawn at such places."""
+    far = (WALL.vertices + np.array([512345.1, 4123456.7, 250.3])).astype(np.float32)
+    file = tmp_path / "far.ply"
+    file.write_bytes(ply(far, WALL.triangles).replace(b"property double", f"property {kind}".encode()))
+    if single:
+        with pytest.raises(GeometryError, match="in single precision"):
+            load(file, density=DENSITY, name="wall", scale=1.0)
+    else:
+        assert load(file, density=DENSITY, name="wall", scale=1.0).mass > 0.0
 
 
 @pytest.mark.parametrize(

@@ -72,6 +72,9 @@ def test_limits_hold_all_but_the_far_tails():
     assert MILD.probability(float(imls.get("minIML"))) < 1e-4
     assert SEVERE.probability(float(imls.get("maxIML"))) > 1 - 1e-4
     assert 0.0 < float(imls.get("noDamageLimit")) <= float(imls.get("minIML"))
+    least, most = (np.log(each.median) + way * each.dispersion for each, way in ((MILD, -4.0), (SEVERE, 4.0)))
+    assert float(imls.get("minIML")) == pytest.approx(np.exp(least), rel=1e-6)
+    assert float(imls.get("maxIML")) == pytest.approx(np.exp(most), rel=1e-6)
 
 
 def test_discrete_model_has_the_empirical_points():

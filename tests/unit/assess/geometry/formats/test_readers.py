@@ -8,37 +8,23 @@ import pytest
 from assess.errors import GeometryError
 from assess.geometry.formats.element_selection import select_elements
 from assess.geometry.formats.mesh_file import Element
-from assess.geometry.formats.readers import EXTRAS, READERS, read
+from assess.geometry.formats.readers import read
 
 
 @pytest.mark.parametrize(
-    ("ending", "package", "extra"),
-    [
-        ("step", "cascadio", "step"),
-        ("stp", "cascadio", "step"),
-        ("3dm", "rhino3dm", "rhino"),
-        ("ifc", "ifcopenshell", "ifc"),
-    ],
+    ("ending", "package"),
+    [("step", "cascadio"), ("stp", "cascadio"), ("3dm", "rhino3dm"), ("ifc", "ifcopenshell"), ("stl", "trimesh")],
 )
 def test_a_missing_package_is_one_line_that_says_what_to_install(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, package: str, extra: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, package: str
 ) -> None:
     monkeypatch.setitem(sys.modules, package, None)
     (tmp_path / f"wall.{ending}").write_text("anything")
     with pytest.raises(GeometryError) as caught:
         read(tmp_path / f"wall.{ending}", where='body "wall": mesh')
     assert str(caught.value) == (
-        f'body "wall": mesh: {ending.upper()} files need the package "{package}"; '
-        f'install it: pip install "rocking-assess[{extra}]"'
+        f'body "wall": mesh: {ending.upper()} files need the package "{package}"; install it: pip install {package}'
     )
-
-
-def test_extras_are_those_of_the_package() -> None:
-    import tomllib
-
-    project = tomllib.loads((Path(__file__).parents[5] / "pyproject.toml").read_text())["project"]
-    assert set(EXTRAS.values()) | {"cad", "cluster"} == set(project["optional-dependencies"])
-    assert set(EXTRAS) < set(READERS)
 
 
 def test_cad_packages_are_imported_only_for_their_files() -> None:

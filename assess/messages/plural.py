@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 
-def count_noun(number: int, noun: str) -> str:
+def count_noun(number: int, noun: str, several: str = "") -> str:
     """Write a number with its noun in the singular or plural: 1 wall, 2 walls.
 
     Parameters
     ----------
     number : of things
-    noun : in the singular, with a plural in -s
+    noun : in the singular
+    several : its plural, "" for one in -s
     """
-    return f"{number} {noun}{'' if number == 1 else 's'}"
+    return f"{number} {noun if number == 1 else several or f'{noun}s'}"
 
 
 def first_names(names: Sequence[str], most: int) -> str:

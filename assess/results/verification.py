@@ -62,7 +62,7 @@ class ValueResult(ShortRepr):
 
     row : which of the quantity, such as the name of a wall; "" for a single value
     expected : as the source prints it; found : None where the program gives none
-    reading : likeliest reading of a misprint, with which `found` is compared; misprint : why it is held for one
+    reading : likeliest reading of a misprint, with which `found` is compared; misprint : why it is taken to be one
     """
 
     row: str
@@ -145,7 +145,7 @@ class CaseResult(ShortRepr):
 
     @property
     def outcome(self) -> CaseOutcome:
-        """Pass if it ran, and every value agrees, those held for misprints with their reading."""
+        """Pass if it ran, and every value agrees, those taken to be misprints with their reading."""
         return "fail" if self.fault or not self.values or any(v.outcome == "fail" for v in self.values) else "pass"
 
     @property
@@ -160,7 +160,7 @@ class CaseResult(ShortRepr):
 
     @property
     def misprints(self) -> int:
-        """Number of printed values that are held for misprints."""
+        """Number of printed values that are taken to be misprints."""
         return sum(each.reading is not None for each in self.values)
 
     @property

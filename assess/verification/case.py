@@ -14,7 +14,7 @@ STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
 
 @dataclass(frozen=True)
 class Misprint:
-    """A printed value that is held for a misprint: its likeliest reading, and why."""
+    """A printed value that is taken to be a misprint: its likeliest reading, and why."""
 
     __pydantic_config__: ClassVar = STRICT
     reading: float

@@ -157,7 +157,7 @@ def _quantity_faults(quantity: Quantity) -> Iterator[str]:
         if row not in quantity.values:
             yield f'misprints: "{row}" is none of its values'
         if len(misprint.reason.split()) < FEWEST_WORDS:
-            yield f'misprints."{row}".reason: say in a sentence why it is held for a misprint'
+            yield f'misprints."{row}".reason: say in a sentence why it is taken to be a misprint'
 
 
 @cache

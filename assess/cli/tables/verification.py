@@ -11,6 +11,7 @@ from assess.results.verification import CaseResult, Spread, ValueResult, Verific
 
 WIDEST = 160  # characters of a line
 MOST = 5  # values that fail, of one case
+DIGITS, MOST_DIGITS = 6, 17  # of a value; with the latter every number differs from every other
 
 
 def verification_text(results: VerificationResults, *, seconds: float) -> str:
@@ -27,10 +28,16 @@ def verification_text(results: VerificationResults, *, seconds: float) -> str:
 def _cases(results: VerificationResults) -> Iterator[str]:
     width = max((len(each.key) for each in results.cases), default=0)
     for case in results.cases:
-        worst = f"worst {max(case.shares):.2g} of the tolerance" if case.shares else "exact"
-        misprints = f", {count_noun(case.misprints, 'misprint')}" if case.misprints else ""
-        weight = ", indicative only" if case.is_indicative else ""
-        said = case.fault or f"{count_noun(len(case.values), 'value')}, {worst}{misprints}{weight}"
+        parts = [count_noun(len(case.values), "value")]
+        if case.shares:
+            parts.append(f"worst {max(case.shares):.2g} of the tolerance")
+        elif case.outcome == "pass":
+            parts.append("exact")
+        if case.misprints:
+            parts.append(count_noun(case.misprints, "misprint"))
+        if case.is_indicative:
+            parts.append("indicative only")
+        said = case.fault or ", ".join(parts)
         word = "FAIL" if case.outcome == "fail" else "pass"
         yield f"{word}  {case.key:<{width}}  {said}"
         if case.outcome == "fail" and not case.fault:
@@ -46,15 +53,19 @@ def _wrong(case: CaseResult) -> Iterator[str]:
 
 
 def _beside(value: ValueResult) -> str:
-    found = "none found" if value.found is None else f"{value.found:.6g} found"
-    return f"{value.reference:.6g} expected, {found}"
+    """Write both numbers, with so many digits that they differ."""
+    if value.found is None:
+        return f"{value.reference:.{DIGITS}g} expected, none found"
+    pairs = ((f"{value.reference:.{n}g}", f"{value.found:.{n}g}") for n in range(DIGITS, MOST_DIGITS + 1))
+    expected, found = next((each for each in pairs if each[0] != each[1]), (repr(value.reference), repr(value.found)))
+    return f"{expected} expected, {found} found"
 
 
 def _totals(results: VerificationResults, seconds: float) -> Iterator[str]:
     values = sum(len(each.values) for each in results.quantities)
     parts = (
         count_noun(len(results.cases), "case"),
-        f"{len(results.quantities)} quantities",
+        count_noun(len(results.quantities), "quantity", "quantities"),
         count_noun(values, "value"),
         count_noun(sum(each.misprints for each in results.cases), "misprint"),
         f"{len(results.failures)} failed",

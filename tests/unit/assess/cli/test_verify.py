@@ -11,6 +11,7 @@ from io import StringIO
 
 import pytest
 
+from assess.cli.tables.verification import verification_text
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES
 from assess.project.build import build, uses_of_project
@@ -53,7 +54,7 @@ def test_case_that_passes_ends_with_0_and_a_line(written):
     done, _ = written
     assert done.returncode == 0
     assert done.stdout.startswith(f"pass  {KEY}")
-    assert "1 case, 1 quantities, 2 values, 0 misprints, 0 failed" in done.stdout
+    assert "1 case, 1 quantity, 2 values, 0 misprints, 0 failed" in done.stdout
 
 
 def test_files_are_written_with_their_inputs(written):
@@ -77,6 +78,18 @@ def test_written_cases_run_again_and_a_wrong_value_ends_with_1(written, tmp_path
     assert done.returncode == 1
     (case,) = json.loads(done.stdout)["cases"]
     assert [each["outcome"] for each in case["quantities"][0]["values"]] == ["pass", "fail"]
+
+
+def test_line_of_a_case_that_fails_is_not_exact_and_shows_the_difference(written):
+    _, folder = written
+    results = read_verification(folder / "verification.json")
+    (case,) = results.cases
+    (quantity,) = case.quantities
+    wrong = replace(quantity.values[0], expected=0.1, found=0.1 + 1e-9, outcome="fail")
+    exact = replace(quantity, tolerance=replace(quantity.tolerance, absolute=0.0, relative=0.0), values=(wrong,))
+    text = verification_text(replace(results, cases=(replace(case, quantities=(exact,)),)), seconds=1.0)
+    assert "exact" not in text
+    assert "0.1 expected, 0.100000001 found" in text
 
 
 def test_unknown_case_is_one_line(written):

@@ -11,7 +11,7 @@ from assess.results import Results
 from assess.results.uses import USES
 from reports.chapters import controls
 from reports.document import Block, Facts, Prose, Section, Writing
-from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, say, say_count
+from reports.language.texts import Paragraph, Phrase, Text, Verbatim, listing, say, say_count
 from reports.titles import procedure_title
 
 ITALIAN_BASES = ("ntc2018", "dmi2008")
@@ -153,12 +153,12 @@ def verification(results: Results) -> Iterator[Text]:
         )
         return
     yield say_count(
-        "Annex of verification: {file}, SHA-256 {hash}, with {number} solved case, of which {failures} fail.",
-        "Annex of verification: {file}, SHA-256 {hash}, with {number} solved cases, of which {failures} fail.",
+        "Annex of verification: {file}, SHA-256 {hash}, with {number} solved case; {failures}.",
+        "Annex of verification: {file}, SHA-256 {hash}, with {number} solved cases; {failures}.",
         annex.cases,
         file=Verbatim(annex.path),
         hash=Verbatim(annex.sha256),
-        failures=count(annex.failures),
+        failures=say_count("{number} fails", "{number} fail", annex.failures) if annex.failures else say("none fails"),
     )
     if annex.pdf_as_written:
         yield say("SHA-256 of its PDF: {hash}.", hash=Verbatim(annex.pdf_sha256))
@@ -171,11 +171,11 @@ def verification(results: Results) -> Iterator[Text]:
             hash=Verbatim(annex.program.sha256),
         )
     if annex.quick:
-        yield say("It has the quick cases only.")
+        yield say("It contains only the quick cases.")
     if annex.left_out:
         yield say_count(
-            "It leaves out {number} case of the program that concerns it.",
-            "It leaves out {number} cases of the program that concern it.",
+            "It leaves out {number} case of the program that concerns this project.",
+            "It leaves out {number} cases of the program that concern this project.",
             annex.left_out,
         )
     if annex.foreign:

@@ -29,39 +29,59 @@ def sections(results: VerificationResults) -> list[Section]:
 
 
 def _outcome(results: VerificationResults) -> Iterator[Block]:
-    failed = len(results.failures)
-    if failed:
-        headline = say_count(
-            "{number} solved case does not agree with its source.",
-            "{number} solved cases do not agree with their sources.",
-            failed,
-        )
-    else:
-        headline = say_count(
-            "The {number} solved case agrees with what is compared of its source.",
-            "All {number} solved cases agree with what is compared of their sources.",
-            len(results.cases),
-        )
-    partial = results.quick or results.left_out or results.foreign
-    yield Banner("fail" if failed else "incomplete" if partial else "pass", headline)
+    bare = any(each.use not in results.passed_uses for each in results.coverage)
+    partial = results.quick or results.left_out or results.foreign or bare or not results.evidence
+    yield Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
     yield Prose(tuple(_totals(results)))
     yield overview(results)
+
+
+def _headline(results: VerificationResults) -> Text:
+    """Return what the cases come to; those that are indicative are not counted among the evidence."""
+    evidence, indicative = len(results.evidence), len(results.cases) - len(results.evidence)
+    if results.failures:
+        return say_count(
+            "{number} solved case does not agree with its source.",
+            "{number} solved cases do not agree with their sources.",
+            len(results.failures),
+        )
+    if not evidence:
+        return say_count(
+            "The {number} solved case is indicative only: it is no evidence.",
+            "All {number} solved cases are indicative only: they are no evidence.",
+            indicative,
+        )
+    if not indicative:
+        return say_count(
+            "The {number} solved case agrees with what is compared of its source.",
+            "All {number} solved cases agree with what is compared of their sources.",
+            evidence,
+        )
+    return say_count(
+        "The {number} solved case that is evidence agrees with what is compared of its source; {others}.",
+        "The {number} solved cases that are evidence agree with what is compared of their sources; {others}.",
+        evidence,
+        others=say_count("{number} more is indicative", "{number} more are indicative", indicative),
+    )
 
 
 def _totals(results: VerificationResults) -> Iterator[Text]:
     values = [value for each in results.quantities for value in each.values]
     yield say(
-        "{values} values of {quantities} quantities in {cases} cases were computed again and compared; {misprints} "
-        "printed values are held for misprints and compared with their likeliest reading.",
-        values=count(len(values)),
-        quantities=count(len(results.quantities)),
-        cases=count(len(results.cases)),
-        misprints=count(sum(each.misprints for each in results.cases)),
+        "Computed again and compared: {values} of {quantities} in {cases}.",
+        values=say_count("{number} value", "{number} values", len(values)),
+        quantities=say_count("{number} quantity", "{number} quantities", len(results.quantities)),
+        cases=say_count("{number} case", "{number} cases", len(results.cases)),
+    )
+    yield say_count(
+        "{number} printed value is taken to be a misprint and compared with its likeliest reading.",
+        "{number} printed values are taken to be misprints and compared with their likeliest reading.",
+        sum(each.misprints for each in results.cases),
     )
     standings = [each.source.standing for each in results.cases]
     yield say(
-        "Standing of the expected values: published in {published} cases, derived from the formulas of a source in "
-        "{derived}, own arithmetic in {own}, indicative, which is no evidence, in {indicative}.",
+        "Standing of the expected values, by number of cases: published {published}, derived from the formulas of a "
+        "source {derived}, own arithmetic {own}, indicative, which is no evidence, {indicative}.",
         published=count(standings.count("published")),
         derived=count(standings.count("derived")),
         own=count(standings.count("own arithmetic")),
@@ -84,7 +104,8 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
     if relative.median is not None and relative.worst is not None:
         yield say(
-            "Difference over the largest value of its quantity, likewise: median {median}, largest {worst} ({where}).",
+            "The same for the difference over the largest value of its quantity: median {median}, largest {worst} "
+            "({where}).",
             median=quantity(relative.median, figures=2),
             worst=quantity(relative.worst, figures=2),
             where=Verbatim(", ".join(results.farthest)),
@@ -183,11 +204,19 @@ def _uncovered(results: VerificationResults) -> Iterator[Block]:
 
 def _coverage(results: VerificationResults) -> Table:
     columns = (Column(say("Used by the project"), share=0.45), Column(say("Cases that exercise it")))
+    known = {each.key: each for each in results.cases}
     rows = tuple(
-        (_named(each.use), listing(map(Verbatim, each.cases), "") if each.cases else say("no case"))
+        (_named(each.use), listing([_marked(known[key]) for key in each.cases], "") if each.cases else say("no case"))
         for each in results.coverage
     )
     return Table("coverage", say("What the project uses, and the solved cases."), columns, rows, small=True)
+
+
+def _marked(case: CaseResult) -> Text:
+    """Return the key of a case, with what keeps it from covering anything."""
+    if case.outcome == "fail":
+        return say("{case} (fails)", case=Verbatim(case.key))
+    return say("{case} (indicative)", case=Verbatim(case.key)) if case.is_indicative else Verbatim(case.key)
 
 
 def _words(uses: list[str]) -> Text:

@@ -1,4 +1,4 @@
-"""A solved case on its page: source, theory, input files, every value beside ours, tolerances and misprints."""
+"""A solved case on its page: source, theory, input files, every value beside the program's, tolerances and misprints."""
 
 from __future__ import annotations
 
@@ -43,19 +43,19 @@ def _blocks(case: CaseResult, place: int) -> Iterator[Block]:
 
 
 def values(case: CaseResult, place: int) -> Table:
-    """Tabulate every value of a case beside ours. place: among the cases, from 1 on."""
+    """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
     columns = (
         Column(say("Quantity"), share=0.26),
         Column(say("Row"), share=0.15),
         Column(say("Unit")),
         Column(say("Expected")),
-        Column(say("Ours")),
+        Column(say("Program")),
         Column(say("Difference")),
         Column(say("Tolerance")),
         Column(say("Outcome")),
     )
     rows = tuple(_row(each, value) for each in case.quantities for value in each.values)
-    caption = say("{title}: values of the source and ours.", title=Verbatim(case.title))
+    caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
     return Table(f"case-{file_stem(case.key, place)}", caption, columns, rows, small=True)
 
 

@@ -12,7 +12,7 @@ from reports.language.texts import say
 
 
 def figures(results: VerificationResults) -> Iterator[Prose | Figure]:
-    """Yield how to read them, differences over tolerance by source, and our values over those expected."""
+    """Yield how to read them, differences over tolerance by source, and values of the program over those expected."""
     yield Prose(
         (
             say(
@@ -33,5 +33,5 @@ def figures(results: VerificationResults) -> Iterator[Prose | Figure]:
         for value in each.values
         if value.found is not None
     )
-    caption = say("Our value over the expected one, without their signs; zeros are left out.")
+    caption = say("Value of the program against the expected one, without signs; zeros are left out.")
     yield Figure("agreement", caption, partial(drawing.draw_agreement, pairs))

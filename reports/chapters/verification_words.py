@@ -12,7 +12,7 @@ from reports.language.texts import Phrase, Verbatim, say
 READING = (
     say(
         "Each case has its source, the equations that it shows and where they hold, the files to run it again, and "
-        "every value beside ours. Titles, theory and reasons are quoted from the files of the cases."
+        "every value beside that of the program. Titles, theory and reasons are quoted from the files of the cases."
     ),
     say(
         "Published: the value was read where the case says. Derived: no source prints the value. The authors of the "

@@ -1,4 +1,4 @@
-"""Solved cases at a glance: differences over tolerances by source, and our values over those expected."""
+"""Solved cases at a glance: differences over tolerances by source, and values of the program over those expected."""
 
 from __future__ import annotations
 
@@ -90,5 +90,5 @@ def draw_agreement(pairs: Sequence[tuple[float, float]], locale: Locale) -> Figu
                 axis.set_minor_locator(NullLocator())
                 axis.set_major_formatter(LogTicks(locale))
         axes.set_xlabel(locale.text(say("expected value, each in its unit")))
-        axes.set_ylabel(locale.text(say("our value")))
+        axes.set_ylabel(locale.text(say("value of the program")))
         return figure

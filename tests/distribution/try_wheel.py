@@ -24,7 +24,7 @@ FIRST = (("new", PROJECT), ("run", PROJECT, "-o", RESULTS), ("verify", "--quick"
 AGAIN = (("run", PROJECT, "-o", "casa/again", "--no-report"),)
 WRITTEN = ("report.pdf", "report.html", "results.json", "tables.xlsx")
 PLACES = "import assess, records, reports, spectra; print(*(p.__file__ for p in (assess, records, reports, spectra)))"
-KERNELS = "from records.compilation.kernel import _place; print(_place()[1])"
+KERNELS = "from records.compilation.kernel import code_folder; print(code_folder() or '')"
 
 
 def install(wheel: Path, folder: Path) -> Path:
@@ -56,12 +56,13 @@ def use(programs: Path, folder: Path) -> None:
     before = _close(packages[0])
     _commands(FIRST, programs, folder)
     lacking = [name for name in WRITTEN if not (folder / RESULTS / name).is_file()]
-    kernels = Path(run([programs / "python", "-c", KERNELS], cwd=folder).strip())
-    compiled = sorted(kernels.glob("*.code"))
+    kernels = run([programs / "python", "-c", KERNELS], cwd=folder).strip()
+    compiled = _compiled(kernels)
     _commands(AGAIN, programs, folder)
-    if lacking or not compiled or sorted(kernels.glob("*.code")) != compiled:
+    if lacking or not compiled or _compiled(kernels) != compiled:
         sys.exit(
-            f"not written: {lacking}; compiled kernels in {kernels}: {len(compiled)}, and others in the second run"
+            f"not written: {lacking}; compiled kernels in {kernels or 'no folder'}: {len(compiled)}; those after the "
+            f"second run: {len(_compiled(kernels))}, not written again: {len(compiled & _compiled(kernels))}"
         )
     if _files(packages[0]) != before:
         sys.exit(f"something was written into {packages[0]}")
@@ -80,6 +81,11 @@ def _close(folder: Path) -> set[Path]:
         if place.is_dir():
             place.chmod(0o555)
     return _files(folder)
+
+
+def _compiled(folder: str) -> set[tuple[str, int]]:
+    """Return name and time of change [ns] of each compiled kernel, which is another where it was compiled again."""
+    return {(path.name, path.stat().st_mtime_ns) for path in Path(folder).glob("*.code")} if folder else set()
 
 
 def _files(folder: Path) -> set[Path]:

@@ -37,7 +37,7 @@ LOCALE = Locale()
 
 
 def draw_agreement(result: CaseResult) -> Figure:
-    """Draw the difference of each value over its tolerance, and our values over those of the source."""
+    """Draw the difference of each value over its tolerance, and the program's values over those of the source."""
     largest = max(result.quantities, key=lambda each: len(each.values))
     count = len(result.quantities)
     with report_style():
@@ -49,7 +49,7 @@ def draw_agreement(result: CaseResult) -> Figure:
 
 
 def _draw_over(axes: Axes, quantity: QuantityResult) -> None:
-    """Our values over those of the source, with the line on which they are equal."""
+    """The program's values over those of the source, with the line on which they are equal."""
     shown = [each for each in quantity.values if each.found is not None]
     for each in shown:
         axes.plot(each.expected, each.found, "o", ms=3.2, color=COLOURS[each.outcome])
@@ -57,7 +57,7 @@ def _draw_over(axes: Axes, quantity: QuantityResult) -> None:
     margin = 0.06 * (max(ends) - min(ends)) or 0.1 * abs(ends[0]) or 1.0
     limits = (min(ends) - margin, max(ends) + margin)
     axes.plot(limits, limits, color=MUTED, lw=0.7, zorder=0)
-    axes.set(xlim=limits, ylim=limits, aspect="equal", xlabel="source", ylabel="ours")
+    axes.set(xlim=limits, ylim=limits, aspect="equal", xlabel="source", ylabel="program")
     unit = f" [{quantity.unit}]" if quantity.unit else ""
     axes.set_title(fill(f"{quantity.name}{unit}", 36))
 
@@ -77,11 +77,9 @@ def _draw_within(axes: Axes, quantities: tuple[QuantityResult, ...]) -> None:
 
 
 def difference_share(quantity: QuantityResult, value: ValueResult) -> float | None:
-    """Return the difference of a value over its tolerance [-]; None where there is no value."""
-    if value.difference is None:
-        return None
-    allowed = quantity.tolerance.around(value.expected if value.reading is None else value.reading)
-    return value.difference / allowed if allowed else 0.0
+    """Return the difference of a value over its tolerance [-]; None where there is no value or no tolerance."""
+    allowed = quantity.tolerance.around(value.reference)
+    return value.difference / allowed if value.difference is not None and allowed else None
 
 
 def project_results(tree: Mapping[str, Any]) -> Results | None:

@@ -1,4 +1,4 @@
-"""The page of a solved case: its source, its figures, every value beside ours, and the files to run it again."""
+"""The page of a solved case: its source, its figures, every value beside the program's, and its files."""
 
 from __future__ import annotations
 
@@ -45,6 +45,7 @@ def case_page(file: CaseFile, result: CaseResult, figures: Sequence[Shown]) -> s
             "",
             *(_row_of_figures(tuple(each)) for _, each in groupby(figures, key=lambda figure: figure.half)),
             *(_quantity(each) for each in result.quantities),
+            *_departures(result),
             *_fault(result),
             "## To run it again",
             "",
@@ -77,7 +78,7 @@ def _quantity(quantity: QuantityResult) -> str:
         (
             f"## {escape(quantity.name + unit)}",
             "",
-            "| | source | ours | difference | tolerance | |",
+            "| | source | program | difference | tolerance | |",
             "|---|--:|--:|--:|--:|---|",
             *rows,
             "",
@@ -89,14 +90,13 @@ def _quantity(quantity: QuantityResult) -> str:
 
 
 def _row(quantity: QuantityResult, value: ValueResult) -> str:
-    reference = value.expected if value.reading is None else value.reading
-    expected = number(value.expected) if value.reading is None else f"{number(value.expected)} ({number(reference)})"
+    read = "" if value.reading is None else f" ({number(value.reference)})"
     cells = (
         cell(escape(value.row)),
-        expected,
+        f"{number(value.expected)}{read}",
         number(value.found),
         number(value.difference, digits=2),
-        number(quantity.tolerance.around(reference), digits=2),
+        number(quantity.tolerance.around(value.reference), digits=2),
         OUTCOMES[value.outcome],
     )
     return f"| {' | '.join(cells)} |"
@@ -105,6 +105,12 @@ def _row(quantity: QuantityResult, value: ValueResult) -> str:
 def number(value: float | None, *, digits: int = 7) -> str:
     """Return a number with so many significant digits; a dash for none."""
     return "–" if value is None else f"{value:.{digits}g}".replace("-", "−")
+
+
+def _departures(result: CaseResult) -> list[str]:
+    """Return what the source prints and the program does not give; nothing where there is none."""
+    lines = [f"- {escape(each)}" for each in result.departures]
+    return ["## Printed and not reproduced", "", *lines, ""] if lines else []
 
 
 def _fault(result: CaseResult) -> list[str]:

@@ -1,7 +1,7 @@
 """The gallery: a page for each solved case, run and drawn when the manual is built.
 
-What was run is kept in build/docs/cases under the hash of the case and of the program, so that it runs again only where
-one of them has changed.
+What was run is kept in build/docs/cases under the hash of the case and of the program with its data, so that it runs
+again only where one of them has changed.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from assess.results.program import sources_digest
 from assess.results.verification import CaseResult
 from assess.verification.case import CaseFile
 from assess.verification.read import read_cases
 from assess.verification.verify import compare_case, solve_case
 from assess.workers import process_pool
 from docs.ext.case_figures import (
-    difference_share,
     draw_agreement,
     draw_mechanisms,
     draw_project,
@@ -33,7 +33,6 @@ from reports.render.figure_file import write_figure
 
 ROOT = Path(__file__).resolve().parents[2]
 KEPT = ROOT / "build" / "docs" / "cases"
-PROGRAM = ("assess", "spectra", "records", "reports", "docs/ext")
 FOLDER = "gallery"
 ROW = "row.txt"
 COLUMNS = "| | case | values | largest difference / tolerance | |\n|---|---|--:|--:|---|"
@@ -89,11 +88,10 @@ def _for_the_list(figures: list[tuple[str, str, Figure]]) -> str:
 def _row(name: str, result: CaseResult, picture: str) -> str:
     """Return the case as a row of the list, for a page of docs/gallery."""
     page = f"../made/{FOLDER}/{name}.md"
-    values = [(each, value) for each in result.quantities for value in each.values]
-    shares = [abs(share) for each, value in values if (share := difference_share(each, value)) is not None]
+    largest = f"{max(result.shares):.2f}" if result.shares else "–"
     return (
         f"| ![](../made/{FOLDER}/{picture}){{width=120px}} | [{cell(escape(result.title))}]({page}) "
-        f"| {len(values)} | {max(shares, default=0.0):.2f} | {result.source.standing}, {result.outcome} |"
+        f"| {len(result.values)} | {largest} | {result.source.standing}, {result.outcome} |"
     )
 
 
@@ -116,9 +114,8 @@ def _hash(file: CaseFile) -> str:
 
 @cache
 def _program() -> str:
-    """Return the hash of the program's source."""
-    digest = hashlib.sha256()
-    for room in PROGRAM:
-        for path in sorted((ROOT / room).rglob("*.py")):
-            digest.update(path.relative_to(ROOT).as_posix().encode() + path.read_bytes())
+    """Return the hash of all files of the program, with its cases and examples, and of what draws their pages."""
+    digest = hashlib.sha256(sources_digest(ROOT).encode())
+    for path in sorted((ROOT / "docs" / "ext").rglob("*.py")):
+        digest.update(path.relative_to(ROOT).as_posix().encode() + path.read_bytes())
     return digest.hexdigest()

@@ -1,4 +1,4 @@
-"""A solved case on its page: source, theory, input files, every value beside the program's, tolerances and misprints."""
+"""A solved case on its page: source, theory, input files, each value beside the program's, tolerances, misprints."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -51,6 +52,23 @@ def test_a_page_has_source_values_tolerance_and_file(case, result):
     assert "![A figure](a.svg)" in page
     assert "seven digits are given" in page
     assert 'solver = "free-rocking"' in page
+
+
+def test_a_page_names_what_is_not_reproduced_and_the_list_has_a_dash_without_a_share(case, result):
+    page = case_page(case, replace(result, departures=("the source prints 2, the program gives 3",)), ())
+    assert "## Printed and not reproduced\n\n- the source prints 2, the program gives 3" in page
+    assert "Printed and not reproduced" not in case_page(case, result, ())
+    assert gallery._row("a", result, "a.svg").split(" | ")[3] == f"{max(result.shares):.2f}"
+    (quantity,) = result.quantities
+    exact = replace(quantity, tolerance=replace(quantity.tolerance, relative=0.0))
+    assert gallery._row("a", replace(result, quantities=(exact,)), "a.svg").split(" | ")[3] == "–"
+    assert difference_share(exact, exact.values[0]) is None
+
+
+def test_the_hash_of_the_program_covers_its_data(monkeypatch):
+    before = gallery._program()
+    monkeypatch.setattr(gallery, "sources_digest", lambda folder: "another")
+    assert gallery._program.__wrapped__() != before
 
 
 def test_the_figure_has_every_value(result):

@@ -80,13 +80,147 @@ class Covering:
         return {name: float(known[name]) for name in self.collected if name in known}
 
     def tests(self, site: Site) -> list[str]:
-        """The tests that reach a place, by name and then by time; then those with which they share caches."""
+        """The tests that reach a place; then those with which they share caches.
+
+        Those of the test file named like the source go first, then one of each file in turn, the short ones before.
+        """
         reached = self._tests(site) & set(self.seconds)
         files = {shared for test in reached for shared in self._sharing(test.split("::")[0])}
         beside = {test for test in self.seconds if test.split("::")[0] in files} - reached
         by_time = self.seconds.__getitem__
-        named = sorted(reached, key=lambda test: (-likeness(test, site.path), by_time(test)))
-        return [*named, *sorted(beside, key=by_time)]
+        own = [test for test in reached if is_named_like(test, site.path)]
+        turns = list[tuple[int, int, float, str]]()
+        for file, tests in _by_file(reached - set(own)).items():
+            near = -likeness(file, site.path)
+            turns += [(turn, near, by_time(test), test) for turn, test in enumerate(sorted(tests, key=by_time))]
+        return [*sorted(own, key=by_time), *(test for *_, test in sorted(turns)), *sorted(beside, key=by_time)]
+
+    @cached_property
+    def _caches(self) -> dict[str, set[str]]:
+        """The test files that import each module of tests/support that caches what it makes."""
+        kept = [path.stem for path in (ROOT / "tests/support").glob("*.py") if "@cache" in path.read_text()]
+        texts = {test.split("::")[0]: "" for test in self.seconds}
+        texts = {path: (ROOT / path).read_text(encoding="utf-8") for path in texts}
+        return {name: {path for path, text in texts.items() if f"tests.support.{name} " in text} for name in kept}
+
+    def _sharing(self, file: str) -> set[str]:
+        return {file}.union(*(files for files in self._caches.values() if file in files))
+
+    def _tests(self, site: Site) -> set[str]:
+        if is_kernel(site.path):
+            return self._of_kernel(site.path)
+        lines = self._lines(site.path)
+        if site.function and self._unchanged(site.path):
+            found = {test for line in range(site.statement[0], site.statement[1] + 1) for test in lines.get(line, ())}
+            if found:
+                return found
+        return self._of_file(site.path) or self._of_importers(site.path)
+
+    def _of_file(self, path: str) -> set[str]:
+        return {test for tests in self._lines(path).values() for test in tests}
+
+    def _of_importers(self, path: str) -> set[str]:
+        """The tests of the files that import one without functions, directly or through others without functions."""
+        found, seen, now = set[str](), {path}, [path]
+        while now and not found:
+            now = [each for one in now for each in importers(one) if each not in seen]
+            seen |= set(now)
+            found = {test for each in now for test in self._of_file(each)}
+        return found
+
+    def _of_kernel(self, kernel: str) -> set[str]:
+        found = set[str]()
+        for path in importers(f"{kernel.partition('kernel')[0]}kernel"):
+            text = (ROOT / path).read_text(encoding="utf-8")
+            names = re.findall(r"^from \S*kernel\S* import (?:\(([^)]*)\)|(.*))$", text, re.MULTILINE)
+            words = {name.split(" as ")[-1].strip() for pair in names for part in pair for name in part.split(",")} - {
+                ""
+            }
+            for line, tests in self._lines(path).items():
+                here = text.splitlines()[line - 1 : line]
+                if any(re.search(rf"\b{word}\b", each) for each in here for word in words):
+                    found |= tests
+        return found
+
+    @cached_property
+    def _data(self) -> CoverageData:
+        data = CoverageData(str(self.file))
+        data.read()
+        return data
+
+    def _lines(self, path: str) -> dict[int, set[str]]:
+        by_line = self._data.contexts_by_lineno(path)
+        return {line: {each.split("|")[0] for each in contexts if each} for line, contexts in by_line.items()}
+
+    def _unchanged(self, path: str) -> bool:
+        return self.hashes.get(path) == hashes([ROOT / path])[path]
+
+
+def is_kernel(path: str) -> bool:
+    """Whether a file is compiled."""
+    return path.endswith("/kernel.py") or "/kernel/" in path
+
+
+def importers(path: str) -> Iterator[str]:
+    """The files that import a file, or anything of a folder, but kernels."""
+    parent, _, name = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".").rpartition(".")
+    whole = rf"(from|import) {re.escape(parent)}\.{name}\b"
+    pattern = re.compile(rf"^\s*({whole}|from {re.escape(parent)} import (\([^)]*|.*)\b{name}\b)", re.MULTILINE)
+    for source in (each for folder in SOURCES for each in sorted((ROOT / folder).rglob("*.py"))):
+        name = source.relative_to(ROOT).as_posix()
+        if not is_kernel(name) and pattern.search(source.read_text(encoding="utf-8")):
+            yield name
+
+
+def likeness(file: str, path: str) -> int:
+    """How many parts of the path of a file of tests are in that of a source."""
+    return len(set(path.removesuffix(".py").split("/")) & set(Path(file).parts))
+
+
+def is_named_like(test: str, path: str) -> bool:
+    """Whether the file of a test has the name of a source."""
+    return Path(test.split("::")[0]).stem == f"test_{Path(path).stem.strip('_')}"
+
+
+def _by_file(tests: Iterable[str]) -> dict[str, list[str]]:
+    found = dict[str, list[str]]()
+    for test in tests:
+        found.setdefault(test.split("::")[0], []).append(test)
+    return found
+
+
+def hashes(self) -> dict[str, str]:
+        """Of the files as they were measured."""
+        return json.loads(self.hashes_file.read_text()) if self.hashes_file.exists() else {}
+
+    # ----------------------------------------------------------------------------------------------------------- asking
+
+    def leave_out(self, tests: Iterable[str]) -> None:
+        """Let tests judge no mutant from now on: those that fail without one."""
+        for test in tests:
+            self.seconds.pop(test, None)
+
+    @cached_property
+    def seconds(self) -> dict[str, float]:
+        """Of each test that passed and whose file exists."""
+        known = json.loads(self.seconds_file.read_text())
+        return {name: float(known[name]) for name in self.collected if name in known}
+
+    def tests(self, site: Site) -> list[str]:
+        """The tests that reach a place; then those with which they share caches.
+
+        Those of the test file named like the source go first, then one of each file in turn, the short ones before.
+        """
+        reached = self._tests(site) & set(self.seconds)
+        files = {shared for test in reached for shared in self._sharing(test.split("::")[0])}
+        beside = {test for test in self.seconds if test.split("::")[0] in files} - reached
+        by_time = self.seconds.__getitem__
+        own = [test for test in reached if is_named_like(test, site.path)]
+        turns = list[tuple[int, int, float, str]]()
+        for file, tests in _by_file(reached - set(own)).items():
+            near = -likeness(file, site.path)
+            turns += [(turn, near, by_time(test), test) for turn, test in enumerate(sorted(tests, key=by_time))]
+        return [*sorted(own, key=by_time), *(test for *_, test in sorted(turns)), *sorted(beside, key=by_time)]
 
     @cached_property
     def _caches(self) -> dict[str, set[str]]:

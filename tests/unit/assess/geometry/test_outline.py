@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from assess.geometry.outline import distance, outline
+from assess.geometry.outline import _covered_by_grid, distance, outline
 
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -61,3 +61,14 @@ def test_distance_to_an_outline():
     assert distance(rings, (0.5, 2.0)) == 0.0
     assert distance(rings, (-3.0, 8.0)) == 5.0
     assert distance(rings, (2.5, 0.0)) == 0.5
+
+
+def test_triangles_that_the_fast_test_takes_for_covered_are_covered() -> None:
+    """Under a body without its own mirror image about the diagonal: a wall with its windows on one side."""
+    body = shapely.box(-4.0, -4.0, 4.0, 4.0) - shapely.box(-3.0, 1.0, -1.0, 3.0) - shapely.box(2.0, -3.5, 3.5, -1.0)
+    rng = np.random.default_rng(3)
+    corners = rng.uniform(-3.8, 3.8, (2000, 1, 2)) + rng.uniform(-0.05, 0.05, (2000, 3, 2))
+    fast = _covered_by_grid(body, corners, size=8.0)
+    truly = shapely.covers(body, shapely.polygons(corners))
+    assert 0.3 < fast.mean() <= truly.mean()
+    assert truly[fast].all()

@@ -8,9 +8,10 @@ from math import pi
 import pytest
 from scipy.constants import g
 
-from assess.codes.context import Gravity
+from assess.codes.context import Context, Gravity
 from assess.codes.nzsee2017 import clauses
 from assess.codes.nzsee2017.clauses import Line, Part
+from assess.codes.nzsee2017.response import gravity_of
 from tests.support.straight import GROUND, HOUSE, SOFT, STRAIGHT
 
 HAND = 2e-5  # hand values have six figures
@@ -32,6 +33,13 @@ def test_straight_line(branch, b: float, a: float) -> None:
     line = clauses.straight_line(branch)
     assert (line.b, line.a, line.instability) == pytest.approx((b, a, 0.2), rel=HAND)
     assert clauses.nominal(branch) == Part(line, 8000.0, 2000.0)
+
+
+def test_weight_and_load_not_known_apart_count_as_the_wall_s_own() -> None:
+    at = Context(GROUND.spectrum, (1.0,), 0.0, 0.0, None, support="spanning")
+    whole = Part(Line(4000.0, 20000.0), 8000.0, 2000.0)
+    assert gravity_of(whole, "positive", at) == Gravity(0.0, 4000.0, 0.0, 20000.0, 8000.0, 0.0, 2000.0)
+    assert gravity_of(whole, "positive", replace(at, support="free")) is None
 
 
 @pytest.mark.parametrize(

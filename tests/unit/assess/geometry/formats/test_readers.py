@@ -13,7 +13,7 @@ from assess.geometry.formats.readers import read
 
 @pytest.mark.parametrize(
     ("ending", "package"),
-    [("step", "cascadio"), ("stp", "cascadio"), ("3dm", "rhino3dm"), ("ifc", "ifcopenshell"), ("stl", "trimesh")],
+    [("step", "cascadio"), ("stp", "cascadio"), ("3dm", "rhino3dm"), ("ifc", "ifcopenshell")],
 )
 def test_a_missing_package_is_one_line_that_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, package: str

@@ -11,6 +11,9 @@ from assess.results.verification import Source, Tolerance
 STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
 """How the tables of a case are read: no unknown key, no text for a number, no number that is not finite."""
 
+LARGEST = 1e100
+"""The largest number of a case, and one over the least that is not zero: differences and ratios stay finite."""
+
 
 @dataclass(frozen=True)
 class Misprint:

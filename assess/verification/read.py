@@ -16,7 +16,7 @@ from assess.errors import AssessError
 from assess.examples import EXAMPLES
 from assess.results.solved_cases import CASES, OF_A_CASE, keys_for
 from assess.results.uses import USES
-from assess.verification.case import Case, CaseFile, Quantity
+from assess.verification.case import LARGEST, Case, CaseFile, Quantity
 from assess.verification.solvers import SOLVERS
 
 FEWEST_WORDS = 3  # of a reason that says something
@@ -151,6 +151,10 @@ def _quantity_faults(quantity: Quantity) -> Iterator[str]:
         yield "tolerance: negative"
     if not quantity.values:
         yield "values: none"
+    readings = (each.reading for each in quantity.misprints.values())
+    for number in (*quantity.values.values(), *readings, quantity.factor, tolerance.absolute, tolerance.relative):
+        if number and not 1.0 / LARGEST <= abs(number) <= LARGEST:
+            yield f"{number:g} is too large or too small; take a unit in which it is between 1e-100 and 1e100"
     if len(quantity.values) > 1 and "{row}" not in quantity.path:
         yield "path: several rows need {row} in it"
     for row, misprint in quantity.misprints.items():

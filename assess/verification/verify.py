@@ -22,7 +22,7 @@ from assess.results.verification import (
     ValueResult,
     VerificationResults,
 )
-from assess.verification.case import CaseFile, Quantity
+from assess.verification.case import LARGEST, CaseFile, Quantity
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
@@ -171,7 +171,7 @@ def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
 def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
     found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
     scaled = None if found is None or not divisor else found / divisor * quantity.factor
-    if scaled is not None and not math.isfinite(scaled):
+    if scaled is not None and not abs(scaled) <= LARGEST:
         scaled = None
     misprint = quantity.misprints.get(row)
     reference = expected if misprint is None else misprint.reading

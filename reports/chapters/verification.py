@@ -73,11 +73,13 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         quantities=say_count("{number} quantity", "{number} quantities", len(results.quantities)),
         cases=say_count("{number} case", "{number} cases", len(results.cases)),
     )
-    yield say_count(
-        "{number} printed value is taken to be a misprint and compared with its likeliest reading.",
-        "{number} printed values are taken to be misprints and compared with their likeliest reading.",
-        sum(each.misprints for each in results.cases),
-    )
+    misprints = sum(each.misprints for each in results.cases)
+    if misprints:
+        yield say_count(
+            "{number} printed value is taken to be a misprint and compared with its likeliest reading.",
+            "{number} printed values are taken to be misprints and compared with their likeliest reading.",
+            misprints,
+        )
     standings = [each.source.standing for each in results.cases]
     yield say(
         "Standing of the expected values, by number of cases: published {published}, derived from the formulas of a "

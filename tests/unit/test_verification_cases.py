@@ -47,6 +47,9 @@ FAULTS = {
         "misprints",
     ),
     "a key twice": ("a = 1.0", "a = 1.0, a = 2.0", "line"),
+    "a value too large": ("a = 1.0", "a = 1.7e308", "1.7e+308 is too large or too small"),
+    "a tolerance too small": ("relative = 1e-6", "absolute = 1e-320", "is too large or too small"),
+    "a factor too large": ('path = "period_p.{row}"', 'path = "period_p.{row}"\nfactor = 1e308', "1e+308 is too large"),
     "an example that is not shipped": ("thickness = 0.2", 'example = "casa_grand"', 'did you mean "casa_grande"'),
     "an example that is no name": ("thickness = 0.2", "example = [1]", "given.example: "),
     "files that are no names": ("thickness = 0.2", "files = 3", "given.files: "),
@@ -77,10 +80,10 @@ def test_file_that_is_no_utf8_and_folder_named_as_a_file_are_refused(tmp_path):
 
 
 def test_value_too_large_for_a_number_is_none_found(tmp_path):
-    text = CASE.replace('path = "period_p.{row}"', 'path = "period_p.{row}"\nfactor = 1e308')
+    text = CASE.replace('path = "period_p.{row}"', 'path = "period_p.{row}"\nfactor = 1e100')
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     (case,) = read_cases(tmp_path)
-    result = compare_case(case, {"period_p": {"a": 1e10, "b": 1e-308}})
+    result = compare_case(case, {"period_p": {"a": 1e300, "b": 1e-100}})
     assert [each.found for each in result.quantities[0].values] == [None, pytest.approx(1.0)]
     assert result.outcome == "fail"
 

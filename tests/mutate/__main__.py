@@ -13,6 +13,7 @@ from pathlib import Path
 from queue import SimpleQueue
 
 from tests.mutate.covering import Covering
+from tests.mutate.equivalent import reason
 from tests.mutate.mutant import Mutant, draw
 from tests.mutate.report import outcome, report, score, table
 from tests.mutate.site import ROOT
@@ -31,7 +32,7 @@ def main() -> int:
     drawn = [
         each
         for each in draw(asked.mutants, seed=asked.seed)
-        if each.site.path.startswith(below) and (again is None or _name(each) in again)
+        if each.site.path.startswith(below) and (again is None or (_name(each) in again and reason(each) is None))
     ]
     trials = dict[Mutant, Trial]()
     trees = [copy_tree(FOLDER / f"tree-{number}") for number in range(asked.processes)]

@@ -120,12 +120,12 @@ class Covering:
         return {test for tests in self._lines(path).values() for test in tests}
 
     def _of_importers(self, path: str) -> set[str]:
-        """The tests of the files that import one without functions, directly or through others without functions."""
+        """The tests of the files that import one without functions, directly or through others."""
         found, seen, now = set[str](), {path}, [path]
-        while now and not found:
-            now = [each for one in now for each in importers(one) if each not in seen]
+        while now:
+            now = list(dict.fromkeys(each for one in now for each in importers(one) if each not in seen))
             seen |= set(now)
-            found = {test for each in now for test in self._of_file(each)}
+            found |= {test for each in now for test in self._of_file(each)}
         return found
 
     def _of_kernel(self, kernel: str) -> set[str]:

@@ -267,7 +267,10 @@ def test_table_summary_and_differences(folder: Path) -> None:
 def test_a_mechanism_without_an_answer_has_no_influence_to_tell(folder: Path) -> None:
     """An impact that keeps nothing is outside ASCE 43-05 A.2, the only method asked for."""
     body = {"kind": "equivalent-block", "p": {"mean": 2.4, "cov": 0.1}, "uplift": 0.2, "radius": 1.2, "restitution": 0}
-    code = {"site": {"spectrum": ASCE7, "limit_state": "DBE"}, "verdict": {"basis": "asce43-05"}}
+    code = {
+        "site": {"spectrum": ASCE7, "limit_state": "DBE"},
+        "verdict": {"basis": "asce43-05", "procedures": ["asce43-05-spectrum"]},
+    }
     found = assessed(folder, mechanisms={"wall": body}, procedures=["asce43-05-spectrum"], **code)
     assert found.uncertainty is not None
     assert found.uncertainty.answers == ()

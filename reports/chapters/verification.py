@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from assess.codes.families import THESIS_READINGS
 from assess.results.uses import USES
 from assess.results.verification import CaseResult, VerificationResults
 from reports.chapters import verification_case, verification_words
@@ -29,7 +30,8 @@ def sections(results: VerificationResults) -> list[Section]:
 
 
 def _outcome(results: VerificationResults) -> Iterator[Block]:
-    bare = any(each.use not in results.passed_uses for each in results.coverage)
+    deciding = {each.use for each in results.coverage} - set(THESIS_READINGS)
+    bare = not deciding <= results.passed_uses
     partial = results.quick or results.left_out or results.foreign or bare or not results.evidence
     yield Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
     yield Prose(tuple(_totals(results)))

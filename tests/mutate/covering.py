@@ -114,7 +114,8 @@ class Covering:
             found = {test for line in range(site.statement[0], site.statement[1] + 1) for test in lines.get(line, ())}
             if found:
                 return found
-        return self._of_file(site.path) or self._of_importers(site.path)
+        own = self._of_file(site.path)
+        return own if own and site.function else own | self._of_importers(site.path)
 
     def _of_file(self, path: str) -> set[str]:
         return {test for tests in self._lines(path).values() for test in tests}

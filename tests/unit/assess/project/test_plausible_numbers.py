@@ -12,24 +12,27 @@ from tests.support.projects import NTC, block, project_toml, wall
 
 
 @pytest.mark.parametrize(
-    ("friction", "level", "corner", "keys"),
+    ("density", "friction", "level", "corner", "keys"),
     [
-        (2.0, "3 g", "1 s", set()),
-        (9.5, "3 g", "1 s", {"friction-large"}),
-        (0.5, "98.1 g", "1 s", {"level-large"}),
-        (0.5, "0.1 g", "9.3 s", {"corner-long"}),
+        ("3500 kg/m^3", 2.0, "3 g", "1 s", set()),
+        ("100 kg/m^3", 2.0, "3 g", "1 s", set()),
+        ("9000 kg/m^3", 2.0, "3 g", "1 s", {"density-odd"}),
+        ("20 kg/m^3", 2.0, "3 g", "1 s", {"density-odd"}),
+        ("1900 kg/m^3", 9.5, "3 g", "1 s", {"friction-large"}),
+        ("1900 kg/m^3", 0.5, "98.1 g", "1 s", {"level-large"}),
+        ("1900 kg/m^3", 0.5, "0.1 g", "9.3 s", {"corner-long"}),
     ],
 )
 def test_implausible_numbers_get_a_warning(
-    tmp_path: Path, friction: float, level: str, corner: str, keys: set[str]
+    tmp_path: Path, density: str, friction: float, level: str, corner: str, keys: set[str]
 ) -> None:
     text = project_toml(
         site={"limit_state": "SLV", "spectrum": NTC | {"t_c_star": corner}},
-        materials={"m": {"density": 1900, "friction": friction}},
+        materials={"m": {"density": density, "friction": friction}},
         bodies={"wall": wall(0.8, height=5.0, material="m")},
         mechanisms={"wall": block("wall")},
         analysis={"levels": [level]},
     )
     (tmp_path / "project.toml").write_text(text)
     found = {each.key for each in build(load(tmp_path / "project.toml")).messages}
-    assert found & {"friction-large", "level-large", "corner-long"} == keys
+    assert found & {"density-odd", "friction-large", "level-large", "corner-long"} == keys

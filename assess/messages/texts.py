@@ -291,8 +291,8 @@ TEXTS: Mapping[str, str] = {
     "friction",
     # warnings and notes of a project
     "box-size": "a number without a unit is in m, so this is {given}; if another unit was meant, write {likely}",
-    "density-odd": "a density of {given} is outside what masonry and floors have, {least} to {most}; is a digit or a unit "
-    "wrong?",
+    "density-odd": "a density of {given} is outside what masonry and floors have, {least} to {most}; is a digit or a "
+    "unit wrong?",
     "friction-large": "a coefficient of friction of {given} is more than masonry has, {most}; is a point lost?",
     "level-large": "a level of {given} is beyond any plausible site, {most}; is it in another unit?",
     "corner-long": "T_C* of {given} is longer than at any site in Italy, {most}; is a point lost?",

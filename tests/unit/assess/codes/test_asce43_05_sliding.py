@@ -44,6 +44,7 @@ def test_best_estimate_by_hand() -> None:
     expected = 0.4 * g * (period_of(0.4 / ETA) / (2 * pi)) ** 2
     check = answer(context())
     assert check.demand == pytest.approx(expected, rel=1e-9)
+    assert (check.quantity, check.unit) == ("sliding", "m")
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.NO_ALLOWABLE_SLIDING)
     assert "not checked against the printed standard" in check.caveat
 

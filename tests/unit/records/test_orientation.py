@@ -10,7 +10,8 @@ from records.orientation import azimuth_of, is_vertical
 @pytest.mark.parametrize(
     ("name", "degrees"),
     [
-        ("N", 0), ("E-W", 90), ("NS", 0), ("WE", 90), ("EAST", 90), ("EW2", 90), ("HNE", 90), ("hnn", 0),
+        ("N", 0), ("E", 90), ("S", 180), ("W", 270), ("WEST", 270),
+        ("E-W", 90), ("NS", 0), ("WE", 90), ("EAST", 90), ("EW2", 90), ("HNE", 90), ("hnn", 0),
         ("360", 0), ("000", 0), ("21", 21), ("090", 90), ("90 DEG", 90), ("340 deg", 340),
         ("N28W", 332), ("S62W", 242), ("S16E", 164), ("N45E", 45),
     ],

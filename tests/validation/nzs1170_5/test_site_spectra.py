@@ -35,6 +35,7 @@ def test_zr_is_taken_up_to_0_7():
     largest = site_spectrum(subsoil="B", z=0.6, r=1.8)
     assert largest.pga / g == pytest.approx(0.7, rel=1e-12)
     assert largest.parameters["zr"] == 0.7
+    assert largest.parameters["c_0"] == pytest.approx(largest.pga / g, rel=1e-12)
 
 
 def test_near_fault():

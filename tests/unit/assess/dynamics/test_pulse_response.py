@@ -290,3 +290,12 @@ def test_a_job_that_names_nothing_is_named(name: str, oscillators: list[int], fr
     run = make_solver([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
     with pytest.raises(ValueError, match=rf"jobs\[1\]: {name}"):
         run(PulseJobs(np.array(oscillators), np.array(frequencies), np.ones(2)))
+
+
+@pytest.mark.parametrize("shape", ["sine", "cosine"])
+def test_the_weaker_side_lifts_in_whichever_half_pushes_it(shape: str) -> None:
+    """The frame's sides start to rock at about 0.25 g and 0.2 g: under 0.225 g the second alone does, by each polarity."""
+    none = np.zeros(2, dtype=np.int64)
+    jobs = PulseJobs(none, none, 0.225 * g * np.array([1.0, -1.0]))
+    found = outcomes([FRAME], SHAPES[shape], np.array([1.0]), jobs, equation="linearised", threads=1)
+    assert found.uplifted.tolist() == [True, True]

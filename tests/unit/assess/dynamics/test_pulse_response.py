@@ -294,7 +294,7 @@ def test_a_job_that_names_nothing_is_named(name: str, oscillators: list[int], fr
 
 @pytest.mark.parametrize("shape", ["sine", "cosine"])
 def test_the_weaker_side_lifts_in_whichever_half_pushes_it(shape: str) -> None:
-    """The frame's sides start to rock at about 0.25 g and 0.2 g: under 0.225 g the second alone does, by each polarity."""
+    """Its sides start to rock at about 0.25 g and 0.2 g: under 0.225 g the second alone does, by each polarity."""
     none = np.zeros(2, dtype=np.int64)
     jobs = PulseJobs(none, none, 0.225 * g * np.array([1.0, -1.0]))
     found = outcomes([FRAME], SHAPES[shape], np.array([1.0]), jobs, equation="linearised", threads=1)

@@ -47,7 +47,7 @@ def export_formats(incomplete: str) -> Sequence[str]:
 
 def solved_cases(incomplete: str) -> Sequence[str]:
     """Complete the key of a solved case, or of all cases of one source."""
-    from assess.verification.read import read_cases
+    from assess.results.solved_cases import exercised_by_case
 
-    keys = {each.key for each in read_cases()}
+    keys = set(exercised_by_case())
     return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]

@@ -33,14 +33,15 @@ def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
     ValueError : a value is no number, or a number of values is impossible
     """
     text = re.sub(rb"/\*.*?\*/|'[^']*'", b"''", file.read_bytes(), flags=re.DOTALL)
-    for row in POINT.findall(text):
+    points = POINT.findall(text)
+    for row in points:
         if not all(map(_is_finite, row.split(b","))):
             raise ValueError(f"({row.decode('latin-1'):.40}) in it are not numbers; it is damaged, export it again")
     for ratios in DIRECTION.findall(text):
         if all(map(ZERO.fullmatch, ratios.split(b","))):
             shown = ratios.decode("latin-1")
             raise ValueError(f"the direction ({shown:.40}) in it has no length; it is damaged, export it again")
-    _points(POINT.findall(text))
+    _points(points)
     for dimensions, rows in LIST.findall(text):
         for row in re.findall(rb"\(([^()]*)\)", rows):
             _coordinates(row.split(b","), {int(dimensions)})

@@ -45,35 +45,35 @@ check: .venv/installed     ## style, types, direction of imports
 	$(BIN)/lint-imports
 
 bench: .venv/installed     ## speed, as ratios measured in one run; then studies, and properties over many more cases
-	$(BIN)/python tests/benchmarks/bench_dynamics.py
-	$(BIN)/python -m tests.benchmarks.bench_fragility
-	$(BIN)/python -m tests.benchmarks.bench_growth
-	$(BIN)/python tests/benchmarks/bench_interfaces.py
-	$(BIN)/python tests/benchmarks/bench_mechanisms.py
-	$(BIN)/python tests/benchmarks/bench_mesh.py
-	$(BIN)/python -m tests.benchmarks.bench_portfolio
-	$(BIN)/python -m tests.benchmarks.bench_records
-	$(BIN)/python tests/benchmarks/bench_report.py
+	$(BIN)/python tools/benchmarks/bench_dynamics.py
+	$(BIN)/python -m tools.benchmarks.bench_fragility
+	$(BIN)/python -m tools.benchmarks.bench_growth
+	$(BIN)/python tools/benchmarks/bench_interfaces.py
+	$(BIN)/python tools/benchmarks/bench_mechanisms.py
+	$(BIN)/python tools/benchmarks/bench_mesh.py
+	$(BIN)/python -m tools.benchmarks.bench_portfolio
+	$(BIN)/python -m tools.benchmarks.bench_records
+	$(BIN)/python tools/benchmarks/bench_report.py
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m study
 	HYPOTHESIS_PROFILE=deep $(BIN)/python -m pytest -n 2 --dist worksteal tests/properties
 
 peers: build/peers/installed  ## speed and error beside other programs, in an environment of their own, into docs/speed.md
-	build/peers/bin/python -m tests.benchmarks.peers --write $(PEERS)
+	build/peers/bin/python -m tools.benchmarks.peers --write $(PEERS)
 
 fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
-	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
+	$(BIN)/python -m tools.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
 
 kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
-	$(BIN)/python tests/kill/study.py $(KILLS)
-	$(BIN)/python tests/kill/portfolio.py
+	$(BIN)/python tools/kill/study.py $(KILLS)
+	$(BIN)/python tools/kill/portfolio.py
 
 dist: .venv/installed      ## wheel and source distribution, without a network; what is in them is checked
 	rm -rf dist
 	$(BIN)/python -m hatchling build >/dev/null
-	$(BIN)/python -m tests.distribution.contents dist
+	$(BIN)/python -m tools.distribution.contents dist
 
 wheel: dist                ## the wheel in an empty environment, with the locked versions: `new`, `run` and `verify --quick` from another folder
-	$(BIN)/python -m tests.distribution.try_wheel dist
+	$(BIN)/python -m tools.distribution.try_wheel dist
 
 lowest:                    ## with uv: the oldest versions that pyproject.toml allows; tests of files, numbers, projects and reports with them
 	rm -rf $(LOWEST)
@@ -83,7 +83,7 @@ lowest:                    ## with uv: the oldest versions that pyproject.toml a
 	$(LOWEST)/bin/python -m pytest -n 2 --dist worksteal -rs $(OLD_IS_NO_FAULT) $(or $(TESTS),tests/unit tests/end_to_end tests/validation)
 
 costs: .venv/cad           ## what each dependency weighs, as a table in Markdown
-	$(BIN)/python -m tests.distribution.costs
+	$(BIN)/python -m tools.distribution.costs
 
 figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
@@ -94,7 +94,7 @@ figures: .venv/installed   ## pictures and the notebook of docs/, with those of 
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 
 mutate: .venv/mutate       ## MUTANTS of physics and codes drawn by SEED, 95 % of them to be killed: docs/robustness.md
-	$(BIN)/python -m tests.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
+	$(BIN)/python -m tools.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
 
 docs: .venv/docs           ## the manual in build/docs/html: spelling first; a warning is an error, and nothing is read from the network
 	$(BIN)/codespell -D - -D docs/spelling.txt README.md CONTRIBUTING.md CHANGELOG.md docs assess spectra records reports
@@ -106,13 +106,13 @@ docs-links: docs           ## links of the manual: within it each leads somewher
 	$(if $(OUTSIDE),$(BIN)/python -m sphinx -q -j 2 -d build/docs/pages -b linkcheck docs build/docs/outside)
 
 faults: .venv/installed    ## one fault at a time planted in a copy of the program: which solved cases turn red
-	$(BIN)/python -m tests.verification.faults
+	$(BIN)/python -m tools.faults
 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
-	$(BIN)/python -m tests.same $(BASE)
+	$(BIN)/python -m tools.same $(BASE)
 
 catalogue: .venv/installed ## bring the Italian catalogue up to date with the source, and list what it lacks
-	$(BIN)/python -m tests.languages.entries it
+	$(BIN)/python -m tools.catalogue it
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock

@@ -10,8 +10,8 @@ import pytest
 from reports.language.catalogue import ENGLISH, decimal_point, languages
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say, say_count
-from tests.languages.entries import Entry, catalogue_of, english_entries, is_symbolic, is_translated
 from tests.languages.fixed_terms import fixed_terms
+from tools.catalogue import Entry, catalogue_of, english_entries, is_symbolic, is_translated
 
 OTHERS = [language for language in languages() if language != ENGLISH]
 ENTRIES = {entry.english: entry for entry in english_entries()}

@@ -20,8 +20,8 @@ from reports.document import Sheet
 from reports.language.locale import Locale
 from reports.language.texts import Term, Text, Verbatim, listing, say
 from reports.render.sheet_rows import sheet_rows
-from tests.languages.entries import is_symbolic
 from tests.languages.test_catalogues import OTHERS
+from tools.catalogue import is_symbolic
 
 EXAMPLES = ("casa_grande_table", "chiesa", "nepal_monuments", "san_leonardo_church")
 

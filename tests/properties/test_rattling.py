@@ -1,7 +1,7 @@
 """Rattling never stalls: random oscillators under random motions at scales from a whisper to a hundred.
 
 What a job may cost is a small multiple of its samples and its impacts, which are physics. Steps are counted, in plain
-Python, so that no clock decides; seconds are measured by tests/benchmarks/bench_dynamics.py.
+Python, so that no clock decides; seconds are measured by tools/benchmarks/bench_dynamics.py.
 """
 
 from __future__ import annotations

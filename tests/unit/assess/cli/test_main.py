@@ -47,7 +47,7 @@ HEAVY = {
     "arguments", [["--help"], ["run", "--help"], ["spectrum", "--help"], ["records", "convert", "--help"]]
 )
 def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
-    """What it then takes is measured by tests/benchmarks/bench_growth.py."""
+    """What it then takes is measured by tools/benchmarks/bench_growth.py."""
     told = "import atexit, sys; atexit.register(lambda: print(*sys.modules, file=sys.stderr))"
     program = f"{told}; from assess.cli import main; main()"
     done = subprocess.run([sys.executable, "-c", program, *arguments], capture_output=True, text=True, check=True)

@@ -108,8 +108,8 @@ docs-links: docs           ## links of the manual: within it each leads somewher
 faults: .venv/installed    ## one fault at a time planted in a copy of the program: which solved cases turn red
 	$(BIN)/python -m tools.faults
 
-same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
-	$(BIN)/python -m tools.same $(BASE)
+same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key has changed since; texts that did are listed. CORPUS=folder: projects collected before
+	$(BIN)/python -m tools.same $(BASE) $(if $(CORPUS),--corpus $(CORPUS))
 
 catalogue: .venv/installed ## bring the Italian catalogue up to date with the source, and list what it lacks
 	$(BIN)/python -m tools.catalogue it

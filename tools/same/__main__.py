@@ -1,7 +1,9 @@
-"""`python -m tools.same BASE`: that every number, name, outcome, order and key of results is what it was at BASE.
+"""`python -m tools.same BASE`: that every number, name, outcome, order and key is what it was at BASE.
 
-The projects are the shipped examples and all that the tests open; they are collected once, into build/same/projects.
-Each is run by the program at BASE and by the one that stands here. Texts for people may differ, and are listed.
+The projects are the shipped examples and all that the tests open; they are collected once, into build/same/projects or
+the folder given with --corpus. Each is run by the program at BASE and by the one that stands here. Compared is what
+`run`, `check`, `parameters`, `spectrum`, `fragility`, `report` (pages and tables, of a part of the projects), `batch`
+and `schema` give. Texts for people may differ, and are listed.
 """
 
 from __future__ import annotations
@@ -50,10 +52,11 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tools.same", description=__doc__)
     parser.add_argument("base", help="a commit, whose program is run beside this one")
     parser.add_argument("--folder", type=Path, default=ROOT / "build/same")
+    parser.add_argument("--corpus", type=Path, help="a folder of projects collected before (default: FOLDER/projects)")
     asked = parser.parse_args()
     commit = subprocess.check_output(["git", "rev-parse", "--short", asked.base], cwd=ROOT, text=True).strip()
     folder: Path = asked.folder.absolute()
-    projects, tree = folder / "projects", folder / f"tree-{commit}"
+    projects, tree = (asked.corpus or folder / "projects").absolute(), folder / f"tree-{commit}"
     if not projects.exists():
         collect(projects)
     if not tree.exists():

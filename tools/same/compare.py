@@ -54,7 +54,7 @@ def differences(before: Any, after: Any, place: str = "", key: str = "") -> Iter
         if list(before) != list(after):
             yield Difference(f"{place} (keys)", list(before), list(after), words=False)
         for name in before:
-            if name in after and f"{place}.{name}" != OWN_SOURCES:
+            if name in after and not f"{place}.{name}".endswith(OWN_SOURCES):
                 yield from differences(before[name], after[name], f"{place}.{name}", name)
     elif isinstance(before, list) and isinstance(after, list):
         if len(before) != len(after):

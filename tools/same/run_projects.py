@@ -142,7 +142,7 @@ def resolved(part: Any, definitions: dict[str, Any], within: tuple[str, ...] = (
 
 
 def main(corpus: Path, target: Path) -> None:
-    """Ask every project of the corpus that has not been asked yet, two at a time, in processes that may start others."""
+    """Ask every project of the corpus that has not been asked yet, two at a time."""
     target.mkdir(parents=True, exist_ok=True)
     jobs = [(folder, target / f"{folder.name}.json") for folder in sorted(corpus.iterdir())]
     jobs = [(folder, kept) for folder, kept in jobs if not kept.exists()]

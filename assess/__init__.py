@@ -14,13 +14,12 @@ if TYPE_CHECKING:
     from scipy.constants import g
 
     from assess.codes.context import building
-    from assess.interfaces.definition import Interface, Shape
+    from assess.interfaces.contact import Interface, Shape
     from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
     from assess.model.body import Body, Material
     from assess.model.definitions import CutAngle, CutPlane, RadialJoints
     from assess.model.make_body import box, mesh, profile
-    from assess.study.block import Block
-    from assess.study.block_kinds import equivalent_block, four_hinge, single_block, two_block
+    from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
     from assess.verbs import Run, answers, envelope, fragility, load, respond, run, write_report
     from records.reading import read_record
     from records.record import Record
@@ -64,13 +63,12 @@ __all__ = [
 
 _HOMES = {
     "assess.codes.context": ("building",),
-    "assess.interfaces.definition": ("Interface", "Shape"),
+    "assess.interfaces.contact": ("Interface", "Shape"),
     "assess.loads.definitions": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.model.body": ("Body", "Material"),
     "assess.model.definitions": ("CutAngle", "CutPlane", "RadialJoints"),
     "assess.model.make_body": ("box", "mesh", "profile"),
-    "assess.study.block": ("Block",),
-    "assess.study.block_kinds": ("equivalent_block", "four_hinge", "single_block", "two_block"),
+    "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
     "assess.verbs": ("Run", "answers", "envelope", "fragility", "load", "respond", "run", "write_report"),
     "records.reading": ("read_record",),
     "records.record": ("Record",),

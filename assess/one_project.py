@@ -11,22 +11,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from assess.errors import AssessError, OutputError, ProjectError
-from assess.portfolio.row import Row
+from assess.portfolio.row import ProjectRow
 from assess.portfolio.tasks import Job
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
 if TYPE_CHECKING:
     from assess.portfolio.projects import Task
-    from assess.portfolio.template import Column
-    from assess.project.schema import Project
+    from assess.portfolio.template import KeyColumn
+    from assess.project.project_file import Project
     from assess.results import Results
 
 PROBES = ("1", "0.01", "100")
 """Numbers of which one at least is within the range of any key, in a unit of its dimension."""
 
 
-def assess_project(job: Job) -> Row:
+def assess_project(job: Job) -> ProjectRow:
     """Assess one project of a portfolio in this thread, write the outputs that are kept of it, and return its row.
 
     Raises
@@ -37,19 +37,18 @@ def assess_project(job: Job) -> Row:
         return _assess(job)
 
 
-def _assess(job: Job) -> Row:
+def _assess(job: Job) -> ProjectRow:
     from assess.outputs.manifest import RESULTS
-    from assess.portfolio.verdict_row import row_of_verdict
+    from assess.portfolio.tasks import row_of_verdict
     from assess.project.build import build, build_to_decide
-    from assess.study.decision import find_verdict
-    from assess.study.run import run
+    from assess.study.run import find_verdict, run_study
 
     project = load_task(job.task)
     if job.keep == "rows":
         study = build_to_decide(project)
         return row_of_verdict(job, find_verdict(study), study.messages)
     study = build(project)
-    results = run(study, jobs=1)
+    results = run_study(study, jobs=1)
     report = _write(job, results)
     said = [each for each in study.messages if not each.key.startswith("annex-")]  # which is of the report
     return row_of_verdict(job, results.verdict, said, report=report, results=f"{job.folder.name}/{RESULTS}")
@@ -70,7 +69,7 @@ def _located(task: Task) -> Iterator[None]:
         raise ProjectError(row_fault(task, str(error))) from None
 
 
-def unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
+def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
     """Return why the unit of a table's column cannot stand at its key of the template; "" if it can.
 
     Parameters
@@ -80,7 +79,7 @@ def unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
     column : with a unit
     """
     from assess.portfolio.template import key_text, keys_of, with_row
-    from assess.project.schema import load_tree
+    from assess.project.project_file import load_tree
 
     told, first = f"{path}: {key_text(keys_of(tables)[column.key])}: ", ""
     for number in PROBES:
@@ -98,7 +97,7 @@ def unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
 def load_task(task: Task) -> Project:
     """Read the project of a task: its file, or its template with the values of its row."""
     from assess.portfolio.projects import project_tree
-    from assess.project.schema import load, load_tree
+    from assess.project.project_file import load, load_tree
 
     if task.content is None:
         return load(task.path)
@@ -107,8 +106,8 @@ def load_task(task: Task) -> Project:
 
 def _write(job: Job, results: Results) -> str:
     """Write the outputs of a project, whole or not at all; return the link to its report, "" for none."""
-    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import REPORT, RESULTS
+    from assess.outputs.writing import output_folder
     from assess.results.json import dumps
 
     wanted = (RESULTS, *(REPORT if job.keep == "report" else ()))

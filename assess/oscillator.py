@@ -196,7 +196,7 @@ class Linearised:
 
 
 @dataclass(frozen=True)
-class SingleBlock:
+class RockingBlock:
     """The plain block equivalent to the mechanism at rest.
 
     mass M [kg], radius R [m], slenderness alpha [rad], inertia I_O about the hinge [kg m2].
@@ -305,7 +305,7 @@ def participation_ratio(branch: Branch, *, mass: float) -> float:
     return float(participating_mass(branch)[0] / mass)
 
 
-def equivalent_block(branch: Branch, *, mass: float) -> SingleBlock:
+def equivalent_block(branch: Branch, *, mass: float) -> RockingBlock:
     """Return the single block with the mass, restoring moment, excitation and inertia of the mechanism at rest.
 
     Parameters
@@ -315,10 +315,10 @@ def equivalent_block(branch: Branch, *, mass: float) -> SingleBlock:
     """
     height, half_width = branch.excitation[0] / mass, branch.restoring[0] / (mass * g)
     radius, slenderness = float(np.hypot(height, half_width)), float(np.arctan2(half_width, height))
-    return SingleBlock(mass, radius, slenderness, float(branch.inertia[0]))
+    return RockingBlock(mass, radius, slenderness, float(branch.inertia[0]))
 
 
-def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
+def block_at(branch: Branch, rotation: float, *, mass: float) -> RockingBlock:
     """Return the single block with the restoring moment, excitation and inertia of the mechanism at a rotation.
 
     For a plain block it is the same at every rotation; on a flexible joint it is thesis 6.50-6.52.
@@ -331,10 +331,10 @@ def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
     """
     R, B = float(branch.restoring_spline(rotation)), float(branch.excitation_spline(rotation))
     inertia = float(branch.inertia_spline(rotation))
-    return SingleBlock(mass, float(np.hypot(R / g, B)) / mass, rotation + float(np.arctan2(R / g, B)), inertia)
+    return RockingBlock(mass, float(np.hypot(R / g, B)) / mass, rotation + float(np.arctan2(R / g, B)), inertia)
 
 
-def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) -> Branch:
+def plain_branch(block: RockingBlock, *, restitution: float, end: float = 1.5) -> Branch:
     """Tabulate a plain block.
 
     Parameters

@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from assess.codes.check import Check
     from assess.codes.context import Building
     from assess.codes.verdict import Verdict
-    from assess.dynamics.envelope import Envelope
     from assess.dynamics.packing import Equation
+    from assess.dynamics.pulses import Envelope
     from assess.portfolio.batch import Portfolio
     from assess.portfolio.tasks import Keep
-    from assess.project.schema import Project
+    from assess.project.project_file import Project
     from assess.results import Results
     from assess.results.fragility import FragilityResults
     from assess.study.block import Block
-    from assess.study.response import Motion
-    from records.pulses import Shape
+    from assess.study.histories import RockingResponse
+    from records.pulses import PulseShape
     from records.record import Record
     from spectra.arrays import FloatArray
     from spectra.spectrum import Spectrum
@@ -38,15 +38,15 @@ Tell = Callable[[str], None]
 """Hears a line about what was found."""
 
 
-def silent(stage: str, done: int, total: int) -> None:
+def ignore_progress(stage: str, done: int, total: int) -> None:
     """Say nothing of long work."""
 
 
-def unheard(line: str) -> None:
+def ignore_line(line: str) -> None:
     """Drop a line."""
 
 
-def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> Motion:
+def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> RockingResponse:
     """Solve the rocking motion of a mechanism from rest under a record.
 
     A block that rocks to one side is solved with its rebound, half of it and one and a half, and the worst is returned,
@@ -68,10 +68,10 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
     MechanismError : the mechanism stands only by ties or forces that are not shown to last
     RecordError : it is not one horizontal record of finite samples, or the scale is no finite number
     """
-    from assess.study.response import respond_at_worst_rebound as solve
+    from assess.study.histories import respond_at_worst_rebound as solve
     from records.errors import RecordError
-    from records.orientation import is_vertical
     from records.record import Record as Known
+    from records.record import is_vertical
 
     _check_block(block)
     if isinstance(record, Known) and is_vertical(record.component):
@@ -118,7 +118,7 @@ def _check_site(target: Spectrum, building: Building | None) -> None:
 
 def envelope(
     block: Block,
-    pulse: str | Shape,
+    pulse: str | PulseShape,
     *,
     frequency: Sequence[float] | FloatArray,
     amplitude: Sequence[float] | FloatArray,
@@ -130,7 +130,8 @@ def envelope(
     Parameters
     ----------
     block : the mechanism
-    pulse : name of a pulse of `records.pulses.SHAPES`, such as "sine", or a shape made by `records.pulses.shape`
+    pulse : name of a pulse of `records.pulses.PULSE_SHAPES`, such as "sine", or a shape made by
+        `records.pulses.pulse_shape`
     frequency : rising frequencies of the pulse [n] [Hz]
     amplitude : rising peak accelerations [m] [m/s2]
     equation : as for `respond`
@@ -140,7 +141,7 @@ def envelope(
     -------
     The outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2]
     """
-    from assess.study.pulse_envelope import envelope as find
+    from assess.study.envelopes import find_envelope as find
 
     _check_block(block)
     _check_jobs(jobs)
@@ -187,7 +188,7 @@ def answers(
     ProcedureError : a procedure or a level of knowledge is not known, or a record is vertical
     RecordError : something is no record of finite samples
     """
-    from assess.study.answers import answers as find
+    from assess.study.checks import answers as find
 
     _check_block(block)
     _check_jobs(jobs)
@@ -213,7 +214,7 @@ def load(path: str | Path) -> Project:
     ProjectError : the file cannot be read, or holds an unknown key, a wrong unit or a wrong value
     """
     from assess.errors import ProjectError
-    from assess.project.schema import load as read
+    from assess.project.project_file import load as read
 
     if not isinstance(path, str | Path):
         raise ProjectError(f"{path!r:.60} is no path; give a project file or its folder")
@@ -248,7 +249,7 @@ class Run:
 
     def figure(self, name: str, *, mechanism: str | None = None) -> Figure:
         """Return a figure of the report by its name, such as "capacity"; an unknown name lists all."""
-        from reports.report_figure import report_figure
+        from reports.assessment import report_figure
 
         return report_figure(name, self.results, mechanism=mechanism)
 
@@ -267,12 +268,12 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
     AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
     """
     from assess.project.build import build
-    from assess.project.schema import Project
-    from assess.study.run import run as assess
+    from assess.project.project_file import Project
+    from assess.study.run import run_study as assess
 
     loaded = project if isinstance(project, Project) else load(project)
     _check_jobs(jobs, progress)
-    return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or silent))
+    return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or ignore_progress))
 
 
 def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progress | None = None) -> FragilityResults:
@@ -289,12 +290,12 @@ def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progres
     AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
     """
     from assess.project.build import build
-    from assess.project.schema import Project
-    from assess.study.fragility.fragility import run_fragility
+    from assess.project.project_file import Project
+    from assess.study.fragility import run_fragility
 
     loaded = project if isinstance(project, Project) else load(project)
     _check_jobs(jobs, progress)
-    return run_fragility(build(loaded), jobs=jobs, progress=progress or silent)
+    return run_fragility(build(loaded), jobs=jobs, progress=progress or ignore_progress)
 
 
 def write_report(
@@ -321,8 +322,8 @@ def write_report(
     OutputError : the folder cannot be written, or holds files that may not be replaced
     """
     from assess.errors import OutputError
-    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import REPORT, RESULTS
+    from assess.outputs.writing import output_folder
     from assess.results.json import dumps
     from reports.language.catalogue import languages
     from reports.writing import write_all
@@ -334,7 +335,7 @@ def write_report(
     if language is not None and language not in languages():
         raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
     _check_jobs(jobs, progress)
-    place, said = Path(folder), progress or silent
+    place, said = Path(folder), progress or ignore_progress
     with output_folder(place, command="write_report", wanted=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())
         pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: said(step, 0, 1))
@@ -351,7 +352,7 @@ def batch(
     scheduler: str | None = None,
     shard: str = "1/1",
     keep: Keep = "report",
-    tell: Tell = unheard,
+    tell: Tell = ignore_line,
     progress: Progress | None = None,
 ) -> Portfolio:
     """Assess every project below a folder, or one for each row of a table, and rank them.
@@ -377,15 +378,14 @@ def batch(
     AssessError : the table or the template cannot be used, the folder cannot be written, or no scheduler answers
     """
     from assess.one_project import assess_project, unit_fault
-    from assess.portfolio.batch import Order, run_batch
+    from assess.portfolio.batch import BatchOptions, parse_shard, run_batch
     from assess.portfolio.executors import dask, processes
     from assess.portfolio.projects import find_tasks
-    from assess.portfolio.shard import shard_of
     from reports.portfolio import write_ranking
 
     _check_jobs(jobs, progress)
-    said = progress or silent
-    order = Order(Path(folder), keep, shard_of(shard), resume)
+    said = progress or ignore_progress
+    order = BatchOptions(Path(folder), keep, parse_shard(shard), resume)
     engine = processes(jobs or None) if scheduler is None else dask(scheduler)
     tasks = find_tasks(
         Path(source),

@@ -1,4 +1,4 @@
-"""A catalogue of a folder of records: an SQLite file with metadata, measures and 5 % spectra, made by `indexing`.
+"""A catalogue of a folder of records: an SQLite file with metadata, measures and 5 % spectra.
 
 Names and texts in it come from files of others: they are bound as parameters and never become part of a statement, and
 no path is followed that leads out of the folder. Every row has a seal, a hash of what it says: one that was changed
@@ -7,10 +7,12 @@ since, by a disk or by hand, is not believed, and its file is read again.
 
 from __future__ import annotations
 
+import hashlib
 import sqlite3
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import astuple, fields
+from math import isfinite, isnan
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -18,11 +20,9 @@ import numpy as np
 
 from records.candidates import Candidate
 from records.errors import RecordError
-from records.flatfile import Recording
-from records.flatfile_match import describe_candidates
-from records.formats.header_overrides import HeaderOverrides
-from records.intensity import Measures
-from records.seal import seal, with_seal
+from records.flatfile import FlatfileRow, describe_candidates
+from records.formats.header import HeaderOverrides
+from records.response import Measures
 
 NAME = ".assess-records.sqlite"
 APPLICATION = 0x41535345  # marks the file as ours
@@ -43,6 +43,7 @@ CREATE TABLE stated (unit TEXT, step REAL, response TEXT, seal TEXT);
 CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station TEXT,
     magnitude REAL, distance REAL, vs30 REAL, files TEXT, seal TEXT);
 """
+
 COLUMNS = (
     "path, position, id, event, station, component, date, magnitude, distance, vs30, place, nga, dt, npts, spectrum"
 )
@@ -96,7 +97,7 @@ def _prepare(connection: Catalogue) -> None:
     application, version = (
         int(connection.execute(f"PRAGMA {key}").fetchone()[0]) for key in ("application_id", "user_version")
     )
-    holds = _tables(connection) > 0
+    holds = _count_tables(connection) > 0
     if holds and application != APPLICATION:
         raise RecordError(
             f"{connection.file}: a database that is not a catalogue of records; move it away, or give another place"
@@ -112,10 +113,10 @@ def _prepare(connection: Catalogue) -> None:
             raise _damaged(connection, str(found))
         return
     connection.older = holds
-    _make(connection)
+    _make_tables(connection)
 
 
-def _tables(connection: Catalogue) -> int:
+def _count_tables(connection: Catalogue) -> int:
     """Return how many tables there are; the error for a damaged statement of one quotes it, and may be no text."""
     try:
         return int(connection.execute("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'").fetchone()[0])
@@ -123,10 +124,10 @@ def _tables(connection: Catalogue) -> int:
         raise _damaged(connection, "the names of its tables are no text") from None
 
 
-def _make(connection: Catalogue) -> None:
+def _make_tables(connection: Catalogue) -> None:
     """Make empty tables, and keep the header overrides and the flatfile of an older version."""
-    overrides = _rows(connection, "SELECT unit, step, response FROM stated")
-    flatfile = _rows(connection, f"SELECT {', '.join(FLATFILE)} FROM recordings")
+    overrides = _older_rows(connection, "SELECT unit, step, response FROM stated")
+    flatfile = _older_rows(connection, f"SELECT {', '.join(FLATFILE)} FROM recordings")
     connection.executescript(
         "BEGIN;"
         + "".join(f"DROP TABLE IF EXISTS {name};" for name in ("recordings", "stated", "records", "files"))
@@ -139,7 +140,7 @@ def _make(connection: Catalogue) -> None:
         connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [with_seal(row) for row in flatfile])
 
 
-def _rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
+def _older_rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
     """Return the rows of an older version; none where it has no such table, or text that cannot be read."""
     try:
         rows: list[tuple[Any, ...]] = connection.execute(query).fetchall()
@@ -151,10 +152,10 @@ def _rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
 
 def _damaged(connection: sqlite3.Connection, what: str) -> RecordError:
     file = connection.file if isinstance(connection, Catalogue) and connection.file is not None else "catalogue"
-    return RecordError(f"{file}: the catalogue is damaged: {_shown(what)}; delete it and index again")
+    return RecordError(f"{file}: the catalogue is damaged: {_legible(what)}; delete it and index again")
 
 
-def _shown(text: str) -> str:
+def _legible(text: str) -> str:
     return text.encode("utf-8", "replace").decode()[:120]
 
 
@@ -162,29 +163,29 @@ def remove_damaged(connection: sqlite3.Connection) -> tuple[str, ...]:
     """Remove the files of which a row was changed since it was written; return their paths, as far as legible."""
     rows: dict[str, list[bool]] = {}
     for row in connection.execute(ROWS):
-        rows.setdefault(str(row[0]), []).append(_whole(row))
+        rows.setdefault(str(row[0]), []).append(_seal_matches(row))
     wrong = []
     for number, *row in connection.execute(FILES.replace("SELECT ", "SELECT rowid, ")).fetchall():
         of_file = rows.get(str(row[0]), [])
-        if not (_whole(row) and all(of_file) and len(of_file) == row[6]):
-            wrong.append((number, _shown(str(row[0]))))
+        if not (_seal_matches(row) and all(of_file) and len(of_file) == row[6]):
+            wrong.append((number, _legible(str(row[0]))))
     with connection:
         connection.executemany("DELETE FROM files WHERE rowid = ?", [(number,) for number, _ in wrong])
         connection.execute("DELETE FROM records WHERE path NOT IN (SELECT path FROM files)")
     return tuple(path for _, path in wrong)
 
 
-def _whole(row: Sequence[Any]) -> bool:
+def _seal_matches(row: Sequence[Any]) -> bool:
     """Return whether a row still matches its seal, its last value."""
     return bool(row[-1] == seal(row[:-1]))
 
 
-def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
+def catalogue_candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
     """Return every record of the catalogue, by path, described by the flatfile that was stored."""
     overrides = header_overrides(connection)
     rows = connection.execute(ROWS).fetchall()
     for row in rows:
-        if not _whole(row):
+        if not _seal_matches(row):
             raise _damaged(connection, f"record {row[1]} of {row[0]}")
     found = [_candidate(row, overrides) for row in rows]
     return describe_candidates(found, recordings(connection))
@@ -203,7 +204,7 @@ def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
     row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
     if row is None:
         return HeaderOverrides()
-    if not _whole(row):
+    if not _seal_matches(row):
         raise _damaged(connection, "what was stated of its files (unit, step, response)")
     return HeaderOverrides(row[0], row[1], None if row[2] is None else Path(row[2]))
 
@@ -218,7 +219,7 @@ def store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) 
         )
 
 
-def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
+def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[FlatfileRow]) -> None:
     """Store a flatfile in the catalogue, in place of an earlier one.
 
     Parameters
@@ -232,14 +233,14 @@ def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[Recording]
         connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows)
 
 
-def recordings(connection: sqlite3.Connection) -> tuple[Recording, ...]:
+def recordings(connection: sqlite3.Connection) -> tuple[FlatfileRow, ...]:
     """Return the flatfile that was taken in."""
     found = []
     for row in connection.execute(f"SELECT {', '.join(FLATFILE)}, seal FROM recordings ORDER BY nga"):
-        if not _whole(row):
+        if not _seal_matches(row):
             raise _damaged(connection, f"recording {row[0]} of the flatfile taken in")
         texts = dict(zip(FLATFILE, row[:-1], strict=True))
-        found.append(Recording(**{**texts, "files": tuple(texts["files"].split("\n"))}))
+        found.append(FlatfileRow(**{**texts, "files": tuple(texts["files"].split("\n"))}))
     return tuple(found)
 
 
@@ -265,3 +266,30 @@ def path_inside(folder: Path, path: str) -> Path:
     if PurePosixPath(path).is_absolute() or not file.resolve().is_relative_to(folder.resolve()):
         raise RecordError(f'catalogue: "{path}" leads out of {folder}; delete the catalogue and index again')
     return file
+
+
+def with_seal(row: Sequence[Any]) -> tuple[Any, ...]:
+    """Return the row with its seal."""
+    return (*row, seal(row))
+
+
+def seal(row: Sequence[Any]) -> str:
+    """Return a hash of the values of a row, the same before and after SQLite has kept them."""
+    digest = hashlib.sha256()
+    for value in row:
+        plain = _sealed_bytes(value)
+        digest.update(f"{len(plain)} ".encode() + plain)
+    return digest.hexdigest()[:32]
+
+
+def _sealed_bytes(value: Any) -> bytes:
+    """Return a value as bytes that tell its kind; SQLite may give 1.0 back as 1, and gives nan back as None."""
+    if isinstance(value, bytes):
+        return b"b" + value
+    if isinstance(value, str):
+        return b"s" + value.encode("utf-8", "surrogateescape")
+    if value is None or (isinstance(value, float) and isnan(value)):
+        return b"n"
+    if isinstance(value, float) and isfinite(value) and value.is_integer():
+        value = int(value)
+    return f"{value:d}".encode() if isinstance(value, int) else repr(float(value)).encode()

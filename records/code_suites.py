@@ -11,23 +11,22 @@ from math import log
 
 import numpy as np
 
-from records.band import Band, band
 from records.candidates import PERIODS, Candidate
-from records.compliance.making import Making, linear_weights
-from records.compliance.requirement import Requirement, Rule, check_limit
-from records.compliance.suite import suite_of
+from records.compliance import SelectionRules, linear_weights
+from records.compliance.suite import Requirement, RequirementKind, check_limit, suite_of
 from records.errors import RecordError
 from records.record import Record
-from records.selection import Choice, Criteria, Selection, misfit_of_mean, select
+from records.scaling import Band, band
+from records.selection import ScaledRecording, Selection, SuiteCriteria, misfit_of_mean, select
 from spectra.spectrum import Spectrum
 
-MORE = 8  # records more than wanted, up to which suites are tried
+MOST_MORE = 8  # records more than wanted, up to which suites are tried
 ABOVE = 1e-9  # by which factors are raised, so that rounding does not miss a limit
 HELP = "add records, or widen the filters or scale_limits"
 
 
 @dataclass(frozen=True)
-class Target:
+class SuiteTarget:
     """What a suite is judged by.
 
     spectrum : that records are selected and scaled for
@@ -61,7 +60,7 @@ class _Trial:
         return sum(abs(log(max(one.value or 0.0, 1e-9) / one.limit)) for one in self.missed)
 
 
-def band_for(making: Making, target: Target) -> Band:
+def band_for(making: SelectionRules, target: SuiteTarget) -> Band:
     """Return the periods over which the records are fitted, as far as the target is known, with the code's weights.
 
     Parameters
@@ -77,9 +76,9 @@ def band_for(making: Making, target: Target) -> Band:
 
 def select_for(
     candidates: Sequence[Candidate],
-    making: Making,
-    target: Target,
-    criteria: Criteria,
+    making: SelectionRules,
+    target: SuiteTarget,
+    criteria: SuiteCriteria,
     *,
     read: Callable[[Candidate], Record],
 ) -> Selection:
@@ -128,7 +127,7 @@ def select_for(
     raise RecordError(_nearest(min(trials, key=lambda each: (len(each.missed), each.gap)), making))
 
 
-def _narrow(criteria: Criteria, making: Making) -> Criteria:
+def _narrow(criteria: SuiteCriteria, making: SelectionRules) -> SuiteCriteria:
     """Return the criteria within the limits that the code sets to each record."""
     (low, high), (least, most) = criteria.scale_limits, making.record_factors
     return replace(criteria, scale_limits=(max(low, least), min(high, most)), largest_misfit=making.record_misfit)
@@ -136,15 +135,15 @@ def _narrow(criteria: Criteria, making: Making) -> Criteria:
 
 def _counts(wanted: int, least: int) -> Iterator[int]:
     first = max(wanted, least)
-    yield from range(first, first + MORE + 1)
+    yield from range(first, first + MOST_MORE + 1)
     yield from range(first - 1, least - 1, -1)
 
 
 def _try(
     candidates: Sequence[Candidate],
-    making: Making,
-    target: Target,
-    criteria: Criteria,
+    making: SelectionRules,
+    target: SuiteTarget,
+    criteria: SuiteCriteria,
     record_of: Callable[[Candidate], Record],
 ) -> _Trial:
     """Select, replace records that break a rule by themselves, and find the factors that the code asks for."""
@@ -172,18 +171,22 @@ def _try(
     return _Trial(replace(found, choices=choices, misfit=misfit), (*making.found(scaled, **target.periods), *limits))
 
 
-def _scale_limits(making: Making, choices: Sequence[Choice], criteria: Criteria) -> tuple[Requirement, ...]:
+def _scale_limits(
+    making: SelectionRules, choices: Sequence[ScaledRecording], criteria: SuiteCriteria
+) -> tuple[Requirement, ...]:
     """Return that factors stay within the limits of the selection; a code with limits of its own has checked them."""
     if making.own_factors:
         return ()
     factors, (low, high) = [choice.factor for choice in choices], criteria.scale_limits
     return (
-        check_limit(making.code, "scale_limits", Rule.FACTOR, "least scale factor", min(factors), ">=", low),
-        check_limit(making.code, "scale_limits", Rule.FACTOR, "largest scale factor", max(factors), "<=", high),
+        check_limit(making.code, "scale_limits", RequirementKind.FACTOR, "least scale factor", min(factors), ">=", low),
+        check_limit(
+            making.code, "scale_limits", RequirementKind.FACTOR, "largest scale factor", max(factors), "<=", high
+        ),
     )
 
 
-def _nearest(trial: _Trial, making: Making) -> str:
+def _nearest(trial: _Trial, making: SelectionRules) -> str:
     """Return why no suite meets a code: what the nearest one misses, and what was there to choose from."""
     misses = "; ".join(map(_miss, trial.missed))
     steps = ", ".join(f"{number} {step}" for step, number in trial.selection.counted)

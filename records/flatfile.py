@@ -3,6 +3,7 @@
 Understood are the NGA-West flatfiles and the table that the PEER web site gives with a search. Columns are found by
 their names, in a header that may follow some lines of text. Numbers of -999 and below, and words like N/A, mean that a
 value is unknown. Rows of more or fewer columns than the header, which decimal commas or a lost comma make, are skipped.
+A row describes a record by its NGA number, else by a file name that this row alone has.
 """
 
 from __future__ import annotations
@@ -11,10 +12,12 @@ import csv
 import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from assess.messages.message import Message, warning
+from records.candidates import Candidate
 from records.errors import RecordError
 from records.formats.samples import number
 from spectra.columns import ColumnError, decode
@@ -22,7 +25,9 @@ from spectra.columns import ColumnError, decode
 if TYPE_CHECKING:
     from pandas import DataFrame
 
+
 NUMBER = ("recordsequencenumber", "rsn", "nga", "ngaid", "nganumber")
+
 COLUMNS: Mapping[str, Sequence[str]] = {
     "event": ("earthquakename", "eventname", "earthquake", "event"),
     "year": ("year",),
@@ -37,6 +42,7 @@ FILES = re.compile(r"(filename(horizontal\d|vertical)|(horizontal\d|vertical)acc
 SEQUENCE = r"\d{1,9}"
 UNKNOWN = -998.0
 UNKNOWN_WORDS = {"", "-", "--", "?", "na", "n/a", "nan", "none", "null", "unknown"}
+
 LIMITS: Mapping[str, tuple[float, float]] = {
     "year": (0.0, 9999.0),
     "magnitude": (-3.0, 10.0),
@@ -47,7 +53,7 @@ LIMITS: Mapping[str, tuple[float, float]] = {
 
 
 @dataclass(frozen=True)
-class Recording:
+class FlatfileRow:
     """One recording of the NGA database; "" or None for what the table does not say.
 
     magnitude [-]; distance [m], to the rupture if the table has it; vs30 [m/s]; files: names in lower case, no folders
@@ -76,7 +82,7 @@ class BadCell:
 class Flatfile:
     """The recordings of a flatfile in order, its cells that were skipped, and deciding columns that it lacks."""
 
-    recordings: tuple[Recording, ...]
+    recordings: tuple[FlatfileRow, ...]
     bad: tuple[BadCell, ...]
     missing: tuple[str, ...] = ()
 
@@ -89,12 +95,12 @@ def read_flatfile(path: Path) -> Flatfile:
     try:
         rows = csv.reader(io.StringIO(decode(path.read_bytes(), where=str(path)), newline=""))
         lines = enumerate(rows, start=1)
-        line, labels = next(((i, row) for i, row in lines if set(NUMBER) & set(map(plain, row))), (0, []))
+        line, labels = next(((i, row) for i, row in lines if set(NUMBER) & set(map(plain_label, row))), (0, []))
         if not labels:
             raise RecordError(
                 f'{path}: no column "Record Sequence Number"; give a PEER NGA flatfile, saved as CSV with its header'
             )
-        columns = _columns([plain(label) for label in labels])
+        columns = _columns([plain_label(label) for label in labels])
         table = _table(rows, columns, first=line + 1, width=_width(labels))
     except OSError as error:
         raise RecordError(f"{path}: the flatfile cannot be read: {error.strerror}") from None
@@ -106,11 +112,13 @@ def read_flatfile(path: Path) -> Flatfile:
             f"{path}: no recording as wide as the header in line {line}, {_width(labels)} columns, below it; the table "
             "is cut short, or commas separate more than columns"
         )
-    bad = tuple(BadCell(row, "columns" if i < 0 else labels[i].strip(), cell) for row, i, cell in _bad(table, columns))
+    bad = tuple(
+        BadCell(row, "columns" if i < 0 else labels[i].strip(), cell) for row, i, cell in _bad_cells(table, columns)
+    )
     return Flatfile(found, bad, tuple(key for key in DECIDING if not columns[key]))
 
 
-def plain(label: str) -> str:
+def plain_label(label: str) -> str:
     """Return the letters and digits of a label, in lower case."""
     return re.sub(r"[^a-z0-9]+", "", label.lower())
 
@@ -148,16 +156,16 @@ def _width(row: Sequence[str]) -> int:
     return next((i for i in range(len(row), 0, -1) if row[i - 1].strip()), 0)
 
 
-def _recordings(table: DataFrame, columns: Mapping[str, list[int]]) -> tuple[Recording, ...]:
+def _recordings(table: DataFrame, columns: Mapping[str, list[int]]) -> tuple[FlatfileRow, ...]:
     """Take each row as a recording."""
-    event, station = (_first(table[columns[key]].replace("", None), "") for key in ("event", "station"))
-    year, magnitude, km, vs30 = (_first(_plausible(table[columns[key]], LIMITS[key]), None) for key in LIMITS)
+    event, station = (_first_known(table[columns[key]].replace("", None), "") for key in ("event", "station"))
+    year, magnitude, km, vs30 = (_first_known(_plausible(table[columns[key]], LIMITS[key]), None) for key in LIMITS)
     years = ("" if each is None else f"{each:.0f}" for each in year)
     metres = (None if each is None else 1000.0 * each for each in km)
     files = (tuple(filter(None, map(_file_name, row))) for row in table[columns["files"]].to_numpy())
     numbers = map(int, table[columns["nga"][0]])
     rows = zip(numbers, event, years, station, magnitude, metres, vs30, files, strict=True)
-    return tuple(Recording(*row) for row in rows)
+    return tuple(FlatfileRow(*row) for row in rows)
 
 
 def _file_name(cell: str) -> str:
@@ -171,7 +179,7 @@ def _plausible(cells: DataFrame, limits: tuple[float, float]) -> DataFrame:
     return values.where((values >= limits[0]) & (values <= limits[1]))
 
 
-def _first(cells: DataFrame, unknown: str | None) -> list[Any]:
+def _first_known(cells: DataFrame, unknown: str | None) -> list[Any]:
     """Return the first value of each row that is known; `unknown` where there is none."""
     if cells.shape[1] == 0:
         return [unknown] * len(cells)
@@ -179,7 +187,7 @@ def _first(cells: DataFrame, unknown: str | None) -> list[Any]:
     return list(first.where(first.notna(), unknown))
 
 
-def _bad(table: DataFrame, columns: Mapping[str, list[int]]) -> list[tuple[int, int, str]]:
+def _bad_cells(table: DataFrame, columns: Mapping[str, list[int]]) -> list[tuple[int, int, str]]:
     """Find the cells that are neither unknown nor plausible, by line and column; -1 and its size for a whole row."""
     nga = columns["nga"][0]
     misnumbered, misfit = ~table["numbered"] & ~table[nga].map(_unknown), table["numbered"] & ~table["fits"]
@@ -195,3 +203,113 @@ def _bad(table: DataFrame, columns: Mapping[str, list[int]]) -> list[tuple[int, 
 def _unknown(cell: str) -> bool:
     value = number(cell)
     return cell.lower() in UNKNOWN_WORDS or (value is not None and value < UNKNOWN)
+
+
+@dataclass(frozen=True)
+class FlatfileMatch:
+    """How a flatfile matches the records: rows matched and not, records described, bad cells.
+
+    warning : why no row matches, which columns are missing, or how many records have no row; None otherwise
+    """
+
+    matched: int
+    unmatched: int
+    records: int
+    bad: tuple[BadCell, ...]
+    warning: Message | None
+
+
+def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> tuple[Candidate, ...]:
+    """Describe the candidates by a flatfile, whose values replace those of the record files.
+
+    A recording is found by the NGA number in the name of the candidate's file, else by a file name that it alone has.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files [n]
+    recordings : of the flatfile
+
+    Returns
+    -------
+    tuple of Candidate : in the same order [n]
+    """
+    found = _find_recordings(candidates, recordings)
+    return tuple(one if by is None else _describe(one, by) for one, by in zip(candidates, found, strict=True))
+
+
+def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> FlatfileMatch:
+    """Count how many rows of a flatfile and candidates match.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files
+    flatfile : as read, with its bad cells
+    """
+    found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
+    matched = len({by.nga for by in found})
+    said = _columns_missing(flatfile.missing) or _rows_absent(candidates, flatfile.recordings)
+    said = said if found else _no_match_reason(candidates, flatfile.recordings)
+    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, said)
+
+
+def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> list[FlatfileRow | None]:
+    """Find the recording of each candidate; None where there is none."""
+    by_number = {one.nga: one for one in recordings}
+    by_file: dict[str, FlatfileRow | None] = {}
+    for one in recordings:
+        for file in one.files:
+            by_file[file] = one if by_file.get(file, one) == one else None
+    named = ((one, by_file.get(_name_of_path(one.path))) for one in candidates)
+    return [
+        by_number.get(one.nga or 0) or (by if by is not None and one.nga in (None, by.nga) else None)
+        for one, by in named
+    ]
+
+
+def _columns_missing(keys: Sequence[str]) -> Message | None:
+    """Say which columns were not found; None if none is missing."""
+    if not keys:
+        return None
+    known = "; ".join(f"{key}: {', '.join(COLUMNS[key])}" for key in keys)
+    return warning("flatfile-columns-missing", keys=", ".join(keys), known=known)
+
+
+def _rows_absent(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> Message | None:
+    """Say how many records have no row; None if all have one."""
+    found = zip(candidates, _find_recordings(candidates, recordings), strict=True)
+    alone = [one for one, by in found if by is None]
+    if not alone:
+        return None
+    counts = {"total": str(len(candidates)), "count": str(len(alone))}
+    return warning("flatfile-rows-absent", **counts, file=_name_of_path(alone[0].path))
+
+
+def _no_match_reason(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> Message:
+    """Say why no row matches a record."""
+    if not candidates:
+        return warning("flatfile-no-records")
+    numbers = sorted(one.nga for one in candidates if one.nga is not None)
+    first, last = min(one.nga for one in recordings), max(one.nga for one in recordings)
+    if numbers:
+        ends = {"first": numbers[0], "last": numbers[-1], "first_row": first, "last_row": last}
+        return warning("flatfile-other-numbers", **{key: str(number) for key, number in ends.items()})
+    names = sorted(file for one in recordings for file in one.files)
+    example = names[0] if names else f"RSN{first}_….AT2"
+    return warning("flatfile-no-numbers", file=_name_of_path(candidates[0].path), example=example)
+
+
+def _name_of_path(path: str) -> str:
+    return path.replace("\\", "/").rsplit("/", 1)[-1].lower()
+
+
+def _describe(one: Candidate, by: FlatfileRow) -> Candidate:
+    return replace(
+        one,
+        nga=by.nga,
+        event=by.event or one.event,
+        station=by.station or one.station,
+        date=one.date if one.date[:4] == by.year else by.year or one.date,
+        magnitude=one.magnitude if by.magnitude is None else by.magnitude,
+        distance=one.distance if by.distance is None else by.distance,
+        vs30=one.vs30 if by.vs30 is None else by.vs30,
+    )

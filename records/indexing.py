@@ -18,15 +18,12 @@ from pathlib import Path
 import numpy as np
 
 from records import catalogue
-from records.candidates import Candidate
-from records.catalogue import MEASURES, Catalogue, problems
-from records.description import describe_record, map_files
+from records.candidates import Candidate, describe_record, map_files
+from records.catalogue import MEASURES, Catalogue, problems, seal, with_seal
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides, check_overrides
-from records.reading import read_with
-from records.record_files import Found, files_below
-from records.seal import seal, with_seal
+from records.formats.header import NO_OVERRIDES, HeaderOverrides, check_overrides
+from records.reading import RecordFile, files_below, read_with_overrides
 
 BATCH = 50  # files to a commit
 Progress = Callable[[int, int], None]
@@ -50,10 +47,10 @@ class IndexSummary:
 
 
 @dataclass(frozen=True)
-class Described:
+class DescribedFile:
     """What was read from a file; candidates None where its content is that of the last time."""
 
-    found: Found
+    found: RecordFile
     sha256: str
     problem: str
     candidates: tuple[Candidate, ...] | None
@@ -94,18 +91,18 @@ def index(
     changed = [
         _with_hash(found, known.get(path), asked)
         for path, found in on_disk.items()
-        if not _same(found, known.get(path), asked)
+        if not _unchanged(found, known.get(path), asked)
     ]
     with connection:
         connection.executemany("DELETE FROM files WHERE path = ?", [(path,) for path in gone])
-    _read(folder, changed, connection, overrides=overrides, asked=asked, executor=executor, progress=progress)
+    _read_changed(folder, changed, connection, overrides=overrides, asked=asked, executor=executor, progress=progress)
     number = int(connection.execute("SELECT COUNT(*) FROM records").fetchone()[0])
     older = isinstance(connection, Catalogue) and connection.older
     counts = (len(changed), len(on_disk) - len(changed), len(gone), number)
     return IndexSummary(*counts, problems(connection), tuple(path for path in damaged if path in on_disk), older)
 
 
-def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
+def _unchanged(found: RecordFile, known: tuple[object, ...] | None, asked: str) -> bool:
     """Return whether the catalogue has the file as it is: size, time and, where it was not read, what was asked."""
     if known is None:
         return False
@@ -117,16 +114,16 @@ def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
     )
 
 
-def _with_hash(found: Found, known: tuple[object, ...] | None, asked: str) -> Found:
+def _with_hash(found: RecordFile, known: tuple[object, ...] | None, asked: str) -> RecordFile:
     """Return the file with the hash of when it was last read, if it was read with the same overrides."""
     if known is None or known[3] != asked:
         return found
-    return Found(found.path, found.size, found.mtime, found.problem, str(known[2]))
+    return RecordFile(found.path, found.size, found.mtime, found.problem, str(known[2]))
 
 
-def _read(
+def _read_changed(
     folder: Path,
-    files: list[Found],
+    files: list[RecordFile],
     connection: sqlite3.Connection,
     *,
     overrides: HeaderOverrides,
@@ -136,7 +133,7 @@ def _read(
 ) -> None:
     describe = partial(describe_file, folder, overrides=overrides)
     results = map_files(describe, files, executor=executor)
-    batch: list[Described] = []
+    batch: list[DescribedFile] = []
     for done, one in enumerate(results, start=1):
         batch.append(one)
         progress(done, len(files))
@@ -146,26 +143,28 @@ def _read(
     _store(connection, batch, asked)
 
 
-def describe_file(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Described:
+def describe_file(folder: Path, found: RecordFile, *, overrides: HeaderOverrides) -> DescribedFile:
     """Read the records of one file with their measures and spectra, or the reason why there are none."""
     if found.problem:
-        return Described(found, "", found.problem, ())
+        return DescribedFile(found, "", found.problem, ())
     file = folder / found.path
     try:
         with warnings.catch_warnings(), file.open("rb") as opened:
             warnings.simplefilter("ignore")
             sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
             if sha256 == found.stored:
-                return Described(found, sha256, "", None)
-            made = tuple(describe_record(record, found.path, i) for i, record in enumerate(read_with(file, overrides)))
+                return DescribedFile(found, sha256, "", None)
+            made = tuple(
+                describe_record(record, found.path, i) for i, record in enumerate(read_with_overrides(file, overrides))
+            )
     except (RecordError, OSError) as error:
-        return Described(found, "", str(error).removeprefix(f"{file}: "), ())
+        return DescribedFile(found, "", str(error).removeprefix(f"{file}: "), ())
     except Exception as error:  # of a thousand files one may meet a fault of a reader: the others go on
-        return Described(found, "", f"its reader failed: {type(error).__name__}: {error}", ())
-    return Described(found, sha256, "", made)
+        return DescribedFile(found, "", f"its reader failed: {type(error).__name__}: {error}", ())
+    return DescribedFile(found, sha256, "", made)
 
 
-def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -> None:
+def _store(connection: sqlite3.Connection, batch: list[DescribedFile], asked: str) -> None:
     """Store one batch, whole or not at all."""
     with connection:
         for one in batch:
@@ -179,19 +178,19 @@ def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -
                 continue
             connection.execute("DELETE FROM files WHERE path = ?", (found.path,))
             connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?, ?, ?)", with_seal((*row, count)))
-            rows = [_row(each) for each in one.candidates]
+            rows = [_record_row(each) for each in one.candidates]
             if rows:
                 marks = ", ".join("?" * len(rows[0]))
                 connection.executemany(f"INSERT INTO records VALUES ({marks})", rows)
 
 
-def _row(one: Candidate) -> tuple[object, ...]:
-    texts = (_text(one.id), _text(one.event), _text(one.station), _text(one.component), _text(one.date))
-    known = (one.magnitude, one.distance, one.vs30, _text(one.place), one.nga)
+def _record_row(one: Candidate) -> tuple[object, ...]:
+    texts = (_utf8(one.id), _utf8(one.event), _utf8(one.station), _utf8(one.component), _utf8(one.date))
+    known = (one.magnitude, one.distance, one.vs30, _utf8(one.place), one.nga)
     spectrum = np.asarray(one.spectrum, dtype="<f8").tobytes()
     of = (one.measures[name] for name in MEASURES)
     return with_seal((one.path, one.position, *texts, *known, one.dt, one.npts, spectrum, *of))
 
 
-def _text(text: str) -> str:
+def _utf8(text: str) -> str:
     return text.encode("utf-8", "replace").decode()

@@ -1,22 +1,24 @@
-"""Plausibility of a record: whether it can be ground motion, or its unit or step was misread."""
+"""Plausibility of a record: whether it can be ground motion, or its unit, step or time was misread."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from datetime import datetime
 from itertools import groupby
-from math import log
+from math import asin, cos, hypot, log, radians, sin, sqrt
 
 import numpy as np
 from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, Term, Value, warning
-from records.arrival import arrival_warning
 from records.candidates import Candidate
 from records.record import Record
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
-LARGEST = 3.0  # g; the strongest recorded so far have reached 2.7 g (horizontal) to 3.9 g (vertical, Iwate-Miyagi 2008)
-LEAST = 1e-5  # g; far below what a body that rocks can feel
+LARGEST_PEAK = (
+    3.0  # g; the strongest recorded so far have reached 2.7 g (horizontal) to 3.9 g (vertical, Iwate-Miyagi 2008)
+)
+LEAST_PEAK = 1e-5  # g; far below what a body that rocks can feel
 USUAL = 0.1  # g
 COARSE = 0.022  # s; instruments sample 50 times a second and more
 SLOW, FAST = 2.5, 22.0  # Hz; no real record has 95 % of its power below SLOW at a COARSE step, or half above FAST
@@ -24,6 +26,7 @@ BY_SAMPLE = "CSV"  # a time with every sample: nothing is to be doubted
 BY_NETWORKS = ("ITACA cor.acc", "ESM/ITACA DYNA", "AFAD")  # whose instruments sample at most at 1000 Hz
 FINE = 0.0009  # s
 DISTANCE = Term("the distance")
+
 BOUNDS = (
     ("earthquake", "latitude", Term("the latitude of the epicentre"), -90.0, 90.0, "degrees"),
     ("earthquake", "longitude", Term("the longitude of the epicentre"), -180.0, 360.0, "degrees"),
@@ -41,11 +44,11 @@ FARTHEST = 20_100e3  # m, half of the earth's girth
 
 def record_warning(record: Record) -> str:
     """Return one English line about what is odd in the record; "" where nothing is."""
-    text = "; ".join(each.text for each in record_doubts(record))
+    text = "; ".join(each.text for each in implausibility_warnings(record))
     return f"{record.id}: {text}" if text else ""
 
 
-def record_doubts(record: Record) -> tuple[Message, ...]:
+def implausibility_warnings(record: Record) -> tuple[Message, ...]:
     """Return what is odd in the record.
 
     What its file contradicts; a peak above 3 g or below 1e-5 g, with the unit that is likely meant; a step at which its
@@ -56,7 +59,13 @@ def record_doubts(record: Record) -> tuple[Message, ...]:
     ----------
     record : as read
     """
-    found = (*record.warnings, _of_peak(record), _of_step(record), arrival_warning(record), *_of_origin(record))
+    found = (
+        *record.warnings,
+        _peak_in_unit(record),
+        _step_warning(record),
+        arrival_warning(record),
+        *_impossible_values(record),
+    )
     return tuple(each for each in found if each is not None)
 
 
@@ -81,7 +90,7 @@ def _recording(record: Record) -> tuple[str, str, str]:
     return record.station, record.event, record.earthquake.time
 
 
-def _of_peak(record: Record) -> Message | None:
+def _peak_in_unit(record: Record) -> Message | None:
     return _peak_warning(record.pga, _read_value(record, "unit"))
 
 
@@ -91,7 +100,7 @@ def _read_value(record: Record, name: str) -> str:
     return str(first.values.get(name, "")) if isinstance(first, Message) else ""
 
 
-def _of_step(record: Record) -> Message | None:
+def _step_warning(record: Record) -> Message | None:
     """Return a warning about a step at which the motion has no frequencies of an earthquake.
 
     Of 210 real records none gets one. With a step ten times too long 99 % do, with one ten times too short two thirds;
@@ -107,10 +116,10 @@ def _of_step(record: Record) -> Message | None:
     if not share[-1] > 0.0:
         return None
     half, most = (np.searchsorted(share, part * share[-1]) / (record.npts * record.dt) for part in (0.5, 0.95))
-    return _of_frequencies(record.dt, float(half), float(most))
+    return _frequency_warning(record.dt, float(half), float(most))
 
 
-def _of_frequencies(dt: float, half: float, most: float) -> Message | None:
+def _frequency_warning(dt: float, half: float, most: float) -> Message | None:
     """Return a warning from the frequencies [Hz] below which half and 95 % of the power lie at a step [s]."""
     step = Quantity(dt, "time", 6)
     if dt > COARSE and most < SLOW:
@@ -120,7 +129,7 @@ def _of_frequencies(dt: float, half: float, most: float) -> Message | None:
     return None
 
 
-def _of_origin(record: Record) -> Iterator[Message]:
+def _impossible_values(record: Record) -> Iterator[Message]:
     """Yield a warning for each impossible number about the earthquake and the site."""
     known = [(what, getattr(getattr(record, of), key), *limits) for of, key, what, *limits in BOUNDS]
     for what, value, least, most, dimension in (*known, (DISTANCE, record.distance, 0.0, FARTHEST, "distance")):
@@ -134,10 +143,10 @@ def _header_value(value: float, dimension: str) -> Value:
 
 def _peak_warning(pga: float, unit: str) -> Message | None:
     """Return a warning about a peak [m/s2] that is hardly one; unit : in which the file was read, "" if not known."""
-    if LEAST * g <= pga <= LARGEST * g:
+    if LEAST_PEAK * g <= pga <= LARGEST_PEAK * g:
         return None
-    limit = LARGEST if pga > LARGEST * g else LEAST
-    key, likely = "peak-large" if pga > LARGEST * g else "peak-small", _likely(pga, unit)
+    limit = LARGEST_PEAK if pga > LARGEST_PEAK * g else LEAST_PEAK
+    key, likely = "peak-large" if pga > LARGEST_PEAK * g else "peak-small", _likely_unit(pga, unit)
     values: dict[str, Value] = {"peak": _in_g(pga, 4), "limit": _in_g(limit * g, 4)}
     if likely is None:
         return warning(key, **values)
@@ -149,7 +158,7 @@ def _in_g(acceleration: float, figures: int) -> Quantity:
     return Quantity(acceleration / g, "ground acceleration", figures)
 
 
-def _likely(pga: float, unit: str) -> str | None:
+def _likely_unit(pga: float, unit: str) -> str | None:
     """Return the unit in which the numbers of the file, read in `unit`, come nearest to a usual peak, if another."""
     try:
         peak = pga / factor_of(unit.rstrip(";,"), known=ACCELERATION_UNITS)
@@ -157,3 +166,48 @@ def _likely(pga: float, unit: str) -> str | None:
         return None
     likely = min(ACCELERATION_UNITS, key=lambda one: abs(log(peak * ACCELERATION_UNITS[one] / (USUAL * g))))
     return None if peak * ACCELERATION_UNITS[likely] == pga else likely
+
+
+EARTH = 6_371_000.0  # m, mean radius
+FASTEST, SLOWEST = 8_500.0, 500.0  # m/s, of P waves below the crust and of surface waves in soft basins
+CLOCK, RUPTURE = 5.0, 60.0  # s, of clocks and origins, and of how long the source of a large earthquake lasts
+
+
+def arrival_warning(record: Record) -> Message | None:
+    """Return a warning where the peak comes earlier or later after the earthquake's origin than waves take."""
+    origin, start, distance = _instant(record.earthquake.time), _instant(record.start), _distance(record)
+    if origin is None or start is None or distance is None:
+        return None
+    after = (start - origin).total_seconds() + record.dt * int(np.argmax(np.abs(record.acceleration)))
+    earliest = hypot(distance, record.earthquake.depth or 0.0) / FASTEST - CLOCK
+    latest = distance / SLOWEST + RUPTURE + CLOCK
+    if earliest <= after <= latest:
+        return None
+    return warning(
+        "peak-time",
+        after=Quantity(after, "time"),
+        distance=Quantity(distance, "distance"),
+        earliest=Quantity(max(earliest, 0.0), "time", 3),
+        latest=Quantity(latest, "time", 3),
+    )
+
+
+def _distance(record: Record) -> float | None:
+    """Return the distance of the site from the epicentre [m], as given or by the two places; None where unknown."""
+    if record.distance is not None:
+        return record.distance
+    places = (record.earthquake.latitude, record.earthquake.longitude, record.site.latitude, record.site.longitude)
+    known = [radians(each) for each in places if each is not None]
+    if len(known) < len(places):
+        return None
+    lat, lon, site_lat, site_lon = known
+    half = sin((site_lat - lat) / 2.0) ** 2 + cos(lat) * cos(site_lat) * sin((site_lon - lon) / 2.0) ** 2
+    return 2.0 * EARTH * asin(sqrt(min(half, 1.0)))  # haversine
+
+
+def _instant(text: str) -> datetime | None:
+    """Return a time of ISO 8601 with its hour; None for a date alone, or nothing."""
+    try:
+        return datetime.fromisoformat(text) if "T" in text else None
+    except ValueError:
+        return None

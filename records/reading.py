@@ -1,8 +1,14 @@
-"""Reading of record files: the format is recognised from the first bytes."""
+"""Reading of record files: which files below a folder may be read, and their format, recognised from the first
+bytes.
+"""
 
 from __future__ import annotations
 
 import hashlib
+import os
+import stat
+from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -10,12 +16,12 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.header_overrides import HeaderOverrides, check_overrides
+from records.formats.header import HeaderOverrides, check_overrides
 from records.record import Record
 
 FINEST, COARSEST = 1e-5, 1.0  # s, of the steps of instruments and shaking tables
 HEAD = 8192  # bytes that show a format
-MOST_KEPT = 32  # files whose records are kept in memory
+FILES_KEPT = 32  # files whose records are kept in memory
 
 
 def read_record(
@@ -38,12 +44,12 @@ def read_record(
     ------
     RecordError : as `read_with`
     """
-    overrides = HeaderOverrides(unit, step, None if response is None else _path(response))
-    records = read_with(_path(path), overrides)
+    overrides = HeaderOverrides(unit, step, None if response is None else _as_path(response))
+    records = read_with_overrides(_as_path(path), overrides)
     return records[0] if len(records) == 1 else list(records)
 
 
-def _path(given: str | Path) -> Path:
+def _as_path(given: str | Path) -> Path:
     """Return a path; raise RecordError for what is none."""
     if not isinstance(given, str | Path) or "\0" in str(given):
         raise RecordError(f"{given!r:.60} is no path; give the path of one file")
@@ -64,10 +70,10 @@ def read_records(
     -------
     tuple of Record : accelerations [m/s2], in the order of the file
     """
-    return read_with(path, HeaderOverrides(unit, step, response))
+    return read_with_overrides(path, HeaderOverrides(unit, step, response))
 
 
-def read_with(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
+def read_with_overrides(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """Read every record of the file at `path`, with `overrides` for what its header leaves out.
 
     Parameters
@@ -111,19 +117,19 @@ def recall_records(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]
     """
     check_overrides(overrides)
     if overrides.response is not None or not path.is_file():
-        return read_with(path, overrides)
+        return read_with_overrides(path, overrides)
     try:
         with path.open("rb") as file:
             content = hashlib.file_digest(file, "sha256").digest()
     except OSError:
-        return read_with(path, overrides)
+        return read_with_overrides(path, overrides)
     return _recall(path, overrides, content)
 
 
-@lru_cache(maxsize=MOST_KEPT)
+@lru_cache(maxsize=FILES_KEPT)
 def _recall(path: Path, overrides: HeaderOverrides, content: bytes) -> tuple[Record, ...]:
     """Read the file of that content."""
-    return read_with(path, overrides)
+    return read_with_overrides(path, overrides)
 
 
 def _check_motion(record: Record, *, path: Path) -> None:
@@ -150,3 +156,66 @@ def _format(head: bytes, *, path: Path) -> str:
     if len(names) > 1:
         raise RecordError(f"{path}: the file could be {' or '.join(names)}; convert it so that only one fits")
     return names[0]
+
+
+LARGEST_FILE = 500_000_000  # bytes of one record file
+
+
+@dataclass(frozen=True)
+class RecordFile:
+    """A file below the folder as it is; problem "" where it may be read; stored: its hash when it was last read."""
+
+    path: str
+    size: int
+    mtime: int
+    problem: str = ""
+    stored: str = ""
+
+
+def files_below(folder: Path) -> Iterator[RecordFile]:
+    """Yield every file below `folder` but hidden ones, in a fixed order; links that lead out of it as problems."""
+    if folder.is_file():
+        raise RecordError(f"{folder}: is a file; give the folder that holds it, {folder.parent}")
+    if not folder.is_dir():
+        raise RecordError(f"{folder}: no such folder; give the folder that holds the record files")
+    root = folder.resolve()
+    for place, folders, names in os.walk(folder, onerror=_unreadable):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in sorted(name for name in names if not name.startswith(".")):
+            file = Path(place) / name
+            yield _record_file(file, file.relative_to(folder).as_posix(), root)
+
+
+def _unreadable(error: OSError) -> None:
+    raise RecordError(f"{error.filename}: the folder cannot be read: {error.strerror}")
+
+
+def _record_file(file: Path, path: str, root: Path) -> RecordFile:
+    shown = path.encode("utf-8", "replace").decode()
+    try:
+        status = file.stat()
+        if shown != path:
+            return RecordFile(shown, 0, 0, "its name is not UTF-8; rename it")
+        if not file.resolve().is_relative_to(root):
+            return RecordFile(path, 0, 0, "a link that leads out of the folder; it is not followed")
+    except (OSError, RuntimeError):
+        return RecordFile(shown, 0, 0, "cannot be found or opened; a broken link, or no permission")
+    if not stat.S_ISREG(status.st_mode):
+        return RecordFile(path, 0, 0, "not a regular file")
+    problem = f"{status.st_size} bytes are too many for a record" if status.st_size > LARGEST_FILE else ""
+    return RecordFile(path, status.st_size, status.st_mtime_ns, problem)
+
+
+def relative_path(path: Path, folder: Path) -> str:
+    """Return a path as the project file in a folder would write it: relative to the folder if it lies inside.
+
+    Parameters
+    ----------
+    path : of a file
+    folder : of the project file
+
+    Returns
+    -------
+    the path with slashes
+    """
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()

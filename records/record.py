@@ -1,9 +1,11 @@
-"""One component of ground acceleration, and where it came from."""
+"""One component of ground acceleration: where it came from, and which way it points."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import radians
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -34,7 +36,7 @@ class Earthquake:
 
 
 @dataclass(frozen=True)
-class Site:
+class StationSite:
     """The site of the instrument, as far as the file says.
 
     latitude, longitude : [deg], north and east positive; elevation : above sea level [m]
@@ -50,8 +52,34 @@ class Site:
     place: str = ""
 
 
+NO_STATION_SITE = StationSite()
+
+
+def scale(record: Record, factor: float) -> Record:
+    """Multiply every acceleration of the record by `factor`.
+
+    Parameters
+    ----------
+    record : accelerogram
+    factor : scale factor [-]
+    """
+    samples = record.acceleration * factor
+    samples.flags.writeable = False
+    return with_step(replace(record, acceleration=samples), note("scaled-by", factor=Quantity(factor, figures=6)))
+
+
+def with_step(record: Record, step: Message) -> Record:
+    """Add one step to the record's processing history.
+
+    Parameters
+    ----------
+    record : accelerogram
+    step : what was done to it
+    """
+    return replace(record, processing_history=(*record.processing_history, step))
+
+
 NO_EARTHQUAKE = Earthquake()
-NO_SITE = Site()
 
 
 @dataclass(frozen=True)
@@ -87,7 +115,7 @@ class Record:
     azimuth: float | None = None
     distance: float | None = None
     earthquake: Earthquake = NO_EARTHQUAKE
-    site: Site = NO_SITE
+    site: StationSite = NO_STATION_SITE
     stationary: float | None = None
     longest_period: float | None = None
     start: str = ""
@@ -131,7 +159,7 @@ def make_record(
     azimuth: float | None = None,
     distance: float | None = None,
     earthquake: Earthquake = NO_EARTHQUAKE,
-    site: Site = NO_SITE,
+    site: StationSite = NO_STATION_SITE,
     longest_period: float | None = None,
     start: str = "",
     warnings: Sequence[Message | None] = (),
@@ -202,36 +230,59 @@ def designation(earthquake: Earthquake) -> str:
     """
     magnitude, north, east = earthquake.magnitude, earthquake.latitude, earthquake.longitude
     size = "" if magnitude is None else f"M{magnitude:.3g}"
-    place = "" if north is None or east is None else f"{_at(north, 'NS')} {_at(east, 'EW')}"
+    place = "" if north is None or east is None else f"{_degrees_towards(north, 'NS')} {_degrees_towards(east, 'EW')}"
     if not (size or place):
         return earthquake.time
     when = earthquake.time[:16].replace("T", " ").removesuffix("Z")
     return ", ".join(part for part in (when, size, place) if part)
 
 
-def _at(degrees: float, sides: str) -> str:
+def _degrees_towards(degrees: float, sides: str) -> str:
     return f"{abs(degrees):.2f}{sides[degrees < 0.0]}"
 
 
-def scale(record: Record, factor: float) -> Record:
-    """Multiply every acceleration of the record by `factor`.
+COMPASS = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
+COMPASS_WORDS = {"NORTH": "N", "EAST": "E", "SOUTH": "S", "WEST": "W", "NS": "N", "SN": "N", "EW": "E", "WE": "E"}
+VERTICAL_NAMES = {"UP", "U", "V", "Z", "UD", "DU", "VERT", "VERTICAL", "DOWN", "DWN", "DN"}
+QUADRANT = re.compile(r"([NS])(\d{1,2})([EW])")
+DEGREES = re.compile(r"(\d{1,3})(?:DEG)?")
+SIGNED = re.compile(r"-\s*[\d-]")  # a hyphen before a digit or another is a sign, or damage
+CHANNEL = re.compile(r"[A-Z][A-Z]([NEZ])")  # SEED: band, instrument, orientation
+NUMBERED = re.compile(r"([A-Z-]+)[12]")  # KiK-net: 1 in the borehole, 2 at the surface
 
-    Parameters
-    ----------
-    record : accelerogram
-    factor : scale factor [-]
+
+def azimuth_of(component: str) -> float | None:
+    """Return the direction of positive motion of `component`, clockwise from north [rad].
+
+    None if it is vertical, reversed or unknown. Understood are degrees ("360", "90 DEG"), quadrants ("N28W"), letters
+    ("E", "EW", "E-W", "EW2": each positive towards north or east) and SEED channels ("HNE"; SEED manual 2.4, appendix
+    A).
     """
-    samples = record.acceleration * factor
-    samples.flags.writeable = False
-    return with_step(replace(record, acceleration=samples), note("scaled-by", factor=Quantity(factor, figures=6)))
+    if component.lstrip().startswith("-") or SIGNED.search(component):
+        return None
+    name = _orientation_name(component)
+    quadrant, degrees = QUADRANT.fullmatch(name), DEGREES.fullmatch(name)
+    if quadrant and float(quadrant[2]) <= 90.0:
+        return radians(_from_quadrant(quadrant[1], float(quadrant[2]), quadrant[3]))
+    if degrees:
+        return radians(float(degrees[1]) % 360.0) if float(degrees[1]) <= 360.0 else None
+    letter = COMPASS_WORDS.get(name, name)
+    return radians(COMPASS[letter]) if letter in COMPASS else None
 
 
-def with_step(record: Record, step: Message) -> Record:
-    """Add one step to the record's processing history.
+def is_vertical(component: str) -> bool:
+    """Return whether `component` is named as a vertical one ("UP", "U-D", "UD2", "HNZ")."""
+    return _orientation_name(component) in VERTICAL_NAMES
 
-    Parameters
-    ----------
-    record : accelerogram
-    step : what was done to it
-    """
-    return replace(record, processing_history=(*record.processing_history, step))
+
+def _orientation_name(component: str) -> str:
+    """Return the name in capitals without blanks and hyphens; the orientation alone of a channel or a numbered name."""
+    name = re.sub(r"[\s.-]", "", component.upper())
+    found = CHANNEL.fullmatch(name) or NUMBERED.fullmatch(name)
+    return found[1] if found and name not in VERTICAL_NAMES else name
+
+
+def _from_quadrant(start: str, angle: float, towards: str) -> float:
+    """Return the azimuth [deg] of "N28W": `angle`, at most 90, from north or south `towards` east or west."""
+    clockwise = (start == "N") == (towards == "E")
+    return (COMPASS[start] + (angle if clockwise else -angle)) % 360.0

@@ -3,37 +3,44 @@
 Candidates pass the filters, are scaled to the target one by one, and must keep within the limits of the scale factor.
 Of those that are left either the records that fit best one by one are taken, or the suite whose mean spectrum fits
 best: greedy, record by record, then improved by exchanging one record at a time until no exchange helps. Where the
-suites are few, all of them are tried.
+suites are few, all of them are tried. Recordings of one earthquake, or of one motion in two files, are one event group.
+
+A selection that was locked is known again by SHA-256 of its target and its records, of numbers rounded so that the last
+digits of another machine do not change it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import hashlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import inf, log, sqrt
+from itertools import combinations, islice
+from math import comb, inf, isclose, log, sqrt
 from typing import Literal
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import KDTree
 
-from records.band import Band, truncate_band
-from records.candidates import DAMPING, Candidate
+from records.candidates import DAMPING, PERIODS, Candidate
 from records.errors import RecordError
-from records.event_groups import event_groups
-from records.scaling import least_squares, mean_square
-from records.suites import FITS, Fit, Pool
-from spectra.arrays import FloatArray, IntArray
+from records.record import Record
+from records.scaling import Band, least_squares, mean_square, truncate_band
+from spectra.arrays import BoolArray, FloatArray, IntArray
 from spectra.spectrum import Spectrum
 
 Range = tuple[float, float]
 ScaleTo = Literal["spectrum", "pga", "none"]
 Components = Literal["single", "together"]
 
-KNOWN: Mapping[str, Callable[[Candidate], float | None]] = {
+FILTERED_METADATA: Mapping[str, Callable[[Candidate], float | None]] = {
     "magnitude": lambda one: one.magnitude,
     "distance": lambda one: one.distance,
     "vs30": lambda one: one.vs30,
 }
 """What files may not say, by the name of its filter."""
+
 STEPS: Mapping[str, str] = {
     "all": "components",
     "horizontal": "horizontal at the free surface",
@@ -50,7 +57,7 @@ STEPS: Mapping[str, str] = {
 
 
 @dataclass(frozen=True)
-class Filters:
+class CandidateFilters:
     """What a candidate must be; both ends of a range included, None for any. What is not known does not pass.
 
     magnitude [-]; distance [m]; vs30 [m/s]; pga [m/s2]; duration: D5-95 [s]; events: parts of the names of the
@@ -66,7 +73,7 @@ class Filters:
 
 
 @dataclass(frozen=True)
-class Criteria:
+class SuiteCriteria:
     """What the suite must be.
 
     count : of records, or of recordings where their components are kept together
@@ -81,7 +88,7 @@ class Criteria:
 
     count: int
     band: Band
-    filters: Filters = Filters()
+    filters: CandidateFilters = CandidateFilters()
     scale_limits: Range = (0.0, inf)
     one_per_event: bool = True
     fit: Fit = "suite"
@@ -91,7 +98,7 @@ class Criteria:
 
 
 @dataclass(frozen=True)
-class Choice:
+class ScaledRecording:
     """One record, or the components of one recording, with its scale factor [-] and misfit [-] to the target."""
 
     components: tuple[Candidate, ...]
@@ -109,14 +116,14 @@ class Selection:
     counted : (step, how many candidates were left after it)
     """
 
-    criteria: Criteria
-    choices: tuple[Choice, ...]
+    criteria: SuiteCriteria
+    choices: tuple[ScaledRecording, ...]
     misfit: float
     greedy: float | None
     counted: tuple[tuple[str, int], ...]
 
 
-def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criteria) -> Selection:
+def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: SuiteCriteria) -> Selection:
     """Select the suite of records that fits a spectrum best, 5 % damping.
 
     Parameters
@@ -131,9 +138,9 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     """
     band = truncate_band(criteria.band, spectrum.longest_period)
     horizontal = [one for one in candidates if one.shakes]
-    known = _known(horizontal, criteria.filters)
+    known = _of_known_metadata(horizontal, criteria.filters)
     passed = [one for one in known[-1][1] if passes(one, criteria.filters)]
-    choices, log_ratio = _scaled(_joined(passed, criteria.components), spectrum, band, criteria.scale_to)
+    choices, log_ratio = _scaled(_join_components(passed, criteria.components), spectrum, band, criteria.scale_to)
     low, high = criteria.scale_limits
     within = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
     choices, log_ratio = [choice for choice, keep in zip(choices, within, strict=True) if keep], log_ratio[within]
@@ -172,7 +179,7 @@ def _nearest_miss(misfits: Sequence[float], largest: float) -> str:
     return f" (the next one is {min(beyond):.3f} off in log10, {sqrt(largest) / log(10.0):.3f} is the limit)"
 
 
-def misfit_of_mean(choices: Sequence[Choice], spectrum: Spectrum, band: Band) -> float:
+def misfit_of_mean(choices: Sequence[ScaledRecording], spectrum: Spectrum, band: Band) -> float:
     """Return the mean squared difference of logarithms between the mean spectrum of choices and the target [-].
 
     Parameters
@@ -186,7 +193,7 @@ def misfit_of_mean(choices: Sequence[Choice], spectrum: Spectrum, band: Band) ->
     return float(mean_square(np.log(_ratios(choices, log_ratio).mean(axis=0)), weight=over.weight))
 
 
-def passes(candidate: Candidate, filters: Filters) -> bool:
+def passes(candidate: Candidate, filters: CandidateFilters) -> bool:
     """Return whether a candidate is what the filters ask for."""
     measures = candidate.measures
     asked = (
@@ -202,10 +209,10 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
     return not filters.events or any(part.lower() in name for part in filters.events)
 
 
-def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
+def _of_known_metadata(level: Sequence[Candidate], filters: CandidateFilters) -> list[tuple[str, Sequence[Candidate]]]:
     """List what is left of the horizontal components after each step that drops those with an unknown value."""
     steps = [(STEPS["horizontal"], level)]
-    for name, of in KNOWN.items():
+    for name, of in FILTERED_METADATA.items():
         before = steps[-1][1]
         if getattr(filters, name) is not None:
             left = [one for one in before if of(one) is not None]
@@ -213,7 +220,7 @@ def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequ
     return steps
 
 
-def _joined(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:
+def _join_components(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:
     """Take candidates one by one, or those of one recording together, in order of first appearance."""
     if components == "single":
         return [(one,) for one in candidates]
@@ -225,7 +232,7 @@ def _joined(candidates: Sequence[Candidate], components: Components) -> list[tup
 
 def _scaled(
     joined: Sequence[tuple[Candidate, ...]], spectrum: Spectrum, band: Band, scale_to: ScaleTo
-) -> tuple[list[Choice], FloatArray]:
+) -> tuple[list[ScaledRecording], FloatArray]:
     """Return every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
 
     Components kept together count by the geometric mean of their spectra. Those without motion at a period are left
@@ -244,7 +251,7 @@ def _scaled(
         log_factor = np.log(spectrum.pga) - peaks if scale_to == "pga" else np.zeros(len(joined))
         mse = mean_square(log_ratio - log_factor.reshape(-1, 1), weight=band.weight)
     factor = np.exp(log_factor)
-    made = [Choice(parts, float(f), float(m)) for parts, f, m in zip(joined, factor, mse, strict=True)]
+    made = [ScaledRecording(parts, float(f), float(m)) for parts, f, m in zip(joined, factor, mse, strict=True)]
     return made, log_ratio
 
 
@@ -253,12 +260,187 @@ def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
     return logs[0] if len(logs) == 1 else np.mean(logs, axis=0)
 
 
-def _ratios(choices: Sequence[Choice], log_ratio: FloatArray) -> FloatArray:
+def _ratios(choices: Sequence[ScaledRecording], log_ratio: FloatArray) -> FloatArray:
     """Return the scaled spectrum over the target [n, k]."""
     factor = np.array([choice.factor for choice in choices])
     return np.asarray(factor[:, np.newaxis] * np.exp(-log_ratio))
 
 
-def _pool(choices: Sequence[Choice], log_ratio: FloatArray, band: Band, group: IntArray) -> Pool:
+def _pool(choices: Sequence[ScaledRecording], log_ratio: FloatArray, band: Band, group: IntArray) -> Pool:
     mse = np.array([choice.mse for choice in choices])
     return Pool(_ratios(choices, log_ratio), band.weight / band.weight.sum(), group, mse)
+
+
+Fit = Literal["suite", "each"]
+COUNTABLE = 20_000  # suites that are all tried
+EXCHANGED = 2_000  # records, those of least misfit, that may be exchanged into a suite
+CHUNK = 1_000
+
+
+@dataclass(frozen=True)
+class Pool:
+    """What suites are made of: scaled spectrum over target [n, k], weights [k] that sum to 1, group and misfit [n]."""
+
+    ratio: FloatArray
+    weight: FloatArray
+    group: IntArray
+    mse: FloatArray
+
+    def misfit(self, mean: FloatArray) -> FloatArray:
+        """Return the misfit of mean spectra over target [..., k]."""
+        return np.asarray(np.log(mean) ** 2 @ self.weight)
+
+
+def best_each(pool: Pool, count: int) -> tuple[list[int], None]:
+    """Choose the `count` records of least misfit, the best of each group."""
+    chosen: list[int] = []
+    taken: set[int] = set()
+    for i in np.argsort(pool.mse, kind="stable").tolist():
+        if pool.group[i] not in taken and len(chosen) < count:
+            chosen.append(i)
+            taken.add(int(pool.group[i]))
+    return chosen, None
+
+
+def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
+    """Choose the `count` records whose mean fits best; return also the misfit of the greedy suite, its upper bound."""
+    first = greedy_suite(pool, count)
+    before = _misfit_of(pool, first)
+    if comb(pool.mse.size, count) <= COUNTABLE:
+        return exhaustive_suite(pool, count), before
+    starts = (first, best_each(pool, count)[0])
+    return min((exchanged_suite(pool, start) for start in starts), key=lambda chosen: _misfit_of(pool, chosen)), before
+
+
+def greedy_suite(pool: Pool, count: int) -> list[int]:
+    """Choose record by record, each time the one that makes the mean fit best."""
+    chosen: list[int] = []
+    total = np.zeros(pool.weight.size)
+    free = np.ones(pool.mse.size, dtype=np.bool_)
+    for size in range(1, count + 1):
+        score = np.where(free, pool.misfit((total + pool.ratio) / size), inf)
+        best = int(np.argmin(score))
+        chosen.append(best)
+        total = total + pool.ratio[best]
+        free &= pool.group != pool.group[best]
+    return chosen
+
+
+def exchanged_suite(pool: Pool, start: Sequence[int]) -> list[int]:
+    """Improve a suite by exchanging one record at a time for the best other, until no exchange helps."""
+    chosen, among = list(start), np.argsort(pool.mse, kind="stable")[:EXCHANGED]
+    ratio, group = pool.ratio[among], pool.group[among]
+    least, better = _misfit_of(pool, chosen), True
+    while better:
+        better = False
+        for place in range(len(chosen)):
+            others = [i for k, i in enumerate(chosen) if k != place]
+            free = ~np.isin(group, pool.group[others])
+            score = np.where(free, pool.misfit((pool.ratio[others].sum(axis=0) + ratio) / len(chosen)), inf)
+            best = int(np.argmin(score))
+            if score[best] < least * (1 - 1e-9):
+                chosen[place], least, better = int(among[best]), float(score[best]), True
+    return chosen
+
+
+def exhaustive_suite(pool: Pool, count: int) -> list[int]:
+    """Choose the best of all suites."""
+    best, least = greedy_suite(pool, count), inf
+    for suites in _chunks(combinations(range(pool.mse.size), count)):
+        group = np.sort(pool.group[suites], axis=1)
+        allowed: BoolArray = np.all(np.diff(group, axis=1) > 0, axis=1)
+        if not allowed.any():
+            continue
+        score = pool.misfit(pool.ratio[suites[allowed]].mean(axis=1))
+        if score.min() < least:
+            least, best = float(score.min()), suites[allowed][int(np.argmin(score))].tolist()
+    return best
+
+
+def _chunks(suites: Iterator[tuple[int, ...]]) -> Iterator[IntArray]:
+    while part := list(islice(suites, CHUNK)):
+        yield np.array(part, dtype=np.int64)
+
+
+def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
+    return float(pool.misfit(pool.ratio[list(chosen)].mean(axis=0)))
+
+
+FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": best_each}
+Recording = tuple[Candidate, ...]  # the components of one recording that are chosen together
+SAME_SHAPE = (
+    0.01  # largest difference of the logarithms of two spectra of one motion; its digits differ from file to file
+)
+COARSE = 8  # of how many ordinates one is compared first
+
+
+def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> IntArray:
+    """Number the groups of recordings [n] of which a suite may have only one.
+
+    Recordings of one motion are one group, and with `one_per_event` also those of one earthquake. Where a motion is in
+    two files of which only one names its earthquake, both are of that earthquake.
+    """
+    pairs = [same_motion(recordings)]
+    if one_per_event:
+        pairs.append(same_earthquake(recordings))
+    first, second = np.concatenate(pairs).T
+    graph = coo_array((np.ones(first.size), (first, second)), shape=(len(recordings), len(recordings)))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+
+
+def same_earthquake(recordings: Sequence[Recording]) -> IntArray:
+    """Pair each recording with the first of its earthquake [m, 2]."""
+    first: dict[str, int] = {}
+    pairs = [(first.setdefault(parts[0].earthquake, place), place) for place, parts in enumerate(recordings)]
+    return np.array(pairs, dtype=np.int64).reshape(-1, 2)
+
+
+def same_motion(recordings: Sequence[Recording]) -> IntArray:
+    """Pair recordings [m, 2] with a component whose spectrum has the same shape, to one percent."""
+    of = np.array([place for place, parts in enumerate(recordings) for _ in parts], dtype=np.int64)
+    spectra = [one.spectrum for parts in recordings for one in parts]
+    if not spectra:
+        return np.empty((0, 2), dtype=np.int64)
+    log = np.log(np.maximum(spectra, 1e-300))
+    shape = log - log.max(axis=1, keepdims=True)
+    near = KDTree(shape[:, ::COARSE]).query_pairs(SAME_SHAPE, p=np.inf, output_type="ndarray").reshape(-1, 2)
+    alike = np.abs(shape[near[:, 0]] - shape[near[:, 1]]).max(axis=1) <= SAME_SHAPE
+    return np.asarray(of[near[alike]], dtype=np.int64)
+
+
+SHAPE_FIGURES = 6  # of an ordinate over the peak ground acceleration
+SAMPLE_STEP = 1e-4  # m/s2, to which samples are rounded
+SAME_PGA = 1e-9  # relative difference of peak ground accelerations that are one
+
+
+@dataclass(frozen=True)
+class TargetMark:
+    """What tells one target spectrum from another.
+
+    code : as in the project file
+    pga : peak ground acceleration [m/s2]
+    sha256 : of the shape, the 5 % ordinates over the peak ground acceleration
+    """
+
+    code: str
+    pga: float
+    sha256: str
+
+    def is_of(self, spectrum: Spectrum) -> bool:
+        """Return whether a spectrum has this shape and this peak ground acceleration."""
+        other = target_mark(spectrum)
+        return other.sha256 == self.sha256 and isclose(other.pga, self.pga, rel_tol=SAME_PGA)
+
+
+def target_mark(spectrum: Spectrum) -> TargetMark:
+    """Return what tells a target spectrum from others."""
+    period = PERIODS[spectrum.longest_period >= PERIODS]
+    shape = spectrum.acceleration(period, damping=DAMPING) / spectrum.pga
+    text = " ".join(f"{each:.{SHAPE_FIGURES}g}" for each in shape.tolist())
+    return TargetMark(spectrum.code, spectrum.pga, hashlib.sha256(text.encode()).hexdigest())
+
+
+def samples_sha256(record: Record) -> str:
+    """Return the SHA-256 of the step and the samples of a record, rounded to 1e-4 m/s2."""
+    rounded = np.round(record.acceleration / SAMPLE_STEP).astype("<i8")
+    return hashlib.sha256(f"{record.dt:.9g} ".encode() + rounded.tobytes()).hexdigest()

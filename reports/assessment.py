@@ -1,36 +1,38 @@
-"""The assessment as a document: its chapters in order, with every number taken from the results."""
+"""The reports as documents: their chapters in order, with every number taken from the results; and one figure by
+name.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import count
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
+from assess.errors import AssessError
 from assess.results import SCHEMA_VERSION, Results
 from assess.results.fragility import FragilityResults
-from assess.results.inputs import Resolved
+from assess.results.inputs import ResolvedValue
 from assess.results.verification import VerificationResults
 from reports.chapters import (
     annex_envelopes,
     annex_histories,
     annex_inputs,
     annex_sheets,
-    annex_suite,
     assumptions,
     comparison,
     data_tables,
     declaration,
     fragility,
-    fragility_data,
+    fragility_tables,
     front_matter,
     key_plan,
     mechanism_page,
     recommendations,
     scope,
     sensitivity,
-    signatures,
     site,
+    suite,
     uncertainty,
     verdict,
     verification,
@@ -40,8 +42,12 @@ from reports.figures.building import building_of
 from reports.language.catalogue import ENGLISH
 from reports.language.locale import Locale
 from reports.language.texts import say
-from reports.project_text import project_text
+from reports.project_values import project_text
 from reports.titles import file_stem
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 
 Detail = Literal["main", "full"]
 
@@ -55,7 +61,7 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         program=f"{results.program.name} {results.program.version}",
         paper=_paper(results),
         facts=front_matter.facts(results),
-        sections=_numbered([*_main(results), *(_annexes(results) if is_full(results, detail) else ())]),
+        sections=_numbered([*_main_sections(results), *(_annex_sections(results) if is_full(results, detail) else ())]),
         data=tuple(data_tables.tables(results)),
         running=front_matter.running_head(results),
         logo=front_matter.logo(results),
@@ -70,7 +76,7 @@ def is_full(results: Results, detail: Detail | None) -> bool:
     return (detail or project_text(results, "report.detail")) == "full"
 
 
-def _main(results: Results) -> Iterator[Section]:
+def _main_sections(results: Results) -> Iterator[Section]:
     """Yield the sections that are signed."""
     yield from verdict.sections(results)
     building = building_of(results)
@@ -85,17 +91,17 @@ def _main(results: Results) -> Iterator[Section]:
     yield from uncertainty.sections(results)
     yield from recommendations.sections(results)
     yield from declaration.sections(results)
-    yield from signatures.sections(results)
+    yield from declaration.signature_sections(results)
 
 
-def _annexes(results: Results) -> Iterator[Section]:
+def _annex_sections(results: Results) -> Iterator[Section]:
     """Yield what a reviewer needs to redo the calculation."""
     yield from annex_sheets.sections(results)
-    yield from sensitivity.others(results)
-    yield from uncertainty.others(results)
+    yield from sensitivity.annex_sections(results)
+    yield from uncertainty.annex_sections(results)
     yield from annex_histories.sections(results)
     yield from annex_envelopes.sections(results)
-    yield from annex_suite.sections(results)
+    yield from suite.sections(results)
     yield from annex_inputs.sections(results)
 
 
@@ -111,8 +117,8 @@ def envelope_report(results: Results) -> Document:
     return replace(
         assessment(results),
         subject=say("Overturning envelopes of masonry by rocking dynamics"),
-        sections=_numbered([*annex_envelopes.report(results), *annex_inputs.sections(results)]),
-        data=tuple(annex_envelopes.data(results)),
+        sections=_numbered([*annex_envelopes.report_sections(results), *annex_inputs.sections(results)]),
+        data=tuple(annex_envelopes.data_tables(results)),
     )
 
 
@@ -123,13 +129,13 @@ def fragility_report(results: FragilityResults) -> Document:
     ----------
     results : of `assess fragility`
     """
-    run = without_answers(results)
+    run = results_without_mechanisms(results)
     inputs = (replace(each, mark="", starts_page=False) for each in annex_inputs.sections(run))
     return replace(
         assessment(run),
         subject=say("Fragility of masonry by rocking dynamics"),
         sections=_numbered([*fragility.sections(results), *inputs]),
-        data=tuple(fragility_data.tables(results)),
+        data=tuple(fragility_tables.data_tables(results)),
     )
 
 
@@ -156,9 +162,9 @@ def verification_report(results: VerificationResults, language: str | None = Non
     )
 
 
-def without_answers(results: FragilityResults) -> Results:
+def results_without_mechanisms(results: FragilityResults) -> Results:
     """Return the results of a run with the project and the front matter of `results`, and no mechanism."""
-    project = {"title": Resolved(results.title or None, bool(results.title)), **results.project}
+    project = {"title": ResolvedValue(results.title or None, bool(results.title)), **results.project}
     return Results(
         SCHEMA_VERSION, results.program, results.inputs, results.warnings, project, None, (), (), None, (), (),
         stamp=results.stamp, report=results.report,
@@ -179,3 +185,53 @@ def locale_of(results: Results, language: str | None = None) -> Locale:
 
 def _paper(results: Results) -> Literal["A4", "letter"]:
     return "letter" if project_text(results, "report.paper").lower() == "letter" else "A4"
+
+
+def report_figure(name: str, results: Results, *, mechanism: str | None = None) -> Figure:
+    """Return a figure of the report, in its language and units.
+
+    Parameters
+    ----------
+    name : of a mechanism "sketch", "place", "view", "capacity", "pga-rotation", "history", "envelope", "moment",
+        "contact", "directions", "amplification", "sensitivity", "sweep-01", "uncertainty-01-distribution",
+        "uncertainty-01-influences"; of the whole run "key-plan", "spectrum", "suite", "capacities", "curves",
+        "comparison", "critical". Results without histories have no figure of one, and so on.
+    results : of a run
+    mechanism : name of the mechanism; it may be left out for figures of the whole run, and where there is only one
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        a new figure at each call
+
+    Raises
+    ------
+    AssessError
+        for a name that these results have no figure of, and for an unknown mechanism; the known ones are listed
+    """
+    document = assessment(results, detail="full")
+    names = figure_names(document, results, mechanism)
+    if name not in names:
+        of = "of the run" if mechanism is None else f'of mechanism "{mechanism}"'
+        more = "; figures of a mechanism need its name" if mechanism is None else ""
+        raise AssessError(f'there is no figure "{name}" {of}; known are {", ".join(names)}{more}')
+    figure = next(each for each in document.figures if each.name == names[name])
+    return figure.draw(document.writer)
+
+
+def figure_names(document: Document, results: Results, mechanism: str | None) -> dict[str, str]:
+    """Return the names of the figures of the run, or of one mechanism, each with its name in the document.
+
+    Raises AssessError for an unknown mechanism.
+    """
+    stems = {each.name: f"{file_stem(each.name, place)}-" for place, each in enumerate(results.mechanisms, start=1)}
+    if mechanism is not None and mechanism not in tuple(stems):
+        raise AssessError(f'there is no mechanism "{mechanism}"; known are {", ".join(stems)}')
+    if mechanism is None and len(stems) > 1:
+        return {each.name: each.name for each in document.figures if not each.name.startswith(tuple(stems.values()))}
+    wanted = tuple(stems.values()) if mechanism is None else (stems[mechanism],)
+    own = [each.name for each in document.figures if each.name.startswith(wanted)]
+    found = {name.removeprefix(next(stem for stem in wanted if name.startswith(stem))): name for name in own}
+    if mechanism is None:
+        found |= {each.name: each.name for each in document.figures if each.name not in own}
+    return found

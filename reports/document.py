@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 from urllib.parse import quote
 
-from assess.codes.calculation_step import Step
+from assess.codes.calculation_sheet import Step
 from reports.language.locale import Locale
 from reports.language.texts import Kind, Text, Verbatim
 
@@ -23,7 +23,7 @@ Outcome = Literal["pass", "fail", "incomplete", "comparison"]
 
 
 @dataclass(frozen=True)
-class Graded:
+class OutcomeCell:
     """A cell coloured by an outcome; "comparison" for an answer that does not decide."""
 
     outcome: Outcome
@@ -43,7 +43,7 @@ class Link:
         return f"./{quote(self.path.lstrip('/'), errors='replace')}"
 
 
-Cell = Text | Graded | Link | float | int | bool | None
+Cell = Text | OutcomeCell | Link | float | int | bool | None
 """A number is in SI, of the dimension of its column; a `Quantity` shows its own unit; None is a dash."""
 
 
@@ -70,14 +70,14 @@ class Prose:
 
 
 @dataclass(frozen=True)
-class Items:
+class BulletList:
     """A list of points."""
 
     points: tuple[Text, ...]
 
 
 @dataclass(frozen=True)
-class Code:
+class FileLines:
     """Lines to be copied letter for letter, as of a project file."""
 
     lines: tuple[str, ...]
@@ -101,11 +101,11 @@ class Table:
     sifted: bool = False
 
 
-Place = tuple[float, float, float]
+Point = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class Part:
+class ColouredFaces:
     """The faces of a model that share a colour ("#rrggbb"): indices of vertices, anticlockwise seen from outside."""
 
     colour: str
@@ -116,7 +116,7 @@ class Part:
 class Wire:
     """A line through points [m] over a model, with its name at its last end; empty for none."""
 
-    points: tuple[Place, ...]
+    points: tuple[Point, ...]
     colour: str
     name: str = ""
     dashed: bool = False
@@ -124,7 +124,7 @@ class Wire:
 
 
 @dataclass(frozen=True)
-class Model:
+class SpatialModel:
     """Bodies in space [m], z upwards, for renderers on which a reader can turn them.
 
     edge : colour of the edges that are drawn
@@ -132,8 +132,8 @@ class Model:
     eye : where the model is first seen from: azimuth from +x towards +y, elevation [rad]
     """
 
-    vertices: tuple[Place, ...]
-    parts: tuple[Part, ...]
+    vertices: tuple[Point, ...]
+    parts: tuple[ColouredFaces, ...]
     wires: tuple[Wire, ...]
     edge: str
     sharp: float
@@ -152,11 +152,11 @@ class Figure:
     name: str
     caption: Text
     draw: Callable[[Locale], Drawn]
-    model: Model | None = None
+    model: SpatialModel | None = None
 
 
 @dataclass(frozen=True)
-class Row:
+class FigureRow:
     """Figures side by side, each with its caption below."""
 
     figures: tuple[Figure, ...]
@@ -191,7 +191,7 @@ class Facts:
 
 
 @dataclass(frozen=True)
-class Writing:
+class WritingBox:
     """An empty box in which the engineer writes. title: what is asked; height: [mm]."""
 
     title: Text
@@ -214,7 +214,20 @@ class Banner:
     near: bool = False
 
 
-Block = Prose | Items | Code | Table | Figure | Row | Photograph | Sheet | Facts | Writing | Signatures | Banner
+Block = (
+    Prose
+    | BulletList
+    | FileLines
+    | Table
+    | Figure
+    | FigureRow
+    | Photograph
+    | Sheet
+    | Facts
+    | WritingBox
+    | Signatures
+    | Banner
+)
 
 
 def nonempty(table: Table) -> list[Block]:
@@ -273,7 +286,7 @@ class Document:
     def blocks(self) -> tuple[Block, ...]:
         """Every block in order of appearance, figures of a row one by one."""
         every = (block for section in self.sections for block in section.blocks)
-        return tuple(one for block in every for one in (block.figures if isinstance(block, Row) else (block,)))
+        return tuple(one for block in every for one in (block.figures if isinstance(block, FigureRow) else (block,)))
 
     @property
     def tables(self) -> tuple[Table, ...]:

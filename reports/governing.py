@@ -7,11 +7,11 @@ from math import inf, isclose
 from assess.codes.check import Check, Outcome
 from assess.codes.families import uses_histories
 from assess.codes.verdict import MechanismVerdict
-from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
+from assess.results import ComparisonRow, HistoryResult, HistoryTrace, MechanismResult, Results
 
 DAMAGE = "SLD"
-SAME = 1e-9  # relative difference of levels that are one
-SILENT = (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
+SAME_LEVEL = 1e-9  # relative difference of levels that are one
+UNANSWERED = (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
 
 
 def is_overturned(check: Check) -> bool:
@@ -21,14 +21,14 @@ def is_overturned(check: Check) -> bool:
 
 def severity(check: Check) -> float:
     """Return demand over allowable [-]: infinite without a finite demand, negative without an answer."""
-    if check.verdict in SILENT:
+    if check.verdict in UNANSWERED:
         return -1.0
     if check.ratio is not None:
         return check.ratio
     return inf if check.verdict == Outcome.FAIL else 0.0
 
 
-def worst(checks: tuple[Check, ...]) -> Check | None:
+def worst_check(checks: tuple[Check, ...]) -> Check | None:
     """Return the failing check with the largest severity, else the passing one; of equals the lowest level."""
     ranked = sorted(checks, key=lambda check: (check.verdict != Outcome.FAIL, -severity(check), check.level_pga_g))
     return ranked[0] if ranked else None
@@ -39,14 +39,14 @@ def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
 
-def with_answer(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def answered_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the checks that pass or fail: what one that is not answered finds may be on the unsafe side."""
-    return tuple(check for check in checks if check.verdict not in SILENT)
+    return tuple(check for check in checks if check.verdict not in UNANSWERED)
 
 
-def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
+def checks_at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
     """Return the checks at one level [g]."""
-    return tuple(check for check in checks if isclose(check.level_pga_g, level_pga_g, rel_tol=SAME))
+    return tuple(check for check in checks if isclose(check.level_pga_g, level_pga_g, rel_tol=SAME_LEVEL))
 
 
 def site_pga(results: Results) -> float | None:
@@ -60,19 +60,19 @@ def verdict_of(results: Results, mechanism: MechanismResult) -> MechanismVerdict
     return next((one for one in verdicts if one.mechanism == mechanism.name), None)
 
 
-def at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
+def checks_at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
     """Return the checks of a mechanism at the site's own action; all of them without a verdict."""
     own = site_pga(results)
-    return mechanism.checks if own is None else at_level(mechanism.checks, own)
+    return mechanism.checks if own is None else checks_at_level(mechanism.checks, own)
 
 
 def other_levels(results: Results) -> tuple[float, ...]:
     """Return the levels of the study besides the site's own [g], rising."""
     own, every = site_pga(results), (check for mechanism in results.mechanisms for check in mechanism.checks)
-    return tuple(x for x in levels(tuple(every)) if own is None or not isclose(x, own, rel_tol=SAME))
+    return tuple(x for x in pga_levels(tuple(every)) if own is None or not isclose(x, own, rel_tol=SAME_LEVEL))
 
 
-def levels(checks: tuple[Check, ...]) -> tuple[float, ...]:
+def pga_levels(checks: tuple[Check, ...]) -> tuple[float, ...]:
     """Return the levels of the checks [g], rising."""
     return tuple(sorted({check.level_pga_g for check in checks}))
 
@@ -81,10 +81,10 @@ def worst_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the worst check of each procedure and limit state, in order of appearance."""
     keys = dict.fromkeys((check.procedure, check.limit_state) for check in checks)
     groups = (tuple(c for c in checks if (c.procedure, c.limit_state) == key) for key in keys)
-    return tuple(check for check in map(worst, groups) if check is not None)
+    return tuple(check for check in map(worst_check, groups) if check is not None)
 
 
-def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
+def governing_history(mechanism: MechanismResult) -> tuple[HistoryResult, HistoryTrace] | None:
     """Return the worst history with a trace: overturned first, then the largest rotation; None without traces."""
     traced = [(history, history.trace) for history in mechanism.histories if history.trace is not None]
     if not traced:
@@ -92,9 +92,9 @@ def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
     return max(traced, key=lambda pair: (pair[0].overturned, abs(pair[0].max_rotation_ratio or 0.0)))
 
 
-def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
+def allowable_rotation(mechanism: MechanismResult, level_pga_g: float) -> float | None:
     """Return the allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
-    checks = at_level(mechanism.checks, level_pga_g)
+    checks = checks_at_level(mechanism.checks, level_pga_g)
     found = (check.capacity_rotation_ratio for check in checks if uses_histories(check.procedure))
     return next((ratio for ratio in found if ratio is not None), None)
 
@@ -102,8 +102,8 @@ def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
 def check_of(results: Results, row: ComparisonRow) -> Check | None:
     """Return the worst check behind a row of the comparison."""
     mechanism = next((m for m in results.mechanisms if m.name == row.mechanism), None)
-    checks = () if mechanism is None else at_level(mechanism.checks, row.level_pga_g)
-    return worst(tuple(check for check in checks if check.procedure == row.procedure))
+    checks = () if mechanism is None else checks_at_level(mechanism.checks, row.level_pga_g)
+    return worst_check(tuple(check for check in checks if check.procedure == row.procedure))
 
 
 def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:

@@ -1,4 +1,6 @@
-"""The joints of a mechanism in the results: their models, and what one carries at a rotation."""
+"""The joints of a mechanism in the results: their models, what one carries at a rotation, and mechanisms that differ by
+their joints alone (thesis Table 8.7).
+"""
 
 from __future__ import annotations
 
@@ -8,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from assess.codes.check import BranchName
-from assess.results import HistoryResult, MechanismResult
+from assess.results import HistoryResult, MechanismResult, Results
 from reports.language.texts import Phrase, say
 
-MODELS: Mapping[str, Phrase] = {
+JOINT_MODELS: Mapping[str, Phrase] = {
     "rigid": say("rigid"),
     "rigid with crushing": say("rigid, with crushing"),
     "flexible": say("flexible"),
@@ -66,3 +68,23 @@ def values_at(interface: dict[str, Any], rotation: float) -> tuple[float, float,
         float(np.interp(rotation, curve["mechanism_rotation_rad"], curve[key])) for key in keys
     )
     return stress, resultant, opened, crushed
+
+
+JOINT_KEYS = ("label", "interface", "interfaces")
+"""Keys in which variants may differ."""
+
+
+def group_variants(results: Results) -> list[tuple[MechanismResult, ...]]:
+    """Return every mechanism, those that differ by their joints alone together: rigid first, in the project's order."""
+    found: dict[frozenset[tuple[str, str]], list[MechanismResult]] = {}
+    for mechanism in results.mechanisms:
+        found.setdefault(definition_without_joints(results, mechanism), []).append(mechanism)
+    return [tuple(sorted(group, key=lambda each: bool(deformable_joints(each)))) for group in found.values()]
+
+
+def definition_without_joints(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:
+    """Return what the project says of a mechanism, except its joints and label: {(key, value)}."""
+    start = f"mechanisms.{mechanism.name}."
+    found = ((key[len(start) :], each.value) for key, each in results.project.items() if key.startswith(start))
+    same = frozenset((key, repr(value)) for key, value in found if key.partition(".")[0] not in JOINT_KEYS)
+    return same or frozenset({("name", mechanism.name)})

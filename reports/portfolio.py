@@ -6,11 +6,10 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from assess.portfolio.ranking import rank
-from assess.portfolio.row import Row
-from assess.results.program import describe_program
+from assess.portfolio.row import ProjectRow, rank
+from assess.results.inputs import describe_program
 from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
-from reports.document import Cell, Column, Document, Graded, Link, Prose, Section, Table
+from reports.document import Cell, Column, Document, Link, OutcomeCell, Prose, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, Text, Verbatim, count, say
 from reports.language.units import System
@@ -37,7 +36,7 @@ BROKEN = say(
     "Broken projects could not be assessed: they stand at the end, each with its reason, and are neither a pass nor a "
     "fail."
 )
-FIELDS: tuple[tuple[Column, Callable[[int, Row], Cell]], ...] = (
+FIELDS: tuple[tuple[Column, Callable[[int, ProjectRow], Cell]], ...] = (
     (Column(say("Rank")), lambda place, row: place),
     (Column(say("Project")), lambda place, row: Verbatim(row.key)),
     (Column(say("Title")), lambda place, row: _name(row.title)),
@@ -57,7 +56,7 @@ FIELDS: tuple[tuple[Column, Callable[[int, Row], Cell]], ...] = (
 
 
 def write_ranking(
-    rows: Sequence[Row], stage: Path, *, language: str | None = None, units: System = "SI"
+    rows: Sequence[ProjectRow], stage: Path, *, language: str | None = None, units: System = "SI"
 ) -> tuple[Path, ...]:
     """Write the ranked table of a portfolio as CSV, workbook and page.
 
@@ -81,7 +80,7 @@ def write_ranking(
     )
 
 
-def portfolio_report(rows: Sequence[Row], *, locale: Locale) -> Document:
+def portfolio_report(rows: Sequence[ProjectRow], *, locale: Locale) -> Document:
     """Return the ranked table of a portfolio as a document, in a locale."""
     program = describe_program()
     numbers = Counter("broken" if row.status == "broken" else row.outcome or "incomplete" for row in rows)
@@ -100,7 +99,7 @@ def portfolio_report(rows: Sequence[Row], *, locale: Locale) -> Document:
     )
 
 
-def ranked_table(rows: Sequence[Row]) -> Table:
+def ranked_table(rows: Sequence[ProjectRow]) -> Table:
     """Return the table of the rows in their order."""
     columns = [
         (column, tuple(cell(place, row) for place, row in enumerate(rank(rows), start=1))) for column, cell in FIELDS
@@ -119,9 +118,9 @@ def _name(text: str) -> Verbatim | None:
     return Verbatim(text) if text else None
 
 
-def _outcome(row: Row) -> Graded:
+def _outcome(row: ProjectRow) -> OutcomeCell:
     """Return the outcome, coloured; a project without a verdict is incomplete."""
     if row.status == "broken":
-        return Graded("comparison", say("broken"))
+        return OutcomeCell("comparison", say("broken"))
     outcome = row.outcome or "incomplete"
-    return Graded(outcome, OUTCOMES[outcome])
+    return OutcomeCell(outcome, OUTCOMES[outcome])

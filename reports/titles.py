@@ -1,15 +1,15 @@
-"""What mechanisms and procedures are called in the report."""
+"""What mechanisms and procedures are called in the report: titles, numbers, and lists as "M1, M3 to M5 and M8"."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
-from reports.language.texts import Phrase, Text, Verbatim, say
+from reports.language.texts import Phrase, Text, Verbatim, listing, say
 
-PROCEDURES: Mapping[str, Phrase] = {
+PROCEDURE_TITLES: Mapping[str, Phrase] = {
     "asce43-05-spectrum": say("ASCE 43-05, approximate method"),
     "asce43-05-spectrum-thesis": say("ASCE 43-05, approximate method, thesis reading"),
     "asce43-05-history": say("ASCE 43-05, response history"),
@@ -28,7 +28,7 @@ PROCEDURES: Mapping[str, Phrase] = {
 }
 """Titles of the procedures, in place of the names by which a project file calls them."""
 
-SHORT: Mapping[str, Phrase] = {
+SHORT_PROCEDURE_TITLES: Mapping[str, Phrase] = {
     "asce43-05-spectrum": say("ASCE 43-05 approximate"),
     "asce43-05-spectrum-thesis": say("ASCE 43-05 appr., thesis"),
     "asce43-05-history": say("ASCE 43-05 history"),
@@ -67,12 +67,12 @@ def numbered_title(results: Results, name: str) -> Verbatim:
 
 def procedure_title(procedure: str) -> Text:
     """Return the title of a procedure; the name itself of one that is not in the table."""
-    return PROCEDURES.get(procedure, Verbatim(procedure))
+    return PROCEDURE_TITLES.get(procedure, Verbatim(procedure))
 
 
 def short_title(procedure: str) -> Text:
     """Return the short title of a procedure; the name itself of one that is not in the table."""
-    return SHORT.get(procedure, Verbatim(procedure))
+    return SHORT_PROCEDURE_TITLES.get(procedure, Verbatim(procedure))
 
 
 def check_title(check: Check, among: tuple[Check, ...]) -> Text:
@@ -96,3 +96,33 @@ def file_stem(name: str, place: int) -> str:
     """Return a unique and safe beginning for the file names of a mechanism: its place and its name in plain letters."""
     plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
     return f"{place:02d}-{plain}" if plain else f"{place:02d}"
+
+
+SHORTEST_RANGE = 3  # numbers in a row that become a range
+
+
+def mechanism_list(results: Results, names: Iterable[str]) -> Text:
+    """Return mechanisms, by their names, as numbers in order, rows of them as ranges; all of several as such."""
+    wanted = set(names)
+    places = [place for place, each in enumerate(results.mechanisms) if each.name in wanted]
+    if len(places) == len(results.mechanisms) > 1:
+        return say("all mechanisms")
+    numbers = [mechanism_number(results, results.mechanisms[place].name) for place in places]
+    return listing(text for run in _neighbours(places, numbers) for text in _range_texts(run))
+
+
+def _neighbours(places: list[int], numbers: list[str]) -> list[list[str]]:
+    """Return the numbers in groups of neighbours."""
+    runs: list[list[str]] = []
+    for index, (place, number) in enumerate(zip(places, numbers, strict=True)):
+        if index and place == places[index - 1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return runs
+
+
+def _range_texts(run: list[str]) -> list[Text]:
+    if len(run) < SHORTEST_RANGE:
+        return [Verbatim(number) for number in run]
+    return [say("{first} to {last}", first=Verbatim(run[0]), last=Verbatim(run[-1]))]

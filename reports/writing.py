@@ -13,13 +13,11 @@ from reports.assessment import Detail, assessment, locale_of
 from reports.document import Document
 from reports.render.csv import write_csv
 from reports.render.figure_file import write_png
-from reports.render.frame_words import origin
 from reports.render.html import write_html
 from reports.render.pdf import write_pdf
-from reports.render.processes import processes
 from reports.render.spreadsheet import write_xlsx
-from reports.render.svg import picture, write_svg
-from reports.render.vector import trace_figures
+from reports.render.table_text import program_and_stamp
+from reports.render.vector import document_processes, svg_picture, trace_figures, write_svg
 
 Form = Literal["svg", "png"]
 
@@ -71,14 +69,14 @@ def write_document(
     report_stage = progress or (lambda _: None)
     for part in ("tables", "figures"):
         (folder / part).mkdir(exist_ok=True)
-    creator = document.locale.text(origin(document))
-    with processes(jobs or available_cores(), document) as submit:
+    creator = document.locale.text(program_and_stamp(document))
+    with document_processes(jobs or available_cores(), document) as submit:
         report_stage("figures")
         drawings = trace_figures(document, submit)
         tables = submit(_write_tables, folder)
         report_stage("report")
         path = write_pdf(document, folder / name, drawings=drawings)
-        pictures = {figure: picture(drawing.result()) for figure, drawing in drawings.items()}
+        pictures = {figure: svg_picture(drawing.result()) for figure, drawing in drawings.items()}
         for figure in pictures if "svg" in figures else ():
             write_svg(pictures[figure], folder / "figures" / f"{figure}.svg", creator=creator)
         asked = [submit(_write_png, place, folder / "figures", creator) for place in _places(document, figures)]
@@ -99,10 +97,10 @@ def write_pages(document: Document, folder: Path, *, name: str, jobs: int = 0) -
     name : of the PDF
     jobs : processes to use, 0 for as many as there are cores; the files are the same
     """
-    with processes(jobs or available_cores(), document) as submit:
+    with document_processes(jobs or available_cores(), document) as submit:
         drawings = trace_figures(document, submit)
         path = write_pdf(document, folder / name, drawings=drawings)
-        pictures = {figure: picture(drawing.result()) for figure, drawing in drawings.items()}
+        pictures = {figure: svg_picture(drawing.result()) for figure, drawing in drawings.items()}
     write_html(document, path.with_suffix(".html"), pictures=pictures)
     return path
 

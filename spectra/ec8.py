@@ -12,8 +12,7 @@ from functools import partial
 from math import inf
 
 from spectra.errors import SpectrumError
-from spectra.four_branches import FourBranches
-from spectra.spectrum import Spectrum, check_positive, plausibility_warnings
+from spectra.spectrum import FourBranches, Spectrum, check_positive, plausibility_warnings
 
 AMPLIFICATION, VERTICAL_AMPLIFICATION = 2.5, 3.0  # of the level branch, (3.3) and (3.9)
 DAMPING_RULE = "EN 1998-1 eq. (3.6): eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed standard"

@@ -16,8 +16,7 @@ import numpy as np
 from scipy.constants import g
 
 from spectra.errors import SpectrumError
-from spectra.four_branches import FourBranches
-from spectra.spectrum import Spectrum, check_positive, plausibility_warnings
+from spectra.spectrum import FourBranches, Spectrum, check_positive, plausibility_warnings
 
 LEAST_F_0 = 2.2  # 3.2 [-]
 SHORTEST_LIFE = 35.0  # years: least V_R, NTC 2008 2.4.3; under NTC 2018 by Table C2.4.I of Circolare 7/2019
@@ -72,7 +71,7 @@ class Hazard:
 
 
 @dataclass(frozen=True)
-class Place:
+class SoilAndTopography:
     """Soil and topography of a site; relief_position: 1 at the top of the relief, 0 at its base, where S_T is 1 [-]."""
 
     soil: str = "A"
@@ -80,7 +79,7 @@ class Place:
     relief_position: float = 1.0
 
 
-def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> Spectrum:
+def elastic_spectrum(hazard: Hazard, *, place: SoilAndTopography, code: str = "ntc2018") -> Spectrum:
     """Return the horizontal elastic spectrum.
 
         S = S_S S_T   T_C = C_C T_C*   T_B = T_C / 3   T_D = 4 a_g / g + 1.6
@@ -127,7 +126,7 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
     )
 
 
-def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> Spectrum:
+def vertical_spectrum(hazard: Hazard, *, place: SoilAndTopography, code: str = "ntc2018") -> Spectrum:
     """Return the vertical elastic spectrum: F_V = 1.35 F_0 (a_g / g)^0.5 on the level branch, S_S = 1 on every soil.
 
     Parameters
@@ -177,7 +176,7 @@ def period_coefficient(hazard: Hazard, soil: str) -> float:
     return float(SOILS[soil].factor * hazard.t_c_star ** SOILS[soil].power)
 
 
-def topographic_factor(place: Place) -> float:
+def topographic_factor(place: SoilAndTopography) -> float:
     """Return S_T [-]: that of the category at the top of the relief, falling to 1 at its base.
 
     Source: NTC 2018 §3.2.3.2.1, Table 3.2.V (2008: 3.2.VI).
@@ -253,7 +252,7 @@ def limit_state_hazard(
     return hazard_at(table, return_period=return_period(limit_state, reference_life=life))
 
 
-def _check(hazard: Hazard, place: Place, code: str) -> str:
+def _check(hazard: Hazard, place: SoilAndTopography, code: str) -> str:
     """Return the clause of the `code`, once the values are within it."""
     _known("code", code, CLAUSES)
     check_positive(code, a_g=hazard.a_g, f_0=hazard.f_0, t_c_star=hazard.t_c_star)
@@ -273,7 +272,7 @@ def _check(hazard: Hazard, place: Place, code: str) -> str:
     return CLAUSES[code]
 
 
-def _given(hazard: Hazard, place: Place) -> dict[str, float | str]:
+def _given(hazard: Hazard, place: SoilAndTopography) -> dict[str, float | str]:
     """Return the hazard and the site as used."""
     years = {} if hazard.return_period is None else {"return_period": hazard.return_period}
     return {

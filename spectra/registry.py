@@ -11,7 +11,7 @@ from typing import Any
 
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.arrays import is_number
-from spectra.asce7_editions import EDITIONS
+from spectra.asce7 import EDITIONS
 from spectra.damping import check_damping
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, check_positive, scale_to_pga
@@ -22,7 +22,7 @@ COMMON = ("damping", "pga")  # of every spectrum
 
 
 @dataclass(frozen=True)
-class Form:
+class SpectrumForm:
     """One way to give a code's spectrum: a function of keyword arguments, and the names that tell it from others."""
 
     make: Callable[..., Spectrum]
@@ -80,12 +80,12 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
     return scale_to_pga(found, pga)
 
 
-def _form(forms: tuple[Form, ...], parameters: Mapping[str, Any]) -> Form:
+def _form(forms: tuple[SpectrumForm, ...], parameters: Mapping[str, Any]) -> SpectrumForm:
     """Return the form whose marks are among the parameters; else the first."""
     return next((form for form in forms if any(mark in parameters for mark in form.marks)), forms[0])
 
 
-def _check_names(code: str, form: Form, parameters: Mapping[str, Any]) -> None:
+def _check_names(code: str, form: SpectrumForm, parameters: Mapping[str, Any]) -> None:
     """Refuse parameters that are unknown, missing, or text where a number in SI belongs."""
     known, needed = form.parameters, form.required
     unknown = [name for name in parameters if name not in known]
@@ -138,7 +138,7 @@ def _ntc(
     relief_position: float = 1.0,
 ) -> Spectrum:
     """Take the hazard at one return period."""
-    place = ntc.Place(soil, topography, relief_position)
+    place = ntc.SoilAndTopography(soil, topography, relief_position)
     return ntc.elastic_spectrum(ntc.Hazard(a_g, f_0, t_c_star), place=place, code=code)
 
 
@@ -162,7 +162,7 @@ def _ntc_limit_state(
         ) from None
     asked: dict[str, float | str] = {"limit_state": limit_state, "nominal_life": nominal_life, "use_class": use_class}
     at = ntc.limit_state_hazard(rows, limit_state=limit_state, nominal_life=nominal_life, use_class=use_class)
-    found = ntc.elastic_spectrum(at, place=ntc.Place(soil, topography, relief_position), code=code)
+    found = ntc.elastic_spectrum(at, place=ntc.SoilAndTopography(soil, topography, relief_position), code=code)
     return replace(found, parameters={**asked, **found.parameters})
 
 
@@ -171,20 +171,23 @@ def _from_file(*, file: str | Path, damping: float, pga: float | None) -> Spectr
     return read_table(Path(file), damping=damping, pga=pga)
 
 
-def _asce7_forms(code: str) -> tuple[Form, ...]:
+def _asce7_forms(code: str) -> tuple[SpectrumForm, ...]:
     design, mapped = asce7.design_spectrum, asce7.mapped_spectrum
-    return (Form(partial(design, code=code)), Form(partial(mapped, code=code), ("s_s", "s_1", "site_class")))
+    return (
+        SpectrumForm(partial(design, code=code)),
+        SpectrumForm(partial(mapped, code=code), ("s_s", "s_1", "site_class")),
+    )
 
 
-def _ntc_forms(code: str) -> tuple[Form, ...]:
-    return (Form(partial(_ntc, code=code)), Form(partial(_ntc_limit_state, code=code), ("hazard",)))
+def _ntc_forms(code: str) -> tuple[SpectrumForm, ...]:
+    return (SpectrumForm(partial(_ntc, code=code)), SpectrumForm(partial(_ntc_limit_state, code=code), ("hazard",)))
 
 
-SPECTRA: Mapping[str, tuple[Form, ...]] = {
+SPECTRA: Mapping[str, tuple[SpectrumForm, ...]] = {
     **{code: _asce7_forms(code) for code in EDITIONS},
-    "ec8": (Form(_ec8),),
-    "nzs1170.5": (Form(_nzs1170_5),),
+    "ec8": (SpectrumForm(_ec8),),
+    "nzs1170.5": (SpectrumForm(_nzs1170_5),),
     **{code: _ntc_forms(code) for code in ntc.CLAUSES},
-    "table": (Form(_from_file), Form(table_spectrum, ("period", "acceleration"))),
+    "table": (SpectrumForm(_from_file), SpectrumForm(table_spectrum, ("period", "acceleration"))),
 }
 """The ways to give each code's spectrum, the usual one first."""

@@ -20,14 +20,14 @@ from babel.messages.pofile import read_po, write_po
 
 from assess.messages.texts import TEXTS
 from reports.language.catalogue import FOLDER
-from reports.language.units import WORDS
+from reports.language.units import UNIT_WORDS
 from tests.languages.fixed_terms import fixed_terms
 from tests.support.places import SOURCES
 
 KEYWORDS = {"say": None, "say_count": (1, 2)}
 HEAD = "# Italian sentences of the report, by the English ones. `make catalogue` keeps the entries up to date."
 DATE = datetime(2026, 11, 22, tzinfo=UTC)
-LOCALE_WORDS = ("Figure", "Table", "Sheet", "{first} and {last}", "{first} or {last}", *WORDS)
+LOCALE_WORDS = ("Figure", "Table", "Sheet", "{first} and {last}", "{first} or {last}", *UNIT_WORDS)
 WORD = re.compile(r"\b[A-Za-z][a-z]+\b")
 UNCHANGED = {"max", "min", "sin", "cos", "tan", "ln", "exp", "rad", "kg", "Hz", "Pa"}
 """Functions of formulas and units, which are the same in every language."""

@@ -11,7 +11,7 @@ import signal
 import sys
 from typing import NoReturn
 
-from assess.cli.stderr import begin
+from assess.cli.stderr import log_to_stderr
 from assess.errors import AssessError
 from assess.outputs.signals import Terminated, raise_on_signals
 from records.errors import RecordError
@@ -26,7 +26,7 @@ MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: collecting garbage more often t
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run one command with `arguments`, those of the process if None, and end the process."""
     gc.set_threshold(MADE_BETWEEN_COLLECTIONS)
-    begin()
+    log_to_stderr()
     try:
         with raise_on_signals():
             from assess.cli.app import app
@@ -42,7 +42,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except KeyboardInterrupt as interrupt:
         _end(_with_notes("interrupted", interrupt), BY_SIGNAL + signal.SIGINT)
     except Exception as error:
-        from assess.cli.usage import usage_error
+        from assess.cli.app import usage_error
 
         wrong = usage_error(error)
         if wrong:

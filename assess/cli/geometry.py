@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import refuse_both
+from assess.cli.options import refuse_two_formats
 
 if TYPE_CHECKING:
-    from assess.geometry.inventory import Entry
+    from assess.geometry.mesh import InventoryEntry
 
 
-class Axis(StrEnum):
+class UpAxis(StrEnum):
     """The axis of a file that points up."""
 
     Y = "y"
@@ -33,7 +33,7 @@ def geometry(
         ),
     ] = None,
     up: Annotated[
-        Axis | None, typer.Option("--up", "--mesh-up", help="Axis that points up (`mesh_up` of a project).")
+        UpAxis | None, typer.Option("--up", "--mesh-up", help="Axis that points up (`mesh_up` of a project).")
     ] = None,
     element: Annotated[
         str | None, typer.Option(metavar="NAME", help="Only these elements: name, GlobalId, class or pattern.")
@@ -46,8 +46,8 @@ def geometry(
     The thin direction is the usual `direction` of a wall's mechanism. A broken part or an unreadable file has its own
     line; the exit code is 2 if nothing could be listed.
     """
-    refuse_both(as_json=as_json, as_csv=as_csv)
-    scale = _length(unit)
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    scale = _length_of_unit(unit)
     from assess.cli.tables.geometry import csv_text, json_text, table_text
     from assess.errors import GeometryError
 
@@ -60,10 +60,12 @@ def geometry(
     raise typer.Exit(2 if len(wrong) == len(listed) else 0)
 
 
-def _entries(file: Path, scale: float | None, up: Axis | None, element: str | None) -> tuple[Entry, ...] | Exception:
+def _entries(
+    file: Path, scale: float | None, up: UpAxis | None, element: str | None
+) -> tuple[InventoryEntry, ...] | Exception:
     """Return the parts of a file, or what is wrong with it."""
     from assess.errors import GeometryError
-    from assess.geometry.inventory import inventory
+    from assess.geometry.mesh import inventory
 
     try:
         return inventory(file, scale=scale, up=None if up is None else up.value, element=element)
@@ -71,11 +73,11 @@ def _entries(file: Path, scale: float | None, up: Axis | None, element: str | No
         return problem
 
 
-def _length(unit: str | None) -> float | None:
+def _length_of_unit(unit: str | None) -> float | None:
     """Return the length of a unit [m], given as the project file's `mesh_unit`."""
     if unit is None:
         return None
-    from assess.project.quantities import length_of_unit
+    from assess.project.values import length_of_unit
 
     try:
         return length_of_unit(unit)

@@ -1,7 +1,15 @@
-"""Arguments and options that several commands share, checked as they are parsed, whether or not a file needs them."""
+"""Arguments and options that several commands share, checked and completed as they are parsed.
+
+What completes or checks a value is imported only when the shell asks for it or the value is given.
+"""
 
 from __future__ import annotations
 
+import functools
+import inspect
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -20,9 +28,11 @@ def limit_jobs(asked: int | None) -> int | None:
 ProjectPath = Annotated[
     Path, typer.Argument(metavar="PROJECT", help="The project file, or the folder that contains project.toml.")
 ]
+
 FigurePath = Annotated[
     Path | None, typer.Option("-o", "--output", metavar="FIGURE", help="Draw a figure: a .svg, .pdf or .png file.")
 ]
+
 Jobs = Annotated[
     int | None,
     typer.Option(
@@ -45,13 +55,13 @@ def flag(name: str, words: str) -> Any:
     return typer.Option(name, help=words)
 
 
-def refuse_both(*, as_json: bool, as_csv: bool) -> None:
+def refuse_two_formats(*, as_json: bool, as_csv: bool) -> None:
     """Raise BadParameter where two formats are requested."""
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
 
 
-def refuse_figure(output: Path | None) -> None:
+def check_figure_path(output: Path | None) -> None:
     """Raise BadParameter for a figure's path with another extension, or in a folder that does not exist."""
     if output is not None and output.suffix.lower() not in FIGURE_ENDINGS:
         raise typer.BadParameter(f"{output}: a figure is written as {', '.join(FIGURE_ENDINGS)}; use one of these")
@@ -71,3 +81,176 @@ def check_damping(damping: float) -> float:
     if not 0.0 <= damping < 1.0:
         raise typer.BadParameter(f"{damping:g}; it must be at least 0 and below 1")
     return damping
+
+
+def _set_level(name: str, other: str) -> Callable[[bool], None]:
+    def set_level(wanted: bool) -> None:
+        if not wanted:
+            return
+        from assess.cli import stderr
+
+        if stderr.LOG.level == getattr(stderr, other):
+            raise typer.BadParameter("--quiet and --verbose exclude each other")
+        stderr.LOG.setLevel(getattr(stderr, name))
+
+    return set_level
+
+
+Quiet = Annotated[
+    bool,
+    typer.Option(
+        "--quiet",
+        "-q",
+        callback=_set_level("QUIET", "VERBOSE"),
+        expose_value=False,
+        help="Print results and errors only: no progress, warnings or notes on stderr.",
+    ),
+]
+
+Verbose = Annotated[
+    bool,
+    typer.Option(
+        "--verbose",
+        "-v",
+        callback=_set_level("VERBOSE", "QUIET"),
+        expose_value=False,
+        help="Print on stderr what is done: stages with their times, records, compiled code.",
+    ),
+]
+
+VERBOSITY = [
+    inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=annotation)
+    for name, annotation in (("quiet", Quiet), ("verbose", Verbose))
+]
+
+
+def with_verbosity(command: Callable[..., None]) -> Callable[..., None]:
+    """Return a command that also takes --quiet and --verbose; it need not know of them."""
+    own = inspect.signature(command, eval_str=True)
+
+    @functools.wraps(command)
+    def run(**values: Any) -> None:
+        command(**{name: value for name, value in values.items() if name in own.parameters})
+
+    setattr(run, "__signature__", own.replace(parameters=[*own.parameters.values(), *VERBOSITY]))  # noqa: B010
+    return run
+
+
+def first_sentence(command: Callable[..., None]) -> str:
+    """Return what a command does, whole, for the list of commands, which else cuts it off."""
+    return " ".join((command.__doc__ or "").split("\n\n")[0].split())
+
+
+Completion = Callable[[str], Sequence[str]]
+
+
+def complete_words(*words: str) -> Completion:
+    """Return the completion of an option that takes one of these words."""
+
+    def complete(incomplete: str) -> Sequence[str]:
+        return [word for word in words if word.startswith(incomplete)]
+
+    return complete
+
+
+def complete_units(incomplete: str) -> Sequence[str]:
+    """Complete a unit of acceleration."""
+    from spectra.columns import ACCELERATION_UNITS
+
+    return [unit for unit in ACCELERATION_UNITS if unit.startswith(incomplete)]
+
+
+def check_unit(unit: str | None) -> str | None:
+    """Return a unit of acceleration; raise BadParameter for one that is not known."""
+    if unit is not None:
+        from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
+
+        try:
+            factor_of(unit, known=ACCELERATION_UNITS)
+        except ColumnError as error:
+            raise typer.BadParameter(str(error)) from None
+    return unit
+
+
+def check_step(step: float | None) -> float | None:
+    """Return a time step [s]; raise BadParameter for one that no record has."""
+    if step is not None:
+        from records.reading import COARSEST, FINEST
+
+        if not FINEST <= step <= COARSEST:
+            raise typer.BadParameter(f"time step {step:g} s; records have {FINEST:g} to {COARSEST:g} s")
+    return step
+
+
+def check_response_file(path: Path | None) -> Path | None:
+    """Return the file of an instrument's response; raise BadParameter where there is none."""
+    if path is not None and not path.is_file():
+        raise typer.BadParameter(f"{path}: no such file; give the StationXML of the instrument")
+    return path
+
+
+def check_azimuth(azimuth: float | None) -> float | None:
+    """Return an azimuth [deg]; raise BadParameter beyond one turn."""
+    if azimuth is not None and not abs(azimuth) <= 360.0:
+        raise typer.BadParameter(f"{azimuth:g} deg; it must be from -360 to 360")
+    return azimuth
+
+
+Files = Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record files of any known format.")]
+
+Unit = Annotated[
+    str | None,
+    typer.Option(
+        metavar="UNIT",
+        help="Unit of acceleration where a file does not state it: g, m/s2, cm/s2, gal, mm/s2.",
+        callback=check_unit,
+        autocompletion=complete_units,
+    ),
+]
+
+Step = Annotated[
+    float | None, typer.Option(metavar="SECONDS", help="Time step where a file does not state it.", callback=check_step)
+]
+
+Response = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE", help="StationXML of the instrument, for MiniSEED and SAC files.", callback=check_response_file
+    ),
+]
+
+Flatfile = Annotated[
+    Path | None, typer.Option(metavar="CSV", help="PEER flatfile with magnitude, distance, Vs30 and NGA number.")
+]
+
+Catalogue = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Path of the catalogue (default: in the folder itself).")
+]
+TARGET = typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate.")
+Target = Annotated[Path, TARGET]
+
+
+@contextmanager
+def optional_output(folder: Path | None, *, command: str, owner: str, wanted: Sequence[str]) -> Iterator[Path | None]:
+    """Give a temporary folder as `output_folder` does, and print what is recovered; None where no folder is named.
+
+    Parameters
+    ----------
+    folder : to write into
+    command, owner, wanted : as for `output_folder`
+    """
+    if folder is None:
+        yield None
+        return
+    from assess.cli.stderr import print_message
+    from assess.outputs.writing import output_folder
+
+    with output_folder(folder, command=command, owner=owner, wanted=wanted, tell=print_message) as stage:
+        yield stage
+
+
+class Language(StrEnum):
+    """Languages in which a report can be written."""
+
+    ENGLISH = "en"
+    ITALIAN = "it"

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from assess.cli.completions import Completion, of_words, spectrum_codes
-from assess.cli.options import FigurePath, refuse_both, refuse_figure
+from assess.cli.options import Completion, FigurePath, check_figure_path, complete_words, refuse_two_formats
 
-OWN = (
+NOT_KEYS = (
     "project",
     "vertical",
     "as_json",
     "as_csv",
     "output",
 )  # parameters of the command that are not keys of a spectrum
+HAZARDS = complete_words("design", "mce")
 
-HAZARDS = of_words("design", "mce")
 
-
-def _key(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
+def _key_option(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
     option: typer.models.OptionInfo = typer.Option(
         f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete
     )
@@ -35,53 +34,63 @@ def spectrum(
     ] = None,
     code: Annotated[
         str | None,
-        _key(
+        _key_option(
             "code",
             "CODE",
             "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ntc2008, ntc2018, table.",
-            spectrum_codes,
+            complete_codes,
         ),
     ] = None,
     s_s: Annotated[
-        str | None, _key("s-s", "ACC", 'asce7: mapped acceleration at short periods, such as "0.25 g".')
+        str | None, _key_option("s-s", "ACC", 'asce7: mapped acceleration at short periods, such as "0.25 g".')
     ] = None,
-    s_1: Annotated[str | None, _key("s-1", "ACC", "asce7: mapped acceleration at 1 s.")] = None,
-    site_class: Annotated[str | None, _key("site-class", "CLASS", "asce7: A to E.", of_words(*"ABCDE"))] = None,
+    s_1: Annotated[str | None, _key_option("s-1", "ACC", "asce7: mapped acceleration at 1 s.")] = None,
+    site_class: Annotated[
+        str | None, _key_option("site-class", "CLASS", "asce7: A to E.", complete_words(*"ABCDE"))
+    ] = None,
     s_ds: Annotated[
-        str | None, _key("s-ds", "ACC", "asce7: design acceleration at short periods, instead of a mapped one.")
+        str | None, _key_option("s-ds", "ACC", "asce7: design acceleration at short periods, instead of a mapped one.")
     ] = None,
-    s_d1: Annotated[str | None, _key("s-d1", "ACC", "asce7: design acceleration at 1 s.")] = None,
-    t_l: Annotated[str | None, _key("t-l", "TIME", 'asce7: long-period transition, such as "6 s".')] = None,
-    hazard: Annotated[str | None, _key("hazard", "WORD", "asce7: design (default) or mce.", HAZARDS)] = None,
-    a_g: Annotated[str | None, _key("a-g", "ACC", "ec8, ntc: peak ground acceleration on rock.")] = None,
-    ground_type: Annotated[str | None, _key("ground-type", "TYPE", "ec8: A to E.", of_words(*"ABCDE"))] = None,
-    type: Annotated[str | None, _key("type", "1|2", "ec8: type of the spectrum (default: 1).")] = None,
+    s_d1: Annotated[str | None, _key_option("s-d1", "ACC", "asce7: design acceleration at 1 s.")] = None,
+    t_l: Annotated[str | None, _key_option("t-l", "TIME", 'asce7: long-period transition, such as "6 s".')] = None,
+    hazard: Annotated[str | None, _key_option("hazard", "WORD", "asce7: design (default) or mce.", HAZARDS)] = None,
+    a_g: Annotated[str | None, _key_option("a-g", "ACC", "ec8, ntc: peak ground acceleration on rock.")] = None,
+    ground_type: Annotated[
+        str | None, _key_option("ground-type", "TYPE", "ec8: A to E.", complete_words(*"ABCDE"))
+    ] = None,
+    type: Annotated[str | None, _key_option("type", "1|2", "ec8: type of the spectrum (default: 1).")] = None,
     importance_factor: Annotated[
-        str | None, _key("importance-factor", "NUMBER", "ec8: importance factor (default: 1).")
+        str | None, _key_option("importance-factor", "NUMBER", "ec8: importance factor (default: 1).")
     ] = None,
-    subsoil: Annotated[str | None, _key("subsoil", "CLASS", "nzs1170.5: A to E.", of_words(*"ABCDE"))] = None,
-    z: Annotated[str | None, _key("z", "NUMBER", "nzs1170.5: hazard factor.")] = None,
-    r: Annotated[str | None, _key("r", "NUMBER", "nzs1170.5: return period factor.")] = None,
+    subsoil: Annotated[
+        str | None, _key_option("subsoil", "CLASS", "nzs1170.5: A to E.", complete_words(*"ABCDE"))
+    ] = None,
+    z: Annotated[str | None, _key_option("z", "NUMBER", "nzs1170.5: hazard factor.")] = None,
+    r: Annotated[str | None, _key_option("r", "NUMBER", "nzs1170.5: return period factor.")] = None,
     return_period: Annotated[
-        str | None, _key("return-period", "YEARS", "nzs1170.5: return period, instead of --r.")
+        str | None, _key_option("return-period", "YEARS", "nzs1170.5: return period, instead of --r.")
     ] = None,
     near_fault_distance: Annotated[
-        str | None, _key("near-fault-distance", "LENGTH", "nzs1170.5: distance to the nearest major fault.")
+        str | None, _key_option("near-fault-distance", "LENGTH", "nzs1170.5: distance to the nearest major fault.")
     ] = None,
-    f_0: Annotated[str | None, _key("f-0", "NUMBER", "ntc: maximum spectral amplification on rock.")] = None,
-    t_c_star: Annotated[str | None, _key("t-c-star", "TIME", "ntc: T_C* on rock.")] = None,
-    soil: Annotated[str | None, _key("soil", "CATEGORY", "ntc: A to E.", of_words(*"ABCDE"))] = None,
-    topography: Annotated[str | None, _key("topography", "CATEGORY", "ntc: T1 (default) to T4.")] = None,
+    f_0: Annotated[str | None, _key_option("f-0", "NUMBER", "ntc: maximum spectral amplification on rock.")] = None,
+    t_c_star: Annotated[str | None, _key_option("t-c-star", "TIME", "ntc: T_C* on rock.")] = None,
+    soil: Annotated[str | None, _key_option("soil", "CATEGORY", "ntc: A to E.", complete_words(*"ABCDE"))] = None,
+    topography: Annotated[str | None, _key_option("topography", "CATEGORY", "ntc: T1 (default) to T4.")] = None,
     relief_position: Annotated[
-        str | None, _key("relief-position", "NUMBER", "ntc: 1 at the top of the relief (default), 0 at its foot.")
+        str | None,
+        _key_option("relief-position", "NUMBER", "ntc: 1 at the top of the relief (default), 0 at its foot."),
     ] = None,
     file: Annotated[
-        str | None, _key("file", "CSV", "table: periods and accelerations, with units in the header.")
+        str | None, _key_option("file", "CSV", "table: periods and accelerations, with units in the header.")
     ] = None,
     damping: Annotated[
-        str | None, _key("damping", "NUMBER", "Damping ratio (default: 0.05); for a table, that of its ordinates.")
+        str | None,
+        _key_option("damping", "NUMBER", "Damping ratio (default: 0.05); for a table, that of its ordinates."),
     ] = None,
-    pga: Annotated[str | None, _key("pga", "ACC", "Scale the ordinates to this peak ground acceleration.")] = None,
+    pga: Annotated[
+        str | None, _key_option("pga", "ACC", "Scale the ordinates to this peak ground acceleration.")
+    ] = None,
     vertical: Annotated[
         bool, typer.Option("--vertical", help="Print the vertical spectrum (ec8, nzs1170.5, ntc).")
     ] = False,
@@ -95,27 +104,35 @@ def spectrum(
 
     The parameters are the keys of [site.spectrum]: assess spectrum --code ec8 --a-g "0.25 g" --ground-type B
     """
-    options = {key: value for key, value in context.params.items() if key not in OWN and value is not None}
-    _refuse(project, options, as_json=as_json, as_csv=as_csv, output=output)
-    from assess.cli.tables.design_spectrum import csv_text, json_text, print_spectrum_warnings, table_text
-    from assess.project.site_options import read_site_options, site_option_messages
-    from assess.project.site_spectrum import site_of, spectrum_of, vertical_of
+    options = {key: value for key, value in context.params.items() if key not in NOT_KEYS and value is not None}
+    _check_options(project, options, as_json=as_json, as_csv=as_csv, output=output)
+    from assess.cli.tables.spectrum import print_spectrum_warnings, spectrum_csv, spectrum_json, spectrum_table
+    from assess.project.site_spectrum import read_site_options, site_of, site_option_messages, spectrum_of, vertical_of
 
     site = read_site_options(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)
     print_spectrum_warnings(found, messages=site_option_messages(options))
     if output is not None:
-        from assess.cli.tables.design_spectrum import draw
+        from assess.cli.tables.spectrum import draw_spectrum
 
-        draw(found, output)
-    print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
+        draw_spectrum(found, output)
+    print((spectrum_json if as_json else spectrum_csv if as_csv else spectrum_table)(found), end="")
 
 
-def _refuse(project: Path | None, options: dict[str, str], *, as_json: bool, as_csv: bool, output: Path | None) -> None:
+def _check_options(
+    project: Path | None, options: dict[str, str], *, as_json: bool, as_csv: bool, output: Path | None
+) -> None:
     """Raise BadParameter for options that exclude each other, or that need others."""
-    refuse_both(as_json=as_json, as_csv=as_csv)
-    refuse_figure(output)
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    check_figure_path(output)
     if project is not None and options:
         raise typer.BadParameter(f"--{next(iter(options)).replace('_', '-')} and PROJECT exclude each other")
     if project is None and "code" not in options:
         raise typer.BadParameter("give a PROJECT, or --code with its parameters")
+
+
+def complete_codes(incomplete: str) -> Sequence[str]:
+    """Complete the name of a design spectrum."""
+    from spectra.registry import SPECTRA
+
+    return [name for name in SPECTRA if name.startswith(incomplete)]

@@ -1,29 +1,28 @@
-"""`assess verify`: solved cases run again on this machine, and the annex that tells of them."""
+"""`assess verify`: solved cases run again on this machine, and the annex that reports them."""
 
 from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.completions import solved_cases
-from assess.cli.options import Jobs
-from assess.cli.report import Language
+from assess.cli.options import Jobs, Language
 
 if TYPE_CHECKING:
-    from assess.project.schema import Project
+    from assess.project.project_file import Project
     from assess.results.verification import VerificationResults
-    from assess.verification.case import CaseFile
+    from assess.verification.case_files import CaseFile
 
 
 def verify(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="CASE", autocompletion=solved_cases, help="Keys of cases, or of their sources (default: all)."
+            metavar="CASE", autocompletion=complete_cases, help="Keys of cases, or of their sources (default: all)."
         ),
     ] = None,
     project: Annotated[
@@ -62,16 +61,16 @@ def verify(
     """
     begun = time.perf_counter()
     from assess.errors import AssessError
-    from assess.verification.read import cases_for, choose_cases, read_cases
+    from assess.verification.case_files import cases_for, choose_cases, read_cases
 
     if cases is not None and not cases.is_dir():
         raise AssessError(f"{cases}: is no folder; give one with files of cases")
     every = read_cases() if cases is None else read_cases(cases)
     chosen = choose_cases(every, names or ())
-    loaded, uses = (None, ()) if project is None else _project(project)
+    loaded, uses = (None, ()) if project is None else _load_project(project)
     chosen = chosen if loaded is None else cases_for(chosen, uses)
     if listed:
-        print(_list(chosen), end="")
+        print(_list_cases(chosen), end="")
         return
     if not chosen:
         raise AssessError("there is no such case; list them with `assess verify --list`")
@@ -80,7 +79,7 @@ def verify(
     folder = output
     if folder is None and not (names or as_json):
         folder = Path("verification") if loaded is None else loaded.folder / f"{loaded.path.stem}-verification"
-    results = _run(chosen, folder, loaded, uses, quick=quick, jobs=jobs, language=language)
+    results = _run_cases(chosen, folder, loaded, uses, quick=quick, jobs=jobs, language=language)
     if as_json:
         from assess.results.json import dumps_verification
 
@@ -94,9 +93,9 @@ def verify(
     raise typer.Exit(1 if results.failures else 0)
 
 
-def _project(path: Path) -> tuple[Project, tuple[str, ...]]:
+def _load_project(path: Path) -> tuple[Project, tuple[str, ...]]:
     """Return a project as read, and what it uses."""
-    from assess.project.schema import load
+    from assess.project.project_file import load
 
     loaded = load(path)
     from assess.project.build import uses_of_project
@@ -104,7 +103,7 @@ def _project(path: Path) -> tuple[Project, tuple[str, ...]]:
     return loaded, uses_of_project(loaded)
 
 
-def _run(
+def _run_cases(
     chosen: tuple[CaseFile, ...],
     folder: Path | None,
     loaded: Project | None,
@@ -117,26 +116,25 @@ def _run(
     """Run cases and write what was asked for; all of it or nothing."""
     from dataclasses import replace
 
-    from assess.cli.interruption import NOTHING_WRITTEN, on_interruption
-    from assess.cli.optional_folder import optional_folder
-    from assess.cli.progress import progress
+    from assess.cli.options import optional_output
+    from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, progress
     from assess.outputs.manifest import VERIFICATION
     from assess.verification.verify import coverage_of, note_scope
     from assess.verification.verify import verify as run_cases
 
     wanted = (VERIFICATION, "verification.pdf", "verification.html")
-    place = optional_folder(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
+    place = optional_output(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
     with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         results = run_cases(chosen, quick=quick, jobs=jobs, progress=shown.count)
         results = note_scope(replace(results, coverage=coverage_of(uses, results.cases)), uses)
         if loaded is not None:
-            from assess.project.verification import with_project
+            from assess.project.report import with_project
 
             results = with_project(results, loaded)
         if stage is not None:
-            from assess.outputs.digest import digest
+            from assess.outputs.manifest import digest
             from assess.results.json import dumps_verification
-            from assess.verification.writing import write_cases
+            from assess.verification.case_files import write_cases
             from reports.assessment import verification_report
             from reports.writing import write_pages
 
@@ -148,7 +146,7 @@ def _run(
     return results
 
 
-def _list(cases: tuple[CaseFile, ...]) -> str:
+def _list_cases(cases: tuple[CaseFile, ...]) -> str:
     """Write the key, standing and title of each case."""
     from assess.cli.tables.text_table import on_one_line
     from assess.cli.tables.verification import WIDEST
@@ -159,3 +157,11 @@ def _list(cases: tuple[CaseFile, ...]) -> str:
     if not text:
         sys.stderr.write("assess: note: no case\n")
     return text
+
+
+def complete_cases(incomplete: str) -> Sequence[str]:
+    """Complete the key of a solved case, or of all cases of one source."""
+    from assess.results.solved_cases import exercised_by_case
+
+    keys = set(exercised_by_case())
+    return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]

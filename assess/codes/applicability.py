@@ -2,12 +2,13 @@
 
 A procedure may answer; or only fail, where the motion of the ground replaces that of a floor; or it is not answered,
 because an input is missing that could be given; or the clause does not cover such a mechanism. The numbers are worked
-out all the same where they can be, and are kept in the check as `provisional`.
+out all the same where they can be, and are kept in the check as `provisional`. A check by an Italian procedure may also
+lack a level of knowledge, a seat, or the action of its limit state.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -15,19 +16,21 @@ from scipy.constants import g
 
 from assess.codes.check import Check, Family, Outcome, Reason, reason_message
 from assess.codes.context import Context
-from assess.codes.families import FAMILIES, SUITE_CODES, THESIS_READINGS
-from assess.codes.italian.floor import floor_of
-from assess.codes.italian.missing_inputs import MissingInput, missing_inputs
+from assess.codes.families import FAMILIES, ITALIAN, SUITE_CODES, THESIS_READINGS
+from assess.codes.italian_limit_states import floor_of
 from assess.codes.sliding import sliding_pga
-from assess.messages.message import Message, Quantity, Severity, Term, message
+from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.oscillator import Oscillator
 
 BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
+
 ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
 """What follows a mechanism as it moves, and so asks for what lasts."""
+
 ROCKING = (*ON_THE_WAY, Family.LINEAR)
 """What takes it that the mechanism rocks and does not slide."""
+
 FLOOR_CLAUSES: dict[Family, Term] = {
     Family.LINEAR: Term("give [building] height and storeys"),
     Family.DISPLACEMENT: Term("give [building] height and storeys"),
@@ -113,13 +116,13 @@ def apply_procedure(
     if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
         context = replace(context, starting=None, breaking=None, limits=())
     found = (
-        _as_admitted(check, _with(given, missing_inputs(procedure, check.limit_state, context)))
+        _as_admitted(check, _with_missing_inputs(given, missing_inputs(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)
     )
-    return tuple(_if_held(check, context) for check in found)
+    return tuple(_condition_on_sliding(check, context) for check in found)
 
 
-def _if_held(check: Check, context: Context) -> Check:
+def _condition_on_sliding(check: Check, context: Context) -> Check:
     """Return the check; a pass by rocking of what slides first depends on its being kept from sliding."""
     slides_at = sliding_pga(context) if FAMILIES[check.procedure] in ROCKING and check.verdict == Outcome.PASS else None
     if slides_at is None or check.level_pga_g * g <= slides_at:
@@ -129,7 +132,7 @@ def _if_held(check: Check, context: Context) -> Check:
     return replace(check, conditions=(*check.conditions, held))
 
 
-def _with(given: Applicability, lacking: tuple[MissingInput, ...]) -> Applicability:
+def _with_missing_inputs(given: Applicability, lacking: tuple[MissingInput, ...]) -> Applicability:
     """Return the applicability of a procedure together with what one of its limit states lacks."""
     if not lacking or given.may in (Allowed.NOT_APPLY, Allowed.NOT_ANSWER):
         return replace(given, others=(*given.others, *(each.reason for each in lacking)))
@@ -260,3 +263,45 @@ def _has_floor_input(family: Family, context: Context) -> bool:
     if family == Family.ENERGY:
         return context.floor_spectrum is not None
     return family == Family.PART
+
+
+ITALIAN_STATES_BY_ACTION = ("SLO", "SLD", "SLV", "SLC")  # by rising action
+
+
+@dataclass(frozen=True)
+class MissingInput:
+    """Why a check is not answered, and whether its numbers are those of the safe value of what is missing."""
+
+    reason: Message
+    safe: bool
+
+
+def missing_inputs(procedure: str, state: str, context: Context) -> tuple[MissingInput, ...]:
+    """Return everything that a check by an Italian procedure lacks; nothing for any other procedure."""
+    code = ITALIAN.get(procedure)
+    return () if code is None else tuple(_missing_inputs_of_code(code, state, context))
+
+
+def _missing_inputs_of_code(code: str, state: str, context: Context) -> Iterator[MissingInput]:
+    if context.crushing and code not in context.knowledge:
+        key, toml = f"procedures.{code}.knowledge_level", 'knowledge_level = "LC1"'
+        yield MissingInput(_message_of_reason(Reason.KNOWLEDGE_UNKNOWN, {"toml": toml}, where=key), safe=True)
+    if state == "SLC" and context.open_seats:
+        names = dict.fromkeys(each.what for each in context.open_seats)
+        values: dict[str, Value] = {"what": ", ".join(names), "toml": 'seat = "0.12 m"'}
+        yield MissingInput(_message_of_reason(Reason.SEAT_UNKNOWN, values), safe=False)
+    if context.hazard is not None and state not in context.hazard.spectra:
+        yield MissingInput(
+            _message_of_reason(Reason.HAZARD_TOO_SHORT, {"state": state}, where="site.spectrum.hazard"), safe=False
+        )
+    declared = context.limit_state
+    if context.hazard is None and declared is not None and declared in ITALIAN_STATES_BY_ACTION and declared != state:
+        values = {"state": state, "declared": declared}
+        stronger = ITALIAN_STATES_BY_ACTION.index(declared) >= ITALIAN_STATES_BY_ACTION.index(state)
+        yield MissingInput(
+            _message_of_reason(Reason.OTHER_LIMIT_STATE, values, where="site.spectrum.hazard"), safe=stronger
+        )
+
+
+def _message_of_reason(reason: Reason, values: dict[str, Value], *, where: str = "") -> Message:
+    return message(reason, values, where=where)

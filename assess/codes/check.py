@@ -1,13 +1,16 @@
-"""One check of one code procedure: demand beside capacity, and every step between."""
+"""One check of one code procedure, and the worse of the checks of a mechanism's two branches."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from math import inf
 from typing import Literal, TypedDict
 
-from assess.codes.calculation_step import Bound, Input, Step, step
+from assess.codes.calculation_sheet import Bound, Input, Step, step
 from assess.messages.message import Message, Severity, Term, Value, message
+from assess.oscillator import Branch, Oscillator
 from assess.short_repr import ShortRepr
 
 __all__ = [
@@ -28,12 +31,12 @@ __all__ = [
     "reason_message",
     "step",
 ]
-
 Role = Literal["deciding", "comparison"]
 Reading = Literal["letter", "thesis"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base", "missing"]
 Unbounded = Literal["", "overturned", "beyond the spectrum"]
+
 NEEDED = 0.84
 """Share of the draws among the runs of histories in which a rule must hold for a pass."""
 
@@ -256,3 +259,62 @@ class Check(ShortRepr):
         if self.verdict != Outcome.FAIL or self.demand is not None or self.reason.key == Reason.SLIDING_BEYOND_BEFORE:
             return ""
         return "beyond the spectrum" if self.reason.key == Reason.BEYOND_SPECTRUM else "overturned"
+
+
+CheckOfBranch = Callable[[Branch, BranchName, float], Check]
+BRANCH_NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
+
+
+def check_worst_branch(oscillator: Oscillator, levels: Sequence[float], one: CheckOfBranch) -> tuple[Check, ...]:
+    """Return for each level the check of the worse branch.
+
+    PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level. Where one
+    branch serves both ways, it is the positive one.
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    levels : PGA [m/s2]
+    one : makes the check of a branch, its name and a level
+
+    Returns
+    -------
+    tuple of Check
+    """
+    branches = tuple(dict.fromkeys(oscillator.branches))
+    named = tuple(zip(branches, BRANCH_NAMES, strict=False))
+    return tuple(worst_branch_check([one(branch, name, level) for branch, name in named]) for level in levels)
+
+
+def branch_of(oscillator: Oscillator, name: BranchName) -> Branch:
+    """Return the branch of a name; the positive one where there is no other."""
+    return oscillator.positive if name == "positive" or oscillator.negative is None else oscillator.negative
+
+
+def worst_branch_check(checks: Sequence[Check]) -> Check:
+    """Return the check of the worse branch, with the smallest PGA at capacity and at uplift of all."""
+    return replace(
+        worst_check(checks),
+        capacity_pga_g=least_if_all_known([check.capacity_pga_g for check in checks]),
+        uplift_pga_g=least_if_all_known([check.uplift_pga_g for check in checks]),
+    )
+
+
+def least_if_all_known(values: Sequence[float | None]) -> float | None:
+    """Return the smallest value; None where one is not known."""
+    known = [value for value in values if value is not None]
+    return min(known) if len(known) == len(values) else None
+
+
+def worst_check(checks: Sequence[Check]) -> Check:
+    """Return the check that fails, then the one with the larger demand/capacity, then the smaller PGA at capacity.
+
+    Of equals the first is kept, that of the positive branch.
+    """
+
+    def severity(check: Check) -> tuple[bool, float, float]:
+        ratio = inf if check.ratio is None else check.ratio
+        at_collapse = inf if check.capacity_pga_g is None else check.capacity_pga_g
+        return check.verdict == "fail", ratio, -at_collapse
+
+    return max(checks, key=severity)

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from math import inf
 from typing import Literal
 
-from assess.codes.calculation_step import Given
+from assess.codes.calculation_sheet import Given
 from assess.codes.check import BranchName, InputAt
-from assess.codes.suite import Suite
+from assess.codes.histories import SuiteResponse
 from assess.errors import ProcedureError
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message
@@ -22,7 +22,7 @@ Support = Literal["free", "spanning", "hinged"]
 PLINTH, PLINTH_SHARE = 0.5, 0.05  # m, and of the building's height: a support no higher than either is on the ground
 Transfer = Literal["not", "by a factor", "by a filter"]
 """How the motion of histories reaches a mechanism: as it is at the ground, times one number, or through a mode."""
-Kind = Literal["break", "seat"]
+LimitKind = Literal["break", "seat"]
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class Wall:
 
 
 @dataclass(frozen=True)
-class FirstMode:
+class StatedFirstMode:
     """The first mode of the building at one limit state, as the engineer states it: period [s], damping [-], reason."""
 
     period: float
@@ -95,7 +95,7 @@ class Building:
     storeys: int | None
     period: float
     damping: float
-    limit_states: Mapping[str, FirstMode] = field(default_factory=dict)
+    limit_states: Mapping[str, StatedFirstMode] = field(default_factory=dict)
 
 
 def default_period(height: float) -> float:
@@ -130,7 +130,7 @@ def building(
 
 
 @dataclass(frozen=True)
-class Hazard:
+class SiteHazard:
     """The hazard of an Italian site over return periods.
 
     spectra : the elastic spectrum of each limit state that the rows reach, by name
@@ -162,7 +162,7 @@ class LocalLimit:
     what : the load, by its name
     """
 
-    kind: Kind
+    kind: LimitKind
     what: str
     branch: BranchName
     rotation: float
@@ -223,8 +223,8 @@ class Context:
     vertical_ratio: float
     elevation: float
     building: Building | None
-    suites: tuple[Suite, ...] = ()
-    incremental: tuple[Suite, ...] = ()
+    suites: tuple[SuiteResponse, ...] = ()
+    incremental: tuple[SuiteResponse, ...] = ()
     linearised: bool = False
     histories_at: InputAt = "ground"
     transfer: Transfer = "not"
@@ -245,9 +245,9 @@ class Context:
     carries_floors: bool = False
     actions: tuple[str, ...] = ()
     wall: Wall | None = None
-    hazard: Hazard | None = None
+    hazard: SiteHazard | None = None
     free_period: FreePeriod | None = None
-    extra_suites: tuple[Suite, ...] = ()
+    extra_suites: tuple[SuiteResponse, ...] = ()
     hinges: tuple[HingeForces, ...] = ()
     rise: float = 0.0
 

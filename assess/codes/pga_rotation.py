@@ -1,4 +1,4 @@
-"""The PGA that takes a mechanism to each rotation, from which demand and capacity are read.
+"""The PGA that takes a mechanism to each rotation, from which spectral procedures read demand, capacity and outcome.
 
 Spectral procedures scale one spectrum with its PGA, so each gives a curve PGA(phi). It starts high (a stiff body
 feels the ground's own acceleration), falls where the equivalent period enters the plateau, and rises again as
@@ -15,15 +15,17 @@ the level, whatever lies between.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.codes.check import PgaCurve
-from assess.oscillator import Branch
+from assess.codes.check import Outcome, PgaCurve, Reason, reason_message
+from assess.codes.context import Context
+from assess.messages.message import Message, Quantity, Term
+from assess.oscillator import Branch, Oscillator, block_at, plain_branch
 from spectra.arrays import FloatArray
 
 PgaOf = Callable[[FloatArray], FloatArray]
@@ -153,3 +155,91 @@ def to_pga_curve(curve: PgaRotation, branch: Branch) -> PgaCurve:
         rotation_ratio=tuple((curve.rotation / branch.overturning).tolist()),
         pga_g=tuple((curve.least / g).tolist()),
     )
+
+
+@dataclass(frozen=True)
+class RotationOutcome:
+    """Outcome, reason, and the PGA at capacity [g] where it is known."""
+
+    verdict: Outcome
+    reason: Message
+    capacity_pga_g: float | None
+
+
+def rotation_verdict(
+    rotation: float | None,
+    allowable: float,
+    *,
+    curve: PgaRotation,
+    level: float,
+    uplift: float | None,
+    context: Context,
+) -> RotationOutcome:
+    """Compare the demand with the allowable rotation; without an outcome where the spectrum ends before the answer.
+
+    Parameters
+    ----------
+    rotation : demand [rad]; None where none was found
+    allowable : [rad]
+    curve : PGA over rotation
+    level : PGA [m/s2]
+    uplift : multiplier at uplift [-]; None on joints without a threshold
+    context : the site
+
+    Returns
+    -------
+    Answer
+    """
+    at_capacity = pga_capacity(curve, allowable)
+    in_g = None if at_capacity is None else at_capacity / g
+    if rotation is not None:
+        within = Outcome.PASS if rotation <= allowable else Outcome.FAIL
+        return RotationOutcome(within, _reason_by_rotation(rotation, allowable, level, uplift), in_g)
+    if curve.complete:
+        return RotationOutcome(Outcome.FAIL, reason_message(Reason.OVERTURNS), in_g)
+    if at_capacity is not None:
+        return RotationOutcome(Outcome.FAIL, reason_message(Reason.BEYOND_SPECTRUM), in_g)
+    end = Quantity(context.spectrum.longest_period, "time")
+    return RotationOutcome(
+        Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=Term("the answer"), end=end), None
+    )
+
+
+def _reason_by_rotation(rotation: float, allowable: float, level: float, uplift: float | None) -> Message:
+    if rotation == 0.0:
+        return reason_message(_reason_at_rest(level, uplift))
+    return reason_message(
+        Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity=Term("the allowable rotation")
+    )
+
+
+def _reason_at_rest(level: float, uplift: float | None) -> Reason:
+    if uplift is None:
+        return Reason.ON_JOINTS
+    return Reason.NO_ROCKING if level <= uplift * g else Reason.NO_LASTING
+
+
+def to_equivalent_blocks(oscillator: Oscillator, rotation_of: Callable[[Branch], float]) -> Oscillator:
+    """Replace each branch with its equivalent plain block at a rotation; rigid branches stay as they are.
+
+    R, alpha and p at that rotation replace those at rest, as the resultant of the joint has moved inward (6.50-6.52).
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    rotation_of : gives the rotation of a branch [rad]
+
+    Returns
+    -------
+    Oscillator
+    """
+    if all(branch.overturning_flexible is None for branch in oscillator.branches):
+        return oscillator
+    found = [_equivalent_branch(branch, rotation_of(branch), mass=oscillator.mass) for branch in oscillator.branches]
+    return replace(oscillator, positive=found[0], negative=found[1] if len(found) > 1 else None)
+
+
+def _equivalent_branch(branch: Branch, rotation: float, *, mass: float) -> Branch:
+    block = block_at(branch, rotation, mass=mass)
+    like = plain_branch(block, restitution=branch.restitution)
+    return replace(like, overturning=branch.overturning, overturning_flexible=block.slenderness)

@@ -6,25 +6,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
-from assess.codes import sliding
-from assess.codes.asce41_13 import slenderness
-from assess.codes.asce41_13.clauses import Options as Asce41Options
-from assess.codes.asce43_05 import history, spectrum
-from assess.codes.asce43_05 import sliding as asce43_05_sliding
-from assess.codes.asce43_05.clauses import Options as Asce43Options
+from assess.codes import asce41_13, asce43_05, asce43_05_sliding, dmi2008, en1998_1, nzsee2017, sliding
+from assess.codes import dmi2008 as dmi2008_history
+from assess.codes import ntc2018 as ntc2018_history
+from assess.codes import ntc2018 as ntc2018_linear
+from assess.codes import ntc2018 as ntc2018_nonlinear
+from assess.codes.asce41_13 import Asce41Options
+from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Check
 from assess.codes.context import Context
-from assess.codes.dmi2008 import history as dmi2008_history
-from assess.codes.dmi2008 import linear, nonlinear, nonlinear_thesis
-from assess.codes.en1998_1 import element
-from assess.codes.en1998_1.clauses import Options as Ec8Options
-from assess.codes.italian.edition import Options as ItalianOptions
-from assess.codes.italian.history import Rule
-from assess.codes.ntc2018 import history as ntc2018_history
-from assess.codes.ntc2018 import linear as ntc2018_linear
-from assess.codes.ntc2018 import nonlinear as ntc2018_nonlinear
-from assess.codes.nzsee2017 import face_loaded
-from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
+from assess.codes.en1998_1 import Ec8Options
+from assess.codes.italian_histories import HistoryRule
+from assess.codes.italian_limit_states import ItalianOptions
+from assess.codes.nzsee2017 import Nzsee2017Options
 from assess.errors import ProcedureError
 from assess.oscillator import Oscillator
 
@@ -44,38 +38,38 @@ class CodeOptions:
 
 
 PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
-    "asce43-05-spectrum": lambda options: partial(spectrum.assess, options=options.asce43_05),
-    "asce43-05-spectrum-thesis": lambda options: partial(spectrum.assess_thesis, options=options.asce43_05),
-    "asce43-05-history": lambda options: partial(history.assess, options=options.asce43_05),
-    "dmi2008-linear": lambda options: partial(linear.assess, options=options.dmi2008),
-    "dmi2008-nonlinear": lambda options: partial(nonlinear.assess, options=options.dmi2008),
-    "dmi2008-nonlinear-thesis": lambda options: partial(nonlinear_thesis.assess, options=options.dmi2008),
-    "nzsee2017-face-loaded": lambda options: partial(face_loaded.assess, options=options.nzsee2017),
-    "asce41-13-ht": lambda options: partial(slenderness.assess, options=options.asce41_13),
-    "ec8-element": lambda options: partial(element.assess, options=options.ec8),
-    "dmi2008-history": lambda options: partial(dmi2008_history.assess, options=options.dmi2008),
-    "ntc2018-linear": lambda options: partial(ntc2018_linear.assess, options=options.ntc2018),
-    "ntc2018-nonlinear": lambda options: partial(ntc2018_nonlinear.assess, options=options.ntc2018),
-    "ntc2018-history": lambda options: partial(ntc2018_history.assess, options=options.ntc2018),
-    "asce43-05-sliding": lambda options: partial(asce43_05_sliding.assess, options=options.asce43_05),
-    "sliding": lambda options: sliding.assess,
+    "asce43-05-spectrum": lambda options: partial(asce43_05.assess_spectrum, options=options.asce43_05),
+    "asce43-05-spectrum-thesis": lambda options: partial(asce43_05.assess_spectrum_thesis, options=options.asce43_05),
+    "asce43-05-history": lambda options: partial(asce43_05.assess_history, options=options.asce43_05),
+    "dmi2008-linear": lambda options: partial(dmi2008.assess_linear, options=options.dmi2008),
+    "dmi2008-nonlinear": lambda options: partial(dmi2008.assess_nonlinear, options=options.dmi2008),
+    "dmi2008-nonlinear-thesis": lambda options: partial(dmi2008.assess_nonlinear_thesis, options=options.dmi2008),
+    "nzsee2017-face-loaded": lambda options: partial(nzsee2017.assess_face_loaded, options=options.nzsee2017),
+    "asce41-13-ht": lambda options: partial(asce41_13.assess_slenderness, options=options.asce41_13),
+    "ec8-element": lambda options: partial(en1998_1.assess_element, options=options.ec8),
+    "dmi2008-history": lambda options: partial(dmi2008_history.assess_history, options=options.dmi2008),
+    "ntc2018-linear": lambda options: partial(ntc2018_linear.assess_linear, options=options.ntc2018),
+    "ntc2018-nonlinear": lambda options: partial(ntc2018_nonlinear.assess_nonlinear, options=options.ntc2018),
+    "ntc2018-history": lambda options: partial(ntc2018_history.assess_history, options=options.ntc2018),
+    "asce43-05-sliding": lambda options: partial(asce43_05_sliding.assess_sliding, options=options.asce43_05),
+    "sliding": lambda options: sliding.assess_sliding,
 }
 
 LIMIT_STATES: dict[str, tuple[str, ...]] = {  # that an Italian procedure checks, of those its options ask for
-    "dmi2008-linear": linear.STATES,
-    "dmi2008-nonlinear": nonlinear.STATES,
-    "dmi2008-history": dmi2008_history.STATES,
-    "ntc2018-linear": ntc2018_linear.STATES,
-    "ntc2018-nonlinear": ntc2018_nonlinear.STATES,
-    "ntc2018-history": ntc2018_history.STATES,
+    "dmi2008-linear": dmi2008.LINEAR_STATES,
+    "dmi2008-nonlinear": dmi2008.NONLINEAR_STATES,
+    "dmi2008-history": dmi2008_history.HISTORY_STATES,
+    "ntc2018-linear": ntc2018_linear.LINEAR_STATES,
+    "ntc2018-nonlinear": ntc2018_nonlinear.NONLINEAR_STATES,
+    "ntc2018-history": ntc2018_history.HISTORY_STATES,
 }
 
 
-def history_rules(options: CodeOptions) -> dict[str, tuple[Rule, ItalianOptions]]:
+def history_rules(options: CodeOptions) -> dict[str, tuple[HistoryRule, ItalianOptions]]:
     """Return the Italian procedures that need suites of time histories at a PGA of their own, with their options."""
     return {
-        dmi2008_history.RULE.procedure: (dmi2008_history.RULE, options.dmi2008),
-        ntc2018_history.RULE.procedure: (ntc2018_history.RULE, options.ntc2018),
+        dmi2008_history.HISTORY_RULE.procedure: (dmi2008_history.HISTORY_RULE, options.dmi2008),
+        ntc2018_history.HISTORY_RULE.procedure: (ntc2018_history.HISTORY_RULE, options.ntc2018),
     }
 
 

@@ -13,32 +13,43 @@ from math import inf
 
 from scipy.constants import g
 
-from assess.codes.calculation_step import UNANSWERED, Given
-from assess.codes.check import CaveatFields, Check, Outcome, Reason, Step, caveats_of, reason_message, step
+from assess.codes.calculation_sheet import UNANSWERED, Given
+from assess.codes.check import (
+    CaveatFields,
+    Check,
+    Outcome,
+    Reason,
+    Step,
+    caveats_of,
+    least_if_all_known,
+    reason_message,
+    step,
+)
 from assess.codes.context import Context
-from assess.codes.worst_branch import least_known
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator, threshold
 
 EDITION = "equilibrium; Coulomb"
-PROCEDURE = "sliding"
+SLIDING = "sliding"
 CHAIN = (
     "before it rocks a chain of blocks is statically indeterminate: N is taken as when it starts to rock, T in "
     "proportion to the acceleration"
 )
-BALANCE, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
+EQUILIBRIUM, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
 HELD = "the top of a wall is taken as held; the sheet gives the force needed"
 
 
-def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
+def assess_sliding(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
     """Return one check for each level, of the hinge that uses the largest share of its friction, of both branches.
 
     It is answered only where the friction of every hinge is known, and every hinge presses.
     """
     silent = reason_unanswerable(context.hinges)
-    checks = [_unanswered(level, context, silent) if silent else _judged(level, context) for level in context.levels]
-    lifts = least_known([threshold(branch) for branch in oscillator.branches])
+    checks = [
+        _unanswered(level, context, silent) if silent else _check_at_level(level, context) for level in context.levels
+    ]
+    lifts = least_if_all_known([threshold(branch) for branch in oscillator.branches])
     return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
 
 
@@ -89,7 +100,7 @@ def sliding_pga(context: Context) -> float | None:
     return min(found) / context.amplification if found else None
 
 
-def _judged(level: float, context: Context) -> Check:
+def _check_at_level(level: float, context: Context) -> Check:
     acceleration = level * context.amplification
     hinge = max(_resting_on_friction(context.hinges), key=lambda each: friction_utilisation(each, acceleration))
     ratio, slides_at = friction_utilisation(hinge, acceleration), sliding_pga(context)
@@ -142,7 +153,7 @@ def _check(
     steps: tuple[Step, ...],
 ) -> Check:
     return Check(
-        procedure=PROCEDURE,
+        procedure=SLIDING,
         edition=EDITION,
         branch="positive" if hinge is None else hinge.branch,
         limit_state="no sliding",
@@ -186,7 +197,13 @@ def _held_steps(top: HingeForces) -> tuple[Step, ...]:
     friction = _friction_step(f"μ_{name}", said, top) if N > 0.0 else step(f"μ_{name}", said, EDITION, "|T| / N", None)
     return (
         step(
-            f"H_{name}", "force on the support at the top, at a_r", EDITION, BALANCE, top.horizontal, "N", remark=TABLE
+            f"H_{name}",
+            "force on the support at the top, at a_r",
+            EDITION,
+            EQUILIBRIUM,
+            top.horizontal,
+            "N",
+            remark=TABLE,
         ),
         friction,
     )
@@ -209,7 +226,7 @@ def incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
         step("a_r", "acceleration that starts rocking", EDITION, "λ g", hinge.acceleration, "m/s2",
              given={"λ": hinge.acceleration / g}),
         _horizontal_step(hinge),
-        step(f"V_{name}", "on the block that presses, up", EDITION, BALANCE, V, "N", remark=TABLE),
+        step(f"V_{name}", "on the block that presses, up", EDITION, EQUILIBRIUM, V, "N", remark=TABLE),
         step(f"N_{name}", faces, EDITION, "H n_x + V n_z", N, "N", given=forces),
         step(f"T_{name}", "along the faces", EDITION, "H n_z − V n_x", T, "N", given=forces),
         _friction_step("μ_req", "friction needed to rock without sliding", hinge),
@@ -220,7 +237,7 @@ def _horizontal_step(hinge: HingeForces) -> Step:
     """Write H; of a single block it is H at rest less the push on the moved mass."""
     symbol, words, H = f"H_{hinge.hinge}", "on the block that presses, along the motion", hinge.horizontal
     if not hinge.single:
-        return step(symbol, words, EDITION, BALANCE, H, "N", remark=TABLE)
+        return step(symbol, words, EDITION, EQUILIBRIUM, H, "N", remark=TABLE)
     (n_x, n_z), a = hinge.face, hinge.acceleration
     at_rest = hinge.resting.normal * n_x + hinge.resting.shear * n_z + 0.0
     given = {"H_0": (at_rest, "N"), "a_r": (a, "m/s2"), "M": ((at_rest - H) / a, "kg")}

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.dynamics.kernel import columns, exact, linearised
-from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, kernel_array, pack, tables_of
+from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from records.record import Record, make_record
@@ -190,7 +190,7 @@ def make_solver(
     run = _RUNS[equation](each, motions, tolerance)
 
     def answer(jobs: Jobs) -> Peaks:
-        checked = _checked(jobs, oscillators=len(oscillators), motions=len(motions))
+        checked = _checked_jobs(jobs, oscillators=len(oscillators), motions=len(motions))
         found = np.empty((checked.scale.size, columns.FOUND))
 
         def work(part: slice) -> None:
@@ -201,7 +201,7 @@ def make_solver(
             work(slice(0, checked.scale.size))
         else:
             with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-                list(pool.map(work, _parts(checked, motions)))
+                list(pool.map(work, _job_slices(checked, motions)))
         return _peaks(found, checked, oscillators, each)
 
     return answer
@@ -273,7 +273,7 @@ def _trace(
     return traced, _events(events[1 : 1 + int(events[0, 0])], one)
 
 
-def _events(happened: FloatArray, one: Packed) -> Events:
+def _events(happened: FloatArray, one: PackedOscillator) -> Events:
     """Return the uplifts and impacts among the events of the kernel [n, 4]."""
     time, kind, value, on = happened[happened[:, columns.KIND] != columns.PEAK].T
     velocity = np.zeros(time.size)
@@ -327,32 +327,32 @@ def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArra
     return ground, offset, np.array([m.dt for m in motions]), np.array([m.pga for m in motions])
 
 
-def _released(one: Packed, rotation: float) -> float:
+def _released(one: PackedOscillator, rotation: float) -> float:
     """Return the y of the kernel at a rotation of the positive branch [rad], which must be positive."""
     if not 0.0 < rotation < math.inf:
         raise ValueError(f"release at {rotation} rad; it must be a positive rotation of the positive branch")
     return one.sides[0].at(rotation)
 
 
-def _linearised(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
+def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> Run:
     """Return the linearised kernel with oscillators and motions filled in; it has no error to tolerate."""
     return partial(linearised.rock_linearised, branches_of(oscillators), *_motions(motions))
 
 
-def _exact(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
+def _exact(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> Run:
     """Return the exact kernel with oscillators and motions filled in."""
     ground, offset, dt, _ = _motions(motions)
     tables = tables_of(oscillators)
     return partial(exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
 
 
-_RUNS: dict[Equation, Callable[[Sequence[Packed], Sequence[Record], float], Run]] = {
+_RUNS: dict[Equation, Callable[[Sequence[PackedOscillator], Sequence[Record], float], Run]] = {
     "exact": _exact,
     "linearised": _linearised,
 }
 
 
-def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
+def _checked_jobs(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
     """Return the jobs as arrays of the kernel's types, checked for unknown indices and scales that are not finite."""
     checked = Jobs(
         kernel_array(jobs.oscillator, np.int64),
@@ -367,7 +367,7 @@ def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
     return checked
 
 
-def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
+def _job_slices(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     """Return slices of consecutive jobs of about CHUNK_STEPS record steps."""
     steps = np.array([motion.npts for motion in motions])[jobs.motion]
     chunk = np.cumsum(steps) // CHUNK_STEPS
@@ -375,7 +375,7 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 
 
-def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[Packed]) -> Peaks:
+def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[PackedOscillator]) -> Peaks:
     """Return the rows of the kernel as named columns, of the side with the larger ratio."""
     ratio, rotation, time = np.zeros((3, jobs.scale.size))
     for number in np.unique(jobs.oscillator):

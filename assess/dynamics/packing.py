@@ -1,4 +1,13 @@
-"""Oscillators in the form that the kernel takes: branches, tables, and the meaning of its coordinate."""
+"""Oscillators in the form that the kernel takes: branches and tables over a coordinate in which the inertia is
+constant.
+
+With s(phi) = sqrt(I(phi) / I(0)) and dy = s dphi / L, where y = 1 at overturning, the kinetic energy is
+I(0) L^2 y'^2 / 2, and the rocking equation loses its velocity:
+
+    I phi'' + 1/2 I' phi'^2 + R = -B a        becomes        y'' = -r(y) - b(y) a,     r, b = (R, B) / (I(0) L s)
+
+Where I is constant, as for a rigid block, y is phi / phi_ov. Where it jumps, y' and so the energy is continuous.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +19,13 @@ from typing import Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
+from scipy.interpolate import CubicHermiteSpline, PPoly
 
-from assess.dynamics.canonical import Canonical, canonical_form, linear_form
 from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, elastic_frequency, energy
+from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, interpolant
 from assess.short_repr import ShortRepr
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 Equation = Literal["exact", "linearised"]
 T = TypeVar("T")
@@ -25,7 +34,7 @@ FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; mason
 
 
 @dataclass(frozen=True, repr=False)
-class Packed(ShortRepr):
+class PackedOscillator(ShortRepr):
     """An oscillator for one equation.
 
     branches : the columns of `branch` in `kernel.columns` [2, 6]
@@ -33,17 +42,17 @@ class Packed(ShortRepr):
     """
 
     branches: FloatArray
-    sides: tuple[Canonical, ...]
+    sides: tuple[CanonicalBranch, ...]
 
 
-def pack(oscillator: Oscillator, equation: Equation) -> Packed:
+def pack(oscillator: Oscillator, equation: Equation) -> PackedOscillator:
     """Pack an oscillator for the kernel. Raises MechanismError for a branch that cannot rock."""
     if equation not in _PACKING:
         raise MechanismError(f'equation "{equation}" is not known; the equations are {", ".join(_PACKING)}')
     return _PACKING[equation](oscillator)
 
 
-def _exact(oscillator: Oscillator) -> Packed:
+def _pack_exact(oscillator: Oscillator) -> PackedOscillator:
     """Pack an oscillator by its tables; a body at the end of a table has overturned."""
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
@@ -51,19 +60,21 @@ def _exact(oscillator: Oscillator) -> Packed:
     sides = _of_each(oscillator, canonical_form)
     rows = _rows(oscillator, sides)
     for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
-        E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
+        E = _require_positive(
+            float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J"
+        )
         row[columns.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
         row[columns.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / side.turn
         row[[columns.LIMIT, columns.TAIL_LIMIT]] = side.y[-1]
-    return Packed(rows, sides)
+    return PackedOscillator(rows, sides)
 
 
-def _linearised(oscillator: Oscillator) -> Packed:
+def _pack_linearised(oscillator: Oscillator) -> PackedOscillator:
     """Pack an oscillator by its linearised form; LIMIT depends on the job."""
     forms = _of_each(oscillator, lambda branch: branch.linearised)
     for form in forms:
-        _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
-        _positive(form.overturning, "linearised overturning rotation", "rad")
+        _require_positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
+        _require_positive(form.overturning, "linearised overturning rotation", "rad")
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
     sides = tuple(linear_form(form.overturning) for form in forms)
@@ -71,10 +82,13 @@ def _linearised(oscillator: Oscillator) -> Packed:
     for row, form in zip(rows, forms, strict=False):
         row[columns.THRESHOLD], row[columns.RATE] = g * form.multiplier, form.p
         row[[columns.LIMIT, columns.TAIL_LIMIT]] = 1.0
-    return Packed(rows, sides)
+    return PackedOscillator(rows, sides)
 
 
-_PACKING: dict[Equation, Callable[[Oscillator], Packed]] = {"exact": _exact, "linearised": _linearised}
+_PACKING: dict[Equation, Callable[[Oscillator], PackedOscillator]] = {
+    "exact": _pack_exact,
+    "linearised": _pack_linearised,
+}
 
 
 def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
@@ -85,12 +99,12 @@ def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ..
     return first, first if oscillator.negative is oscillator.positive else make(oscillator.negative)
 
 
-def branches_of(oscillators: Sequence[Packed]) -> FloatArray:
+def branches_of(oscillators: Sequence[PackedOscillator]) -> FloatArray:
     """Return the branches of all oscillators [oscillators, 2, 6]."""
     return np.array([each.branches for each in oscillators]).reshape(-1, 2, 6)
 
 
-def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
+def _rows(oscillator: Oscillator, sides: Sequence[CanonicalBranch]) -> FloatArray:
     """Return the columns that both equations share: restitution, and the branch that follows an impact [2, 6]."""
     rows = np.zeros((2, 6))
     rows[:, columns.THRESHOLD] = math.inf  # a missing side never lifts
@@ -103,9 +117,9 @@ def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
 
 def _check_branch(branch: Branch, *, following: Branch) -> None:
     """Raise MechanismError for a branch that falls at rest, has no mass, or gains energy at impacts there and back."""
-    _positive(float(branch.unstable), "overturning rotation", "rad")
-    _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
-    _positive(float(branch.excitation[0]), "excitation at rest", "kg m")
+    _require_positive(float(branch.unstable), "overturning rotation", "rad")
+    _require_positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
+    _require_positive(float(branch.excitation[0]), "excitation at rest", "kg m")
     if branch.restoring[0] < 0.0:
         raise MechanismError(
             f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
@@ -131,7 +145,7 @@ def _check_pace(branch: Branch) -> None:
         )
 
 
-def _positive(value: float, name: str, unit: str) -> float:
+def _require_positive(value: float, name: str, unit: str) -> float:
     """Return the value, or raise MechanismError if it is not positive."""
     if not value > 0.0:
         raise MechanismError(
@@ -171,7 +185,7 @@ def check_jobs(indices: Mapping[str, tuple[IntArray, int]], *, name: str, number
         raise ValueError(f"jobs[{bad[0]}]: {name} {number[bad[0]]}; it must be a finite number")
 
 
-def tables_of(oscillators: Sequence[Packed]) -> tuple[FloatArray, IntArray, IntArray]:
+def tables_of(oscillators: Sequence[PackedOscillator]) -> tuple[FloatArray, IntArray, IntArray]:
     """Return the cubics of all branches over y [segments, 11], and the segments of each smooth piece and branch."""
     rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
     for oscillator in oscillators:
@@ -182,3 +196,125 @@ def tables_of(oscillators: Sequence[Packed]) -> tuple[FloatArray, IntArray, IntA
             spans[-1][side] = start, start + of.y.size - 2
             start += of.y.size - 1
     return np.concatenate(rows), np.concatenate(smooth), np.array(spans, dtype=np.int64).reshape(-1, 2, 2)
+
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
+
+SAME = 1e-10
+"""Fraction of the largest value of a table below which a difference between two nodes at one rotation is rounding."""
+
+
+@dataclass(frozen=True, repr=False)
+class CanonicalBranch(ShortRepr):
+    """A branch over y, on its n segments of nonzero width.
+
+    turn : dphi / dy at rest, L [rad]
+    y : ends of the segments [n + 1] [-]
+    restoring, excitation : cubics of r [1/s2] and b [1/m] on each segment, highest power first [4, n]
+    stored : integral of r up to each end [n + 1] [1/s2]
+    smooth : first and last segment of the piece between jumps that each segment lies in [n, 2]
+    back : phi [rad] over y
+    inertia : I / I(0) over phi [-]
+    """
+
+    turn: float
+    y: FloatArray
+    restoring: FloatArray
+    excitation: FloatArray
+    stored: FloatArray
+    smooth: IntArray
+    back: CubicHermiteSpline
+    inertia: PPoly
+
+    def rotation(self, y: FloatArray) -> FloatArray:
+        """Return phi [rad] at y (same shape)."""
+        return np.asarray(self.back(y))
+
+    def velocity(self, y: FloatArray, v: FloatArray) -> FloatArray:
+        """Return phi' [rad/s] at y with y' (same shapes)."""
+        return np.asarray(self.turn * v / np.sqrt(self.inertia(self.back(y))))
+
+    def at(self, rotation: float) -> float:
+        """Return y at a rotation [rad], by Newton's method from the chord."""
+        y = float(np.interp(rotation, self.back(self.y), self.y))
+        for _ in range(4):
+            y -= float((self.back(y) - rotation) / self.back(y, 1))
+        return y
+
+
+def linear_form(turn: float) -> CanonicalBranch:
+    """Return the coordinate of the linearised equation, y = phi / turn: its inertia is constant and needs no table."""
+    ends, none = np.array([0.0, 1.0]), np.empty((4, 0))
+    line, one = CubicHermiteSpline(ends, turn * ends, [turn, turn]), PPoly([[1.0]], turn * ends)
+    return CanonicalBranch(turn, ends, none, none, np.empty(0), np.empty((0, 2), dtype=np.int64), line, one)
+
+
+def canonical_form(branch: Branch) -> CanonicalBranch:
+    """Return the branch over y: cubics with its values and slopes at the ends of each segment."""
+    wide = np.diff(branch.rotation) > 0.0
+    left, width = branch.rotation[:-1][wide], np.diff(branch.rotation)[wide]
+    at_rest = float(branch.inertia[0])
+
+    columns = np.stack([branch.inertia, branch.restoring, branch.excitation], axis=1)
+    inertia, moment, push = np.moveaxis(interpolant(branch.rotation, columns).c[:, wide], 2, 0)
+    length = _lengths(inertia / at_rest, width)
+    over = int(np.clip(np.searchsorted(left, branch.unstable) - 1, 0, left.size - 1))
+    rest_of_it = _lengths(inertia[:, over : over + 1] / at_rest, np.array([branch.unstable - left[over]]))
+    turn = float(length[:over].sum() + rest_of_it[0])
+    w, ends = length / turn, np.stack([np.zeros_like(width), width])
+    s = np.sqrt(_values(inertia, ends) / at_rest)
+    bend = _values(_slopes(inertia), ends) / (2.0 * at_rest * s)
+
+    def over_y(cubics: FloatArray) -> FloatArray:
+        value, slope = _values(cubics, ends), _values(_slopes(cubics), ends)
+        return _hermite(value / s, (slope - value * bend / s) * turn / s**2, w) / (at_rest * turn)
+
+    restoring, y = over_y(moment), np.r_[0.0, np.cumsum(w)]
+    work = w * (((restoring[0] * w / 4 + restoring[1] / 3) * w + restoring[2] / 2) * w + restoring[3])
+    return CanonicalBranch(
+        turn=turn,
+        y=y,
+        restoring=restoring,
+        excitation=over_y(push),
+        stored=np.r_[0.0, np.cumsum(work)],
+        smooth=_smooth_pieces(branch, wide),
+        back=CubicHermiteSpline(y, np.r_[left, left[-1] + width[-1]], turn / np.r_[s[0], s[1, -1]]),
+        inertia=PPoly(inertia / at_rest, np.r_[left, left[-1] + width[-1]]),
+    )
+
+
+def _lengths(inertia: FloatArray, width: FloatArray) -> FloatArray:
+    """Integrate s over each segment [n] [rad] by Gauss; inertia: cubics of I / I(0) [4, n]."""
+    return np.asarray(0.5 * width * (WEIGHTS @ np.sqrt(_values(inertia, 0.5 * width * (1.0 + NODES[:, None])))))
+
+
+def _values(polynomials: FloatArray, d: FloatArray) -> FloatArray:
+    """Return polynomials [k, n] at distances d [m, n] from the start of their segments [m, n]."""
+    value: FloatArray = np.zeros_like(d)
+    for row in polynomials:
+        value = value * d + row
+    return value
+
+
+def _slopes(cubics: FloatArray) -> FloatArray:
+    """Return the derivatives [3, n] of cubics [4, n]."""
+    return np.asarray(cubics[:-1] * np.array([[3.0], [2.0], [1.0]]))
+
+
+def _hermite(value: FloatArray, slope: FloatArray, width: FloatArray) -> FloatArray:
+    """Return the cubics [4, n] with these values and slopes at both ends [2, n] of segments of these widths [n]."""
+    rise = (value[1] - value[0]) / width
+    third, second = slope[0] + slope[1] - 2.0 * rise, 3.0 * rise - 2.0 * slope[0] - slope[1]
+    return np.stack([third / width**2, second / width, slope[0], value[0]])
+
+
+def _smooth_pieces(branch: Branch, wide: BoolArray) -> IntArray:
+    """Return the first and last segment of nonzero width between the jumps around each [n, 2].
+
+    Two nodes at one rotation with equal values, but for rounding, are a kink and not a jump: steps may pass it.
+    """
+    columns = np.array([branch.restoring, branch.excitation, branch.inertia])
+    leaps = (np.abs(np.diff(columns)) > SAME * np.abs(columns).max(axis=1, keepdims=True)).any(axis=0)
+    jumps = np.cumsum(leaps & ~wide)[wide]  # the number before each segment
+    first, beyond = np.searchsorted(jumps, jumps), np.searchsorted(jumps, jumps, side="right")
+    return np.asarray(np.stack([first, beyond - 1], axis=1), dtype=np.int64)

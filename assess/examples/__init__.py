@@ -9,9 +9,9 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from assess.errors import ProjectError
-from assess.examples import casa_grande, chiesa, house, nepal_monuments, san_leonardo_spire, street
-from assess.examples.surface import Surface, ply
-from assess.outputs.stage import MADE, clear, stage
+from assess.examples import casa_grande, house, street, surfaces
+from assess.examples.surfaces import Surface, ply
+from assess.outputs.journal import MADE, remove_abandoned, stage
 
 SCHEMA = "project.schema.json"
 """The schema of project files, beside that of an example: editors that know `#:schema` check and complete with it."""
@@ -46,7 +46,7 @@ EXAMPLES: dict[str, Example] = {
     ),
     "casa_grande_table": Example("the same eight mechanisms by the parameters of a published table"),
     "chiesa": Example(
-        "a small church of our own making: six mechanisms, and the list of the 28 possible", chiesa.meshes
+        "a small church of our own making: six mechanisms, and the list of the 28 possible", surfaces.facade_meshes
     ),
     "house": Example(
         "a house as an IFC model: its street front with ties, a gable; the tutorial ends with it",
@@ -55,13 +55,13 @@ EXAMPLES: dict[str, Example] = {
     "lnec_houses": Example("brick and stone house of the LNEC shaking-table tests: six mechanisms by a table"),
     "nepal_monuments": Example(
         "columns, tower and temple in the Gorkha earthquake of 2015, the tower also from meshes",
-        nepal_monuments.meshes,
+        surfaces.tower_meshes,
     ),
     "san_leonardo_church": Example(
         "church of San Leonardo Limosino, Emilia: apse and façade by tables, a side-aisle vault"
     ),
     "san_leonardo_spire": Example(
-        "its spire from a mesh: inclined cracks by height, and a sweep over their angle", san_leonardo_spire.meshes
+        "its spire from a mesh: inclined cracks by height, and a sweep over their angle", surfaces.spire_meshes
     ),
     "san_leonardo_tower": Example(
         "its bell tower: spire, corners and belfry, eleven mechanisms by tables and a frame of blocks"
@@ -107,7 +107,7 @@ def source(name: str) -> Path:
 def _write(name: str, folder: Path) -> None:
     folder = folder.absolute()
     folder.parent.mkdir(parents=True, exist_ok=True)
-    clear(folder.parent)
+    remove_abandoned(folder.parent)
     with stage(folder.parent, command="assess new") as place:
         made = place / MADE
         shutil.copytree(source(name), made, dirs_exist_ok=True)
@@ -124,7 +124,7 @@ def _write(name: str, folder: Path) -> None:
 
 def _name_schema(folder: Path, file: str) -> None:
     """Write the schema beside a project file, and name it in the file's first line, where editors look for it."""
-    from assess.project.schema import schema_text
+    from assess.project.json_schema import schema_text
 
     (folder / SCHEMA).write_text(schema_text(), encoding="utf-8", newline="\n")
     project = folder / file

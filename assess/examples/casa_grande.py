@@ -25,7 +25,7 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import root
 
-from assess.examples.surface import Surface, slab
+from assess.examples.surfaces import Surface, slab
 from assess.geometry.solid import polyhedron
 from spectra.arrays import FloatArray
 
@@ -37,7 +37,7 @@ ROUGHNESS = 0.025  # m: of the faces
 
 
 @dataclass(frozen=True)
-class Target:
+class PublishedBlock:
     """Published rocking parameters: p [1/s], slenderness [rad], radius [m]; elevation of the mechanism's base [m]."""
 
     p: float
@@ -47,7 +47,7 @@ class Target:
 
 
 @dataclass(frozen=True)
-class Band:
+class ErodedBand:
     """Eroded band: the wall is narrowest at `elevation`, `width` across about x = `centre`; it ends at `reach` [m]."""
 
     elevation: float
@@ -57,7 +57,7 @@ class Band:
 
 
 @dataclass(frozen=True)
-class Wall:
+class ErodedWall:
     """Length at each of some elevations, the last the top; thickness between bands; lean and break of the top [m].
 
     seed : turns the weathering, so that no two walls look alike [rad]
@@ -66,25 +66,25 @@ class Wall:
     elevations: tuple[float, ...]
     lengths: tuple[float, ...]
     thickness: float
-    bands: tuple[Band, ...]
+    bands: tuple[ErodedBand, ...]
     lean: float
     broken: float
     seed: float
 
 
 TABLE = {  # Tables 8.2 and 8.3
-    "W0a": Target(1.60, 0.14, 2.84),
-    "W0b": Target(3.36, 0.54, 0.62, 4.98),
-    "W1": Target(2.15, 0.25, 1.75, 3.11),
-    "W2": Target(1.60, 0.23, 2.88),
-    "W3": Target(1.62, 0.20, 2.71),
-    "W4": Target(2.67, 0.34, 1.04, 3.76),
-    "W5": Target(1.63, 0.24, 2.72),
-    "W6": Target(2.26, 0.21, 1.46, 4.77),
+    "W0a": PublishedBlock(1.60, 0.14, 2.84),
+    "W0b": PublishedBlock(3.36, 0.54, 0.62, 4.98),
+    "W1": PublishedBlock(2.15, 0.25, 1.75, 3.11),
+    "W2": PublishedBlock(1.60, 0.23, 2.88),
+    "W3": PublishedBlock(1.62, 0.20, 2.71),
+    "W4": PublishedBlock(2.67, 0.34, 1.04, 3.76),
+    "W5": PublishedBlock(1.63, 0.24, 2.72),
+    "W6": PublishedBlock(2.26, 0.21, 1.46, 4.77),
 }
 
 
-def surface(wall: Wall, *, above: float = 0.0) -> Surface:
+def surface(wall: ErodedWall, *, above: float = 0.0) -> Surface:
     """Return the wall from the elevation `above` [m], the ground or a band, to its top."""
     rows = _rows(wall)
     rows = rows[rows >= above]
@@ -96,7 +96,7 @@ def surface(wall: Wall, *, above: float = 0.0) -> Surface:
     return slab(np.stack([front, y, z], -1), np.stack([back, y, z], -1))
 
 
-def _rows(wall: Wall) -> FloatArray:
+def _rows(wall: ErodedWall) -> FloatArray:
     """Return the elevations of the rows of the mesh; bands and corners of the elevation lie on a row each [m]."""
     fixed = sorted({*wall.elevations, *(band.elevation for band in wall.bands)})
     pieces = [
@@ -105,13 +105,13 @@ def _rows(wall: Wall) -> FloatArray:
     return np.concatenate([*pieces, fixed[-1:]])
 
 
-def _lost(wall: Wall, rows: FloatArray) -> FloatArray:
+def _lost(wall: ErodedWall, rows: FloatArray) -> FloatArray:
     """Return what the broken top has lost at its lower end, none at the last band [m]."""
     start = wall.bands[-1].elevation
     return wall.broken * np.clip((rows - start) / (wall.elevations[-1] - start), 0.0, 1.0) ** 2
 
 
-def _faces(wall: Wall, z: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _faces(wall: ErodedWall, z: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return x of the front and back face at elevation z and position y along the wall [m]."""
     middle = wall.lean * z / wall.elevations[-1]
     half, weathering = np.full_like(z, wall.thickness / 2.0), np.full_like(z, ROUGHNESS)
@@ -131,7 +131,7 @@ def _weather(y: FloatArray, z: FloatArray, seed: float) -> FloatArray:
     return np.asarray(courses + 0.6 * gullies + 0.4 * np.sin(9.7 * y + 7.9 * z + 5.0 * seed), dtype=np.float64)
 
 
-def misfit(wall: Wall, targets: Sequence[Target]) -> FloatArray:
+def misfit(wall: ErodedWall, targets: Sequence[PublishedBlock]) -> FloatArray:
     """Return how far the part above each band is from its target.
 
     Centroid by R, and J / M by R^2 [3 per target] [-].
@@ -149,7 +149,9 @@ def misfit(wall: Wall, targets: Sequence[Target]) -> FloatArray:
     return np.array(differences)
 
 
-def solve(form: Callable[[FloatArray], Wall], guess: Sequence[float], targets: Sequence[Target]) -> Wall:
+def solve(
+    form: Callable[[FloatArray], ErodedWall], guess: Sequence[float], targets: Sequence[PublishedBlock]
+) -> ErodedWall:
     """Find the wall of a `form` whose free sizes meet the targets."""
 
     def distance(sizes: FloatArray) -> FloatArray:
@@ -159,12 +161,12 @@ def solve(form: Callable[[FloatArray], Wall], guess: Sequence[float], targets: S
     return form(found.x)
 
 
-def _band(target: Target, centre: float, reach: float) -> Band:
-    return Band(target.elevation, 2.0 * target.radius * sin(target.slenderness), centre, reach)
+def _band(target: PublishedBlock, centre: float, reach: float) -> ErodedBand:
+    return ErodedBand(target.elevation, 2.0 * target.radius * sin(target.slenderness), centre, reach)
 
 
 def wall_on(
-    target: Target,
+    target: PublishedBlock,
     *,
     length: float,
     reach: float,
@@ -172,34 +174,34 @@ def wall_on(
     broken: float,
     seed: float,
     thickness: float = THICKNESS,
-) -> Wall:
+) -> ErodedWall:
     """Solve for a wall with one band, `length` long on average above it [m]: height, flare and centre of the band."""
 
-    def form(sizes: FloatArray) -> Wall:
+    def form(sizes: FloatArray) -> ErodedWall:
         centre, height, flare = map(float, sizes)
         band = _band(target, centre, reach)
         below = {0.0: length, band.elevation - reach: length} if band.elevation else {}
         above = {band.elevation: length * (1.0 - flare), band.elevation + height: length * (1.0 + flare)}
         lengths = below | above
-        return Wall(tuple(lengths), tuple(lengths.values()), thickness, (band,), lean, broken, seed)
+        return ErodedWall(tuple(lengths), tuple(lengths.values()), thickness, (band,), lean, broken, seed)
 
     return solve(form, (0.0, 2.0 * target.radius * cos(target.slenderness), 0.0), (target,))
 
 
-def wall_0() -> Wall:
+def wall_0() -> ErodedWall:
     """Solve for the wall of two mechanisms: W0a, the whole, and W0b, its top."""
     whole, top = TABLE["W0a"], TABLE["W0b"]
 
-    def form(sizes: FloatArray) -> Wall:
+    def form(sizes: FloatArray) -> ErodedWall:
         foot, neck, height, *lengths = map(float, sizes)
         elevations = (0.0, 2.5, top.elevation, top.elevation + height)
         bands = (_band(whole, foot, 0.6), _band(top, neck, 0.7))
-        return Wall(elevations, (2.4, *lengths), 1.0, bands, 0.05, 0.1, 0.0)
+        return ErodedWall(elevations, (2.4, *lengths), 1.0, bands, 0.05, 0.1, 0.0)
 
     return solve(form, (0.0, 0.0, 0.95, 2.2, 1.8, 1.4), (whole, top))
 
 
-def walls() -> dict[str, Wall]:
+def walls() -> dict[str, ErodedWall]:
     """Return the seven walls."""
     return {
         "wall_0": wall_0(),

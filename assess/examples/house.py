@@ -37,7 +37,7 @@ class Prism:
 
 
 @dataclass(frozen=True)
-class Part:
+class IfcElement:
     """An element of the building: its class, name, storey and body, and the bodies of its openings by name."""
 
     kind: str
@@ -47,7 +47,7 @@ class Part:
     openings: Mapping[str, Prism] = field(default_factory=dict)
 
 
-class Step:
+class StepFile:
     """The lines of a file in the form of ISO 10303-21, numbered as they are added."""
 
     def __init__(self) -> None:
@@ -74,7 +74,7 @@ class Step:
 
 def model() -> str:
     """Return the house as the text of an IFC4 file; the same text each time."""
-    step = Step()
+    step = StepFile()
     axes = step.add("IFCAXIS2PLACEMENT3D", step.point(0.0, 0.0, 0.0), None, None)
     origin = step.add("IFCLOCALPLACEMENT", None, axes)
     context = step.add("IFCGEOMETRICREPRESENTATIONCONTEXT", None, "'Model'", "3", "1.E-5", axes, None)
@@ -87,7 +87,7 @@ def model() -> str:
     }
     step.root("IFCRELAGGREGATES", "Buildings", project, [building])
     step.root("IFCRELAGGREGATES", "Storeys", building, list(storeys.values()))
-    placed = [(part.storey, _add_part(step, part, context, origin)) for part in parts()]
+    placed = [(part.storey, _add_with_openings(step, part, context, origin)) for part in elements()]
     for name, storey in storeys.items():
         here = [element for at, element in placed if at == name]
         step.root("IFCRELCONTAINEDINSPATIALSTRUCTURE", name, here, storey)
@@ -105,7 +105,7 @@ HEADER = (
 )
 
 
-def parts() -> tuple[Part, ...]:
+def elements() -> tuple[IfcElement, ...]:
     """Return walls, floor and roof."""
     inner, back = DEPTH - WALL, DEPTH - BEARING
     end = LENGTH - WALL
@@ -113,10 +113,10 @@ def parts() -> tuple[Part, ...]:
     return (
         _wall("Street front", (0.0, WALL), floor, {"door": (3.9, 5.1, 0.0, 2.2), **_windows((1.4, 6.6))}),
         _wall("Back wall", (inner, DEPTH), floor, _windows((1.4, 4.0, 6.6))),
-        Part("IFCWALL", "Side wall left", "Ground floor", _gable(0.0)),
-        Part("IFCWALL", "Side wall right", "Ground floor", _gable(end)),
-        Part("IFCSLAB", "Upper floor", "Upper floor", floor),
-        Part("IFCROOF", "Roof", "Roof", _roof()),
+        IfcElement("IFCWALL", "Side wall left", "Ground floor", _gable(0.0)),
+        IfcElement("IFCWALL", "Side wall right", "Ground floor", _gable(end)),
+        IfcElement("IFCSLAB", "Upper floor", "Upper floor", floor),
+        IfcElement("IFCROOF", "Roof", "Roof", _roof()),
     )
 
 
@@ -125,7 +125,7 @@ def _windows(places: Iterable[float]) -> dict[str, tuple[float, float, float, fl
     return {f"window {x:g} {sill:g}": (x, x + 1.0, sill, sill + 1.3) for x in places for sill in (0.9, 3.9)}
 
 
-def _wall(name: str, thick: Point, floor: Prism, holes: Mapping[str, tuple[float, float, float, float]]) -> Part:
+def _wall(name: str, thick: Point, floor: Prism, holes: Mapping[str, tuple[float, float, float, float]]) -> IfcElement:
     """Return a wall along the street, with doors and windows, and the slot in which the floor rests.
 
     Parameters
@@ -137,7 +137,7 @@ def _wall(name: str, thick: Point, floor: Prism, holes: Mapping[str, tuple[float
     """
     body = _box((0.0, LENGTH), thick, (0.0, EAVES))
     openings = {f"{name} {hole}": _box((x0, x1), thick, (z0, z1)) for hole, (x0, x1, z0, z1) in holes.items()}
-    return Part("IFCWALL", name, "Ground floor", body, openings | {f"{name} slot": floor})
+    return IfcElement("IFCWALL", name, "Ground floor", body, openings | {f"{name} slot": floor})
 
 
 def _gable(start: float) -> Prism:
@@ -160,7 +160,7 @@ def _box(x: Point, y: Point, z: Point) -> Prism:
     return Prism(((x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])), z[0], z[1] - z[0])
 
 
-def _add_part(step: Step, part: Part, context: str, origin: str) -> str:
+def _add_with_openings(step: StepFile, part: IfcElement, context: str, origin: str) -> str:
     """Add an element with its openings and return its reference."""
     element = _add_element(step, part.kind, part.name, part.body, context, origin)
     for name, prism in part.openings.items():
@@ -169,7 +169,7 @@ def _add_part(step: Step, part: Part, context: str, origin: str) -> str:
     return element
 
 
-def _add_element(step: Step, kind: str, name: str, prism: Prism, context: str, origin: str) -> str:
+def _add_element(step: StepFile, kind: str, name: str, prism: Prism, context: str, origin: str) -> str:
     """Add an element whose body is a prism and return its reference."""
     closed = (*prism.corners, prism.corners[0])
     line = step.add("IFCPOLYLINE", [step.point(*corner) for corner in closed])

@@ -1,10 +1,13 @@
-"""Boolean operations on closed surfaces, and the distance between them. The only door to manifold3d."""
+"""Boolean operations on closed surfaces, the overlap of bodies and the distance between them.
+
+The only door to manifold3d.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import combinations, groupby
 from math import inf
 from typing import Any
 
@@ -14,9 +17,10 @@ from scipy.spatial import KDTree
 from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Solid
 from assess.geometry.surface import Surface, merge_vertices, volume
+from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import BoolArray, FloatArray
 
-NEAR = 0.05  # m: how far apart fine meshes are looked at face by face
+NEAR_FINE_MESHES = 0.05  # m: how far apart fine meshes are looked at face by face
 MANY_PAIRS = 1e8  # pairs of triangles: to look at more of them takes seconds
 
 
@@ -117,7 +121,7 @@ def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> flo
     one, two = (_manifold_of_solid(solid, origin) for solid in (first, second))
     reach = min(limit, float(np.min(KDTree(first.vertices).query(second.vertices)[0])) * (1.0 + THINNEST))
     fine = len(first.triangles) * len(second.triangles) > MANY_PAIRS
-    looked = min(reach, NEAR) if fine else reach
+    looked = min(reach, NEAR_FINE_MESHES) if fine else reach
     found = float(one.min_gap(two, looked)) if looked > 0.0 else 0.0
     return found if found < looked else reach
 
@@ -156,3 +160,44 @@ def _surface(body: Any) -> Surface:
     mesh = body.to_mesh64()
     vertices: FloatArray = np.array(mesh.vert_properties, dtype=np.float64)[:, :3]
     return vertices, np.array(mesh.tri_verts, dtype=np.int64)
+
+
+OVERLAP_WARNED = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
+SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
+
+
+def overlap_warnings(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
+    """Warn of each pair of bodies that overlap, so that their common volume is weighed twice.
+
+    Parameters
+    ----------
+    bodies : any number
+    where : what the warnings concern
+    """
+    for one, other in combinations(bodies, 2):
+        shared = intersect(one, other)
+        if shared is not None and shared.part > OVERLAP_WARNED:
+            yield warning(
+                "overlap",
+                where,
+                one=one.name,
+                other=other.name,
+                volume=Quantity(shared.volume, "volume", 3),
+                share=Quantity(100.0 * shared.part, "percent", 3),
+            )
+
+
+def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
+    """Return the overlap of a body with the solids of a block.
+
+    Parameters
+    ----------
+    block : its solids
+    other : the body
+
+    Returns
+    -------
+    largest share of the smaller body [-], and the volume [m3]
+    """
+    shared = [each for solid in block if (each := intersect(solid, other)) is not None]
+    return max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)

@@ -14,7 +14,7 @@ from assess.geometry.solid import THINNEST, Solid
 from assess.geometry.surface import area_vectors, areas_and_normals
 from spectra.arrays import FloatArray, IntArray
 
-TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better
+CONTACT_TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better
 PARALLEL = 0.98  # minus the cosine between the normals of two faces: they face each other within 11 degrees
 OBLIQUE = 0.5  # the same of faces that meet along an edge: within 60 degrees
 STEEP = 0.26  # vertical part of a unit normal: a face within 15 degrees of upright, like a battered wall, bears nothing
@@ -39,7 +39,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class Patches:
+class FacePatches:
     """Pieces of faces: area [k] [m2], centroid [k, 3] [m], unit normal [k, 3]."""
 
     area: FloatArray
@@ -47,7 +47,7 @@ class Patches:
     normal: FloatArray
 
 
-def find_contact(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> Contact | None:
+def find_contact(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE) -> Contact | None:
     """Find where a body meets a block; None where it does not, or where it lies under the block and carries it.
 
     Faces are in contact where they face each other at a distance within the tolerance, whether they are separated by a
@@ -80,7 +80,7 @@ def find_contact(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> 
     )
 
 
-def facing_patches(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> Patches:
+def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE) -> FacePatches:
     """Return the upright parts of a block's faces that a face of a body faces within the tolerance.
 
     Parameters
@@ -91,7 +91,7 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -
     """
     faces = _facing_parts(block, body, tolerance=tolerance, cosine=PARALLEL)
     upright = np.abs(faces.normal[:, 2]) < STEEP
-    return Patches(faces.area[upright], faces.centroid[upright], faces.normal[upright])
+    return FacePatches(faces.area[upright], faces.centroid[upright], faces.normal[upright])
 
 
 def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
@@ -100,7 +100,7 @@ def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
     chosen = [each for each in contacts if each.bearing == bearing]
     if not chosen:
         return None
-    patches = Patches(
+    patches = FacePatches(
         np.array([each.area for each in chosen]),
         np.array([each.centroid for each in chosen]),
         np.array([each.normal for each in chosen]),
@@ -108,17 +108,17 @@ def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
     return _join_patches(patches, np.ones(len(chosen), dtype=np.bool_), bearing=bearing, smallest=0.0)
 
 
-def _bearing_contact(faces: Patches, *, smallest: float) -> Contact | None:
+def _bearing_contact(faces: FacePatches, *, smallest: float) -> Contact | None:
     """Return the contact on the block's bearing faces, None if no larger than the smallest area [m2]."""
     return _join_patches(faces, faces.normal[:, 2] >= STEEP, bearing=True, smallest=smallest)
 
 
-def _upright_contact(faces: Patches, *, smallest: float) -> Contact | None:
+def _upright_contact(faces: FacePatches, *, smallest: float) -> Contact | None:
     """Return the contact on the block's upright faces, None if no larger than the smallest area [m2]."""
     return _join_patches(faces, np.abs(faces.normal[:, 2]) < STEEP, bearing=False, smallest=smallest)
 
 
-def _join_patches(patches: Patches, which: NDArray[np.bool_], *, bearing: bool, smallest: float) -> Contact | None:
+def _join_patches(patches: FacePatches, which: NDArray[np.bool_], *, bearing: bool, smallest: float) -> Contact | None:
     """Combine the chosen patches into one contact, None if no larger than the smallest area [m2]."""
     A = patches.area[which]
     area = float(A.sum())
@@ -128,7 +128,7 @@ def _join_patches(patches: Patches, which: NDArray[np.bool_], *, bearing: bool, 
     return Contact(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
 
 
-def _facing_parts(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> Patches:
+def _facing_parts(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> FacePatches:
     """Return the parts of the block's faces that a face of the body faces within tolerance [m] and cosine."""
     origin = (body.vertices.min(axis=0) + body.vertices.max(axis=0)) / 2.0
     one, other = _triangles_near(block, body, origin=origin, margin=tolerance)
@@ -136,7 +136,7 @@ def _facing_parts(block: Solid, body: Solid, *, tolerance: float, cosine: float)
     pairs = _pairs(one, n, other, m, margin=tolerance, cosine=cosine)
     found = [_clip_facing(one[i], n[i], other[j], tolerance=tolerance) for i, j in pairs]
     area, centroid, normal = (np.concatenate(each) for each in zip(_EMPTY, *found, strict=True))
-    return Patches(area, centroid + origin, normal)
+    return FacePatches(area, centroid + origin, normal)
 
 
 _EMPTY = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)))

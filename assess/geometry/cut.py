@@ -1,4 +1,4 @@
-"""Bodies cut by a plane: the parts above and below it, and the section between them."""
+"""Bodies cut by a plane: the parts above and below it, the section between them, and what a mechanism takes of them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import split
-from assess.geometry.planar import BASE_TOLERANCE
+from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
 from assess.geometry.solid import THINNEST, Solid, polyhedron
 from assess.geometry.surface import Surface
 from spectra.arrays import FloatArray, IntArray
@@ -246,3 +246,75 @@ def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> s
     flat = corners[np.all(np.abs(corners[:, :, 2]) <= ON_PLANE * size, axis=1), :, :2]
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
     return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > DEGENERATE * size**2]))
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One block of a mechanism, as cut.
+
+    body : in the plane of motion; solids : what it is made of, none for direct values; foot : corners of the face it
+    stands on [k, 3] [m], None without geometry; cut : whether that face is a cut; section : its rings [k, 3] [m];
+    fixed : what lies beyond the cut and stays
+    """
+
+    body: PlanarBody
+    solids: tuple[Solid, ...]
+    foot: FloatArray | None
+    cut: bool = False
+    section: tuple[FloatArray, ...] = ()
+    fixed: tuple[Solid, ...] = ()
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The bodies of a mechanism in space.
+
+    Attributes
+    ----------
+    members : the solids of each of the mechanism's outlines, in their order
+    fixed : solids that do not move, such as those under a cut
+    sections : where cuts pass through the masonry: closed rings [k, 3] [m]
+    direction : of motion, a horizontal unit vector [3]
+    """
+
+    members: tuple[tuple[Solid, ...], ...]
+    fixed: tuple[Solid, ...]
+    sections: tuple[FloatArray, ...]
+    direction: FloatArray
+
+
+def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[float]) -> FloatArray:
+    """Return area and moments of level sections at several elevations.
+
+    Parameters
+    ----------
+    solid : the body
+    elevation : [n] [m]
+    direction : horizontal vector along which s is measured from the origin [3]
+
+    Returns
+    -------
+    area A [m2], int s dA [m3] and int s^2 dA [m4] of each section [n, 3]; 0 where the solid does not reach
+    """
+    x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
+    turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])  # s, t square to it, z
+    corners = turned[solid.triangles]
+    low, high = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
+    levels = np.atleast_1d(np.asarray(elevation, dtype=np.float64))
+    return np.array([_moments(corners[(low < z) & (high >= z)], z) for z in levels])
+
+
+def _moments(crossed: FloatArray, z: float) -> tuple[float, float, float]:
+    """Return the integrals at one elevation, from the triangles it crosses [m, 3, 3], outward orientation."""
+    if not len(crossed):
+        return 0.0, 0.0, 0.0
+    upper = crossed[:, :, 2] >= z
+    lone = np.where(upper.sum(axis=1) == 1, upper.argmax(axis=1), (~upper).argmax(axis=1))  # the corner on its own side
+    at = np.arange(len(crossed))
+    apex, following, preceding = (crossed[at, (lone + step) % 3] for step in (0, 1, 2))
+    ends = [apex + (z - apex[:, 2:]) / (far[:, 2:] - apex[:, 2:]) * (far - apex) for far in (following, preceding)]
+    flip = upper[at, lone]  # with the apex above, the outside lies right of the way from `following` to `preceding`
+    s, t = np.where(flip[:, None], ends[0], ends[1])[:, :2].T
+    u, w = np.where(flip[:, None], ends[1], ends[0])[:, :2].T
+    D = s * w - u * t
+    return float(D.sum() / 2.0), float(D @ (s + u) / 6.0), float(D @ (s * s + s * u + u * u) / 12.0)

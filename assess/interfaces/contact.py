@@ -1,25 +1,61 @@
-"""The contact of two faces in relative rotation: where the resultant acts, how much is open or crushed.
+"""The joint that a hinge presses on, and the contact of its faces: where the resultant acts, how much is open or
+crushed.
 
-One solver for every section and regime (full or partial contact, elastic or crushed); thesis 6.2-6.45 are its special
-cases. The rotation is that of one face relative to the other and compresses the edge at depth 0; for the other sense
-use the section that `mirror` returns.
+A joint has no tension, is linear up to its strength and plastic beyond. One solver serves every section and regime
+(full or partial contact, elastic or crushed); thesis 6.2-6.45 are its special cases. The rotation is that of one face
+relative to the other and compresses the edge at depth 0; for the other sense use the section that `mirror` returns.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf, isfinite
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
-from assess.interfaces.law import JointLaw
-from assess.interfaces.section import Section, mirror
+from assess.interfaces.section import ContactSection, mirror
 from assess.messages.message import Message, Quantity, warning
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
+
+JointModel = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """The contact by one of its sizes [m], the first along the direction of motion, the second across.
+
+    rectangle : (thickness, length); hollow_rectangle : with the sizes of the hole behind them; circle : diameter
+    annulus : (diameter, inner diameter); polygon : corners (x, y) in plan
+    """
+
+    rectangle: tuple[float, float] | None = None
+    hollow_rectangle: tuple[float, float, float, float] | None = None
+    circle: float | None = None
+    annulus: tuple[float, float] | None = None
+    polygon: tuple[tuple[float, float], ...] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Interface:
+    """The joint under a hinge.
+
+    model : "rigid" (with a strength: crushing only), or "flexible"; with its moment, but inertia about a fixed hinge:
+    "semi-flexible", about the resultant: "flexible-thesis"
+    stiffness : normal, per area [Pa/m], or course_thickness : of the layer that yields [m]
+    strength : in compression [Pa], infinite for none; the material's where None (not for a rigid one)
+    shape : "outline" of the body at the hinge, or sizes
+    """
+
+    model: JointModel = "rigid"
+    stiffness: float | None = None
+    course_thickness: float | None = None
+    strength: float | None = None
+    shape: Literal["outline"] | Shape = "outline"
 
 
 @dataclass(frozen=True, repr=False)
@@ -54,7 +90,7 @@ class Contact(ShortRepr):
 
 
 def contact(
-    section: Section, law: JointLaw, *, normal_force: ArrayLike, rotation: ArrayLike, where: str = "interface"
+    section: ContactSection, law: JointLaw, *, normal_force: ArrayLike, rotation: ArrayLike, where: str = "interface"
 ) -> Contact:
     """Solve the contact under a normal force at given rotations.
 
@@ -74,8 +110,8 @@ def contact(
     InterfaceError : no compression, a force the section cannot carry, no stiffness or strength, a negative rotation
     """
     forces, turns = (np.atleast_1d(np.asarray(each, dtype=np.float64)) for each in (normal_force, rotation))
-    _refuse_rotation(turns, where=where)
-    _refuse_load(section, law, forces, where=where)
+    _require_rotation(turns, where=where)
+    _require_load(section, law, forces, where=where)
     columns = np.empty((11, max(turns.size, forces.size)))
     columns[0], columns[1] = turns, forces
     found = np.empty((columns.shape[1], 9))
@@ -86,7 +122,7 @@ def contact(
 
 
 def thresholds(
-    section: Section, law: JointLaw, *, normal_force: float, where: str = "interface"
+    section: ContactSection, law: JointLaw, *, normal_force: float, where: str = "interface"
 ) -> tuple[float, float]:
     """Return the rotations at which the far edge opens and the compressed edge starts to crush [rad]; inf: never.
 
@@ -105,7 +141,7 @@ def thresholds(
     ------
     InterfaceError : as for `contact`
     """
-    _refuse_load(section, law, np.array([float(normal_force)]), where=where)
+    _require_load(section, law, np.array([float(normal_force)]), where=where)
     k, f, N = law.stiffness, law.strength, float(normal_force)
     if k == inf:
         return 0.0, 0.0 if f < inf else inf
@@ -120,7 +156,9 @@ def thresholds(
     return f / (k * crushing_depth(mirror(section).table, missing / f)), crushing
 
 
-def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float, where: str = "interface") -> float:
+def semi_flexible_shift(
+    section: ContactSection, law: JointLaw, *, normal_force: float, where: str = "interface"
+) -> float:
     """Return the distance of the fixed hinge from the compressed edge, a_SF: of the resultant when crushing starts [m].
 
     It does not depend on the stiffness, and is zero for infinite strength (thesis 6.3.1.2).
@@ -136,7 +174,7 @@ def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float,
     ------
     InterfaceError : as for `contact`
     """
-    _refuse_load(section, law, np.array([float(normal_force)]), where=where)
+    _require_load(section, law, np.array([float(normal_force)]), where=where)
     if law.strength == inf:
         return 0.0
     any_joint = JointLaw(stiffness=law.strength / section.depth, strength=law.strength)
@@ -144,7 +182,7 @@ def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float,
     return float(contact(section, any_joint, normal_force=normal_force, rotation=crushing).resultant[0])
 
 
-def out_of_plane_warning(section: Section, found: Contact, *, interface: str) -> Message | None:
+def out_of_plane_warning(section: ContactSection, found: Contact, *, interface: str) -> Message | None:
     """Return a warning if the resultant leaves the plane of motion by more than a hundredth of the breadth.
 
     Parameters
@@ -161,7 +199,7 @@ def out_of_plane_warning(section: Section, found: Contact, *, interface: str) ->
     return warning("contact-not-symmetric", interface=interface, distance=away, share=share)
 
 
-def _refuse_rotation(turns: FloatArray, *, where: str) -> None:
+def _require_rotation(turns: FloatArray, *, where: str) -> None:
     """Raise InterfaceError for a rotation that is negative or not finite."""
     wrong = turns[~(np.isfinite(turns) & (turns >= 0.0))]
     if wrong.size:
@@ -170,7 +208,7 @@ def _refuse_rotation(turns: FloatArray, *, where: str) -> None:
         )
 
 
-def _refuse_load(section: Section, law: JointLaw, forces: FloatArray, *, where: str) -> None:
+def _require_load(section: ContactSection, law: JointLaw, forces: FloatArray, *, where: str) -> None:
     """Raise InterfaceError for an impossible law, or a force that the section cannot carry."""
     for what, value, unit in (("stiffness", law.stiffness, "Pa/m"), ("strength", law.strength, "Pa")):
         if not value > 0.0:
@@ -187,3 +225,15 @@ def _refuse_load(section: Section, law: JointLaw, forces: FloatArray, *, where: 
             f"{where}: its normal force, {most:.6g} N, is {most / bearing:.4g} times what it can carry, "
             f"{bearing:.6g} N = {section.area:.4g} m2 x {law.strength:.4g} Pa; give it more strength or area"
         )
+
+
+@dataclass(frozen=True)
+class JointLaw:
+    """A joint without tension, linear up to its strength and plastic beyond, without memory.
+
+    stiffness : per unit of area, k_n = E / thickness [Pa/m]; infinite: rigid
+    strength : in compression, f_m [Pa]; infinite: elastic
+    """
+
+    stiffness: float = inf
+    strength: float = inf

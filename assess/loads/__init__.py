@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from assess.loads.bearing import Overburden, Support, shares, support
     from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
     from assess.loads.load import Force, Load, PointMass, Tie
-    from assess.loads.thrust import CONSTRUCTIONS, Construction, arch_thrust, uniform_lever_arm
+    from assess.loads.roofs_and_vaults import CONSTRUCTIONS, Construction, arch_thrust, uniform_lever_arm
 
 __all__ = [
     "CONSTRUCTIONS",
@@ -35,6 +35,6 @@ _HOMES = {
     "assess.loads.bearing": ("Overburden", "Support", "shares", "support"),
     "assess.loads.definitions": ("BodyLoad", "ForceLoad", "LoadDefinition", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.loads.load": ("Force", "Load", "PointMass", "Tie"),
-    "assess.loads.thrust": ("CONSTRUCTIONS", "Construction", "arch_thrust", "uniform_lever_arm"),
+    "assess.loads.roofs_and_vaults": ("CONSTRUCTIONS", "Construction", "arch_thrust", "uniform_lever_arm"),
 }
 __getattr__, __dir__ = late_names(__name__, _HOMES)

@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import shortest_distance
-from assess.geometry.contact import TOLERANCE, Contact, find_contact, join_contacts
+from assess.geometry.contact import CONTACT_TOLERANCE, Contact, find_contact, join_contacts
 from assess.geometry.solid import Solid
 from spectra.arrays import FloatArray
 
@@ -38,7 +38,7 @@ class Overburden:
 
 
 def support(
-    body: Solid, *, block: Sequence[Solid], others: Iterable[Solid], tolerance: float = TOLERANCE
+    body: Solid, *, block: Sequence[Solid], others: Iterable[Solid], tolerance: float = CONTACT_TOLERANCE
 ) -> Support | None:
     """Find how a body meets the solids of a block and the other solids; None if it does not touch the block."""
     met = (find_contact(solid, body, tolerance=tolerance) for solid in block)
@@ -94,7 +94,7 @@ def carries_weight(contact: Contact, *, axis: FloatArray | None) -> bool:
 
 
 def overburden(
-    bodies: Sequence[Solid], *, block: Sequence[Solid], others: Sequence[Solid], tolerance: float = TOLERANCE
+    bodies: Sequence[Solid], *, block: Sequence[Solid], others: Sequence[Solid], tolerance: float = CONTACT_TOLERANCE
 ) -> Overburden:
     """Return the weight that bodies put on a block, at the weighted centroid of their contacts.
 
@@ -120,7 +120,7 @@ def overburden(
 
 def nearest(body: Solid, *, block: Sequence[Solid]) -> str:
     """Say how far a body that does not load the block is from it, and what to do."""
-    if any((find_contact(body, solid) or _NONE).bearing for solid in block):
+    if any((find_contact(body, solid) or _NO_CONTACT).bearing for solid in block):
         return "the block stands on it, so it is no load of the block; remove it from `loads`"
     distance = min(shortest_distance(solid, body) for solid in block)
     if distance == 0.0:
@@ -128,4 +128,4 @@ def nearest(body: Solid, *, block: Sequence[Solid]) -> str:
     return f"it lies {distance:.3g} m away; move it, or raise `tolerance`"
 
 
-_NONE = Contact(0.0, np.zeros(3), np.zeros(3), bearing=False)
+_NO_CONTACT = Contact(0.0, np.zeros(3), np.zeros(3), bearing=False)

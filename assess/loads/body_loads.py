@@ -1,108 +1,30 @@
-"""What a floor, roof or vault puts on a block: its weight where they touch, and its thrust (thesis 3.2.2)."""
+"""What a floor, roof or vault puts on a block: its weight where they touch, and its thrust (thesis 3.2.2).
+
+The block that it loads is the one whose masonry, as cut, it stands on or pushes against.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.contact import find_contact
-from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_volume
-from assess.geometry.roof_shape import extent
+from assess.geometry.boolean import OVERLAP_WARNED, SAME_PLACE, shared_volume, shortest_distance
+from assess.geometry.contact import Contact, find_contact, join_contacts
+from assess.geometry.cut import Piece
+from assess.geometry.dimensions import extent_along
+from assess.geometry.planar import distance_to_outline
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
 from assess.loads.definitions import BodyLoad
-from assess.loads.load import Force, Load, Point, PointMass
-from assess.loads.plane import point_in_plane
-from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, thrust_of, weight
-from assess.messages.message import Message, Quantity, Term, Value, message, warning
+from assess.loads.load import Force, Load, Point, PointMass, point_in_plane
+from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, body_mass, thrust_of
+from assess.messages.message import Message, Quantity, Term, Value, message, warning, whole_number
 from spectra.arrays import FloatArray
-
-BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
-BELOW_THE_CUT = "it stands on what the cut leaves still, so it is no load of the mechanism; remove it from `loads`"
-BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
-
-
-@dataclass(frozen=True)
-class Surroundings:
-    """The surroundings of a load.
-
-    block : solids of the block that it touches, as cut; others : the project's other solids, as the mechanism cuts them
-    fixed : what cuts leave standing; along : unit vector of the motion [3]; where : what an error names
-    """
-
-    block: tuple[Solid, ...]
-    others: tuple[Solid, ...]
-    fixed: tuple[Solid, ...]
-    along: FloatArray
-    where: str
-
-
-@dataclass(frozen=True)
-class LoadSet:
-    """The loads that bodies bring, and warnings about them.
-
-    follows : of each load, whether its block follows from where it is
-    """
-
-    loads: tuple[Load, ...]
-    warnings: tuple[Message, ...]
-    follows: tuple[bool, ...] = ()
-
-
-@dataclass(frozen=True)
-class Case:
-    """A body as a load: its definition, its solid (None without geometry), its contacts, and its shape as an arch.
-
-    side : how far from the middle of its span a roof or vault meets the block, over the span, positive with the
-        motion [-]
-    """
-
-    load: BodyLoad
-    body: Solid | None
-    found: Support | None
-    arch: Arch | None
-    side: float
-    where: str
-
-    @property
-    def one_foot(self) -> bool:
-        """Whether the block holds one foot of a roof or vault, and something else the other."""
-        return abs(self.side) > BETWEEN
-
-    @property
-    def springs(self) -> FloatArray | None:
-        """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
-        return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
-
-
-BEARS_AS_GIVEN = {True: Term("bears (given)"), False: Term("only pushes (given)")}
-PUSHES_WHOLE = Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)")
-HALF = Term("share 0.5 (its other foot is not in the project)")
-ALONE = Term("share 1 (nothing else in the project carries it)")
-
-
-@dataclass(frozen=True)
-class BlockContact:
-    """Where a body meets the block and others, None if the user states all of it; and warnings."""
-
-    found: Support | None
-    warnings: tuple[Message, ...] = ()
-
-
-FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
-
-
-@dataclass(frozen=True)
-class Part:
-    """The share of a body that the block carries, its source, and warnings."""
-
-    share: float
-    source: Term | Message
-    warnings: tuple[Message, ...] = ()
 
 
 def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
@@ -125,7 +47,7 @@ def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings)
     given = load.at is not None and load.bearing is not None
     found = find_support(load, body, given=given, around=around)
     if found is not None:
-        return beside_the_block(load, found, around=around)
+        return without_overlapping_bodies(load, found, around=around)
     if body is None or given:
         return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
@@ -161,13 +83,13 @@ def body_loads(
     found = meeting.found
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
-    at = place_of(load, found, along=around.along)
-    side = 0.0 if covering is None else side_of(covering, found, arch, at, along=around.along)
-    case = Case(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
-    whole, of = weight(load, body, mass=mass)
+    at = load_place(load, found, along=around.along)
+    side = 0.0 if covering is None else side_of_span(covering, found, arch, at, along=around.along)
+    case = BodyOnBlock(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
+    whole, of = body_mass(load, body, mass=mass)
     bearing, how = bearing_of(case)
-    part = part_of(case, bearing=bearing)
-    source, pushed = [of, part.source, how, *place_said(load, found, along=around.along)], list[Force]()
+    part = carried_share(case, bearing=bearing)
+    source, pushed = [of, part.source, how, *place_source(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))
@@ -177,6 +99,127 @@ def body_loads(
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
     return LoadSet((carried, *pushed), (*meeting.warnings, *part.warnings))
+
+
+def loaded_blocks(
+    load: BodyLoad, body: Solid | None, *, among: MechanismBlocks, taken: Collection[int | None] = ()
+) -> LoadedBlocks:
+    """Find the blocks that a body loads: the one given, else all that it bears on, or the one that it pushes against.
+
+    Parameters
+    ----------
+    load : the body as a load
+    body : its solid; None without geometry
+    among : the blocks of the mechanism
+    taken : blocks that other loads of the same body are given on
+
+    Returns
+    -------
+    The blocks, and warnings
+
+    Raises
+    ------
+    GeometryError : neither the contact nor the entry shows it, or they contradict each other
+    """
+    if len(among.pieces) == 1:
+        return (LoadedBlock(load.block or 0, 0),), ()
+    contacts = contacts_with_blocks(load, body, among.pieces)
+    if not contacts:
+        number = load.block if load.block is not None else nearest_block(load, body, among)
+        return (LoadedBlock(number, number),), ()
+    axis = springing_axis(load, body, along=among.along)
+    bears = [number for number, each in contacts.items() if carries_weight(each, axis=axis)]
+    if load.block is not None:
+        left_out = [number for number in bears if number not in taken]
+        return check_given_block(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
+    found = bears if bears and load.bearing is not False else list(contacts)
+    if len(found) > 1:
+        refuse_ambiguous(load, found, contacts, bears, among=among)
+    return tuple(LoadedBlock(number, number) for number in found), ()
+
+
+BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
+BELOW_THE_CUT = "it stands on what the cut leaves still, so it is no load of the mechanism; remove it from `loads`"
+BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """The surroundings of a load.
+
+    block : solids of the block that it touches, as cut; others : the project's other solids, as the mechanism cuts them
+    fixed : what cuts leave standing; along : unit vector of the motion [3]; where : what an error names
+    """
+
+    block: tuple[Solid, ...]
+    others: tuple[Solid, ...]
+    fixed: tuple[Solid, ...]
+    along: FloatArray
+    where: str
+
+
+@dataclass(frozen=True)
+class LoadSet:
+    """The loads that bodies bring, and warnings about them.
+
+    follows : of each load, whether its block follows from where it is
+    """
+
+    loads: tuple[Load, ...]
+    warnings: tuple[Message, ...]
+    follows: tuple[bool, ...] = ()
+
+
+@dataclass(frozen=True)
+class BodyOnBlock:
+    """A body as a load: its definition, its solid (None without geometry), its contacts, and its shape as an arch.
+
+    side : how far from the middle of its span a roof or vault meets the block, over the span, positive with the
+        motion [-]
+    """
+
+    load: BodyLoad
+    body: Solid | None
+    found: Support | None
+    arch: Arch | None
+    side: float
+    where: str
+
+    @property
+    def one_foot(self) -> bool:
+        """Whether the block holds one foot of a roof or vault, and something else the other."""
+        return abs(self.side) > BETWEEN
+
+    @property
+    def springs(self) -> FloatArray | None:
+        """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
+        return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
+
+
+BEARS_AS_GIVEN = {True: Term("bears (given)"), False: Term("only pushes (given)")}
+PUSHES_WHOLE = Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)")
+HALF = Term("share 0.5 (its other foot is not in the project)")
+SOLE_SUPPORT = Term("share 1 (nothing else in the project carries it)")
+
+
+@dataclass(frozen=True)
+class BlockContact:
+    """Where a body meets the block and others, None if the user states all of it; and warnings."""
+
+    found: Support | None
+    warnings: tuple[Message, ...] = ()
+
+
+FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
+
+
+@dataclass(frozen=True)
+class CarriedShare:
+    """The share of a body that the block carries, its source, and warnings."""
+
+    share: float
+    source: Term | Message
+    warnings: tuple[Message, ...] = ()
 
 
 def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
@@ -213,7 +256,7 @@ def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance:
     return Support(found.contact, kept)
 
 
-def beside_the_block(load: BodyLoad, found: Support, *, around: Surroundings) -> BlockContact:
+def without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
     kept, warnings = dict(found.others), list[Message]()
     for other in (solid for solid in around.others if solid.name in found.others):
@@ -221,13 +264,13 @@ def beside_the_block(load: BodyLoad, found: Support, *, around: Surroundings) ->
         if part > SAME_PLACE:
             del kept[other.name]
             warnings.append(warning("load-stands-in-block", load=load.body, other=other.name))
-        elif part > OVERLAP:
+        elif part > OVERLAP_WARNED:
             common = Quantity(volume, "volume", 3)
             warnings.append(warning("load-touches-overlapping", load=load.body, other=other.name, volume=common))
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bearing_of(case: Case) -> tuple[bool, Term | Message]:
+def bearing_of(case: BodyOnBlock) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
     given = case.load.bearing
     if case.found is None:
@@ -241,7 +284,7 @@ def bearing_of(case: Case) -> tuple[bool, Term | Message]:
     return given, message("load-bears-given" if given else "load-pushes-given", {"seen": seen})
 
 
-def part_of(case: Case, *, bearing: bool) -> Part:
+def carried_share(case: BodyOnBlock, *, bearing: bool) -> CarriedShare:
     """Return the share of the body that the block carries."""
     carried = None if case.found is None else bearing_contacts(case.found, axis=case.springs)
     statics = None
@@ -250,29 +293,29 @@ def part_of(case: Case, *, bearing: bool) -> Part:
     if case.load.share is not None:
         share = {"share": Quantity(case.load.share, "ratio", 3)}
         if statics is None:
-            return Part(case.load.share, message("load-share-given", share))
+            return CarriedShare(case.load.share, message("load-share-given", share))
         beside = Quantity(statics, "ratio", 3)
-        return Part(case.load.share, message("load-share-beside", {**share, "statics": beside}))
+        return CarriedShare(case.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:
         warnings = (warning("load-weight-not-carried", load=case.load.body),) if statics is None else ()
-        return Part(1.0, PUSHES_WHOLE, warnings)
+        return CarriedShare(1.0, PUSHES_WHOLE, warnings)
     if statics is None or carried is None:
-        return alone(case)
+        return share_of_sole_support(case)
     if statics == 0.0:
         raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
     values: dict[str, Value] = {"share": Quantity(statics, "ratio", 3), "bodies": names}
-    return Part(statics, message("load-share-statics", values))
+    return CarriedShare(statics, message("load-share-statics", values))
 
 
-def alone(case: Case) -> Part:
+def share_of_sole_support(case: BodyOnBlock) -> CarriedShare:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
     if case.arch is not None and case.one_foot:
-        return Part(0.5, HALF, (warning("load-half-taken", load=case.load.body),))
-    return Part(1.0, ALONE, (warning("load-all-taken", load=case.load.body),))
+        return CarriedShare(0.5, HALF, (warning("load-half-taken", load=case.load.body),))
+    return CarriedShare(1.0, SOLE_SUPPORT, (warning("load-all-taken", load=case.load.body),))
 
 
-def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
+def load_place(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
     """Return where the load acts, in the plane of motion [m]."""
     at = load.at
     if at is None:
@@ -281,7 +324,7 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
     return point_in_plane(at, along.tolist())
 
 
-def place_said(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Term | Message]:
+def place_source(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Term | Message]:
     """Say that the load acts at the given place in place of the contact, if it does."""
     if load.at is None:
         return []
@@ -291,16 +334,16 @@ def place_said(load: BodyLoad, found: Support | None, *, along: FloatArray) -> l
     return [message("load-place-given", {"x": Quantity(x, "length"), "z": Quantity(z, "length")})]
 
 
-def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
+def side_of_span(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
     """Return how far from mid-span a roof or vault meets the block, over the span; positive with the motion."""
     axis, place = along, at[0]
     if found is not None and arch is not None:
         axis, place = arch.axis, float(found.contact.centroid @ arch.axis)
-    low, high = extent(covering, axis=axis)
+    low, high = extent_along(covering, axis=axis)
     return (place - (low + high) / 2.0) / (high - low)
 
 
-def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
+def thrust_on(case: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
     """Return the thrust of a roof or vault on the block, outwards; V: its vertical reaction there [N]."""
     given = case.load.thrust is not None
     if given and not case.one_foot:
@@ -316,3 +359,137 @@ def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
     if not case.one_foot:
         return Thrust(0.0, [Term("no thrust: both its feet stand on the block, or none near its ends")])
     return Thrust(float(np.copysign(found.size, case.side)), [*found.source, Term("outwards")])
+
+
+@dataclass(frozen=True)
+class MechanismBlocks:
+    """The blocks of a mechanism as a body meets them.
+
+    pieces : base first; crack : elevation at which two of them part, where it tells them apart [m], else None
+    parted : whether that crack parts one body; along : unit vector of the motion [3]; where : what an error names
+    """
+
+    pieces: tuple[Piece, ...]
+    crack: float | None
+    parted: bool
+    along: FloatArray
+    where: str
+
+
+@dataclass(frozen=True)
+class LoadedBlock:
+    """The block that a body loads, and the one whose contact gives place, share and bearing."""
+
+    block: int
+    contact: int
+
+
+LoadedBlocks = tuple[tuple[LoadedBlock, ...], tuple[Message, ...]]  # and warnings
+
+
+def contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, Contact]:
+    """Find where a body meets each block that it touches, by the number of the block."""
+    if body is None:
+        return {}
+    met = {number: _contact_with(piece.solids, body, load.tolerance) for number, piece in enumerate(pieces)}
+    return {number: each for number, each in met.items() if each is not None}
+
+
+def check_given_block(
+    load: BodyLoad,
+    given: int,
+    contacts: Mapping[int, Contact],
+    touched: int,
+    left_out: Sequence[int],
+    *,
+    among: MechanismBlocks,
+) -> LoadedBlocks:
+    """Check the block that the user gives against the contact; raise GeometryError if the contact is with another.
+
+    touched : the block that the contact tells; left_out : those that it bears on, without a load
+    """
+    if given in contacts:
+        cracked = among.parted and at_one_elevation(contacts, tolerance=load.tolerance)
+        return (LoadedBlock(given, given),), (_left_out_warning(load, left_out[0]),) if left_out and not cracked else ()
+    if load.at is None:
+        raise GeometryError(
+            f'{among.where}: load "{load.body}": block = {given}, yet it touches block {touched}; remove block, or '
+            "give `at`, the place where it acts on the block given"
+        )
+    numbers = {"given": whole_number(given), "touched": whole_number(touched)}
+    return (LoadedBlock(given, touched),), (warning("load-on-other-block", load=load.body, **numbers),)
+
+
+def _left_out_warning(load: BodyLoad, number: int) -> Message:
+    return warning("load-part-left-out", load=load.body, block=whole_number(number))
+
+
+def refuse_ambiguous(
+    load: BodyLoad,
+    found: Sequence[int],
+    contacts: Mapping[int, Contact],
+    bears: Sequence[int],
+    *,
+    among: MechanismBlocks,
+) -> None:
+    """Raise GeometryError for a body on several blocks whose parts the statics of its contacts cannot tell."""
+    which = f'{among.where}: load "{load.body}"'
+    numbers = " and ".join(str(number) for number in found)
+    if among.parted and at_one_elevation(contacts, tolerance=load.tolerance):
+        raise GeometryError(
+            f"{which}: the crack at z = {among.crack:.4g} m runs through its contact with the wall; give block, 0 "
+            "below the crack or 1 above it, or another crack"
+        )
+    if list(found) != list(bears):
+        raise GeometryError(f"{which}: it pushes against blocks {numbers}; give block, the one that it moves with")
+    single = [key for key in ("share", "at") if getattr(load, key) is not None]
+    if single:
+        raise GeometryError(
+            f"{which}: it bears on blocks {numbers}, and {single[0]} is of one; remove {single[0]}, or write a load "
+            "for each block, with block"
+        )
+
+
+def at_one_elevation(contacts: Mapping[int, Contact], *, tolerance: float) -> bool:
+    """Return whether the contacts lie at one elevation, as where a crack divides what a body touches."""
+    heights = [float(each.centroid[2]) for each in contacts.values()]
+    return len(heights) > 1 and max(heights) - min(heights) <= tolerance
+
+
+def springing_axis(load: BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
+    """Return the axis along which a vault also springs from upright faces [3]; None for other bodies."""
+    arch = arch_of(load, body, along=along) if body is not None and load.role == "vault" else None
+    return None if arch is None else arch.axis
+
+
+def nearest_block(load: BodyLoad, body: Solid | None, among: MechanismBlocks) -> int:
+    """Return the block nearest to the given place, else to the body, if no contact tells.
+
+    Raises GeometryError where that is not known either.
+    """
+    if load.at is None:
+        away = [
+            min((shortest_distance(solid, body) for solid in piece.solids), default=inf)
+            for piece in among.pieces
+            if body
+        ]
+        return away.index(min(away)) if away else 0  # `met` says what is missing
+    x, z = at = point_in_plane(load.at, among.along.tolist())
+    if among.crack is not None:
+        return int(z >= among.crack)
+    off = [_distance_to(piece, at) for piece in among.pieces]
+    if off.count(min(off)) > 1 or not all(piece.body.outline for piece in among.pieces):
+        raise GeometryError(
+            f'{among.where}: load "{load.body}": it is not known which block it stands on at ({x:.4g}, {z:.4g}) m; '
+            "give block, counted from 0 at the base"
+        )
+    return off.index(min(off))
+
+
+def _distance_to(piece: Piece, at: Point) -> float:
+    return distance_to_outline(piece.body.outline, at) if piece.body.outline else 0.0
+
+
+def _contact_with(solids: Sequence[Solid], body: Solid, tolerance: float) -> Contact | None:
+    met = (find_contact(solid, body, tolerance=tolerance) for solid in solids)
+    return join_contacts([each for each in met if each is not None])

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal
 
-from assess.geometry.contact import TOLERANCE
+from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.loads.load import Until
 
 Place = tuple[float, ...]
@@ -102,7 +102,7 @@ class BodyLoad:
     kind: ClassVar = "body"
     body: str
     role: Literal["floor", "roof", "vault"] = "floor"
-    tolerance: float = TOLERANCE
+    tolerance: float = CONTACT_TOLERANCE
     share: float | None = None
     bearing: bool | None = None
     seat: float | None = None

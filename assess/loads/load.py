@@ -1,7 +1,7 @@
-"""What a block carries or is pulled by besides itself: point masses, given forces, ties.
+"""What a block carries or is pulled by besides itself: point masses, given forces, ties, in the plane of motion.
 
-Places and forces are in the plane of motion, (distance along the direction, elevation); a load is fixed to its block.
-`found` says in parts how a load was found; it is empty where the user gave its numbers.
+Places and forces are (distance along the direction, elevation); a load is fixed to its block. `found` says in parts how
+a load was found; it is empty where the user gave its numbers.
 
 A force or tie may end before the mechanism collapses. `until` says when: "collapse" where it is still there then, or
 the displacement of its point [m] at which it ends; None where it is not shown to last.
@@ -9,20 +9,22 @@ the displacement of its point [m] at which it ends; None where it is not shown t
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import hypot
 from typing import Literal
 
+import numpy as np
 from scipy.constants import g
 
 from assess.messages.message import Message, Term
 
 Point = tuple[float, float]
 Until = float | Literal["collapse"] | None
-Found = tuple[Term | Message, ...]
+SourceParts = tuple[Term | Message, ...]
 
 
-def found_text(found: Found) -> str:
+def source_phrase(found: SourceParts) -> str:
     """Return the parts of a source in one English phrase."""
     return "; ".join(map(str, found))
 
@@ -41,13 +43,13 @@ class PointMass:
     at: Point
     bearing: bool
     block: int = 0
-    found: Found = ()
+    found: SourceParts = ()
     seat: float | None = None
 
     @property
     def source(self) -> str:
         """How it was found, in English."""
-        return found_text(self.found)
+        return source_phrase(self.found)
 
 
 @dataclass(frozen=True)
@@ -61,19 +63,19 @@ class Force:
     force: Point
     at: Point
     block: int = 0
-    found: Found = ()
+    found: SourceParts = ()
     until: Until = None
     evidence: str = ""
 
     @property
     def source(self) -> str:
         """How it was found, in English."""
-        return found_text(self.found)
+        return source_phrase(self.found)
 
     @property
     def missing(self) -> tuple[str, ...]:
         """The keys of the project file that are missing before it counts as lasting to collapse."""
-        return _absent({"until": self.until, "source": self.evidence})
+        return _missing_keys({"until": self.until, "source": self.evidence})
 
 
 @dataclass(frozen=True)
@@ -93,7 +95,7 @@ class Tie:
     anchor: Point | None = None
     both: bool = False
     block: int = 0
-    found: Found = ()
+    found: SourceParts = ()
     until: Until = None
     strength: float | None = None
     length: float | None = None
@@ -103,7 +105,7 @@ class Tie:
     @property
     def source(self) -> str:
         """How it was found, in English."""
-        return found_text(self.found)
+        return source_phrase(self.found)
 
     @property
     def tension(self) -> float:
@@ -120,7 +122,7 @@ class Tie:
     def missing(self) -> tuple[str, ...]:
         """The keys of the project file that are missing before it counts as lasting to collapse."""
         shown = {key: getattr(self, key) for key in ("until", "strength", "length", "fracture_strain")}
-        return _absent({**shown, "source": self.evidence})
+        return _missing_keys({**shown, "source": self.evidence})
 
 
 Action = Force | Tie
@@ -151,22 +153,48 @@ def upward(load: Load) -> float:
 
 def mirror_load(load: Load) -> Load:
     """Return the load as the negative branch sees it."""
-    at = _mirror(load.at)
+    at = _mirror_vector(load.at)
     if isinstance(load, PointMass):
         return replace(load, at=at)
     if isinstance(load, Force):
-        return replace(load, at=at, force=_mirror(load.force))
+        return replace(load, at=at, force=_mirror_vector(load.force))
     return replace(
         load,
         at=at,
-        direction=None if load.direction is None else _mirror(load.direction),
-        anchor=None if load.anchor is None else _mirror(load.anchor),
+        direction=None if load.direction is None else _mirror_vector(load.direction),
+        anchor=None if load.anchor is None else _mirror_vector(load.anchor),
     )
 
 
-def _absent(shown: dict[str, object]) -> tuple[str, ...]:
+def _missing_keys(shown: dict[str, object]) -> tuple[str, ...]:
     return tuple(key for key, value in shown.items() if value is None or value == "")
 
 
-def _mirror(vector: Point) -> Point:
+def _mirror_vector(vector: Point) -> Point:
     return (-vector[0], vector[1])
+
+
+def point_in_plane(at: Sequence[float], direction: Sequence[float]) -> Point:
+    """Return a place in the plane of motion: (distance along the direction from the origin, elevation) [m].
+
+    Parameters
+    ----------
+    at : [x, y, z], or two numbers that are in the plane already [m]
+    direction : of the motion, horizontal [3]
+    """
+    if len(at) == 2:
+        return (at[0], at[1])
+    along = np.asarray(direction) / np.linalg.norm(direction)
+    return (float(np.asarray(at) @ along), at[2])
+
+
+def unit_in_plane(vector: Sequence[float], direction: Sequence[float]) -> Point:
+    """Return the part of a unit vector in the plane of motion.
+
+    Parameters
+    ----------
+    vector : [x, y, z], or (along the direction, up); of any length
+    direction : of the motion, horizontal [3]
+    """
+    x, z = point_in_plane(vector, direction)
+    return (x / float(np.linalg.norm(vector)), z / float(np.linalg.norm(vector)))

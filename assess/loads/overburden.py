@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from assess.errors import GeometryError
-from assess.geometry.overlap import SAME_PLACE, shared_volume
-from assess.geometry.piece import Piece
+from assess.geometry.boolean import SAME_PLACE, shared_volume
+from assess.geometry.cut import Piece
 from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Overburden, overburden
-from assess.loads.definitions import LoadDefinition, OverburdenLoad, Through
-from assess.loads.load import Force
-from assess.loads.plane import point_in_plane
+from assess.loads.definitions import OverburdenLoad
+from assess.loads.load import Force, point_in_plane
 from assess.messages.message import Quantity, message
 
 UPPER = 1  # the block it stands on
@@ -97,9 +96,3 @@ def require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) 
 def name_of(number: int) -> str:
     """Return the name of the overburden that is entry `number` of the loads, from 1."""
     return f"overburden {number}"
-
-
-def through_of(loads: Sequence[LoadDefinition]) -> dict[str, Through]:
-    """Return how each overburden presses on its wall, by the name of its force."""
-    entries = enumerate(loads, start=1)
-    return {name_of(number): load.through for number, load in entries if isinstance(load, OverburdenLoad)}

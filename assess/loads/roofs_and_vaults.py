@@ -1,18 +1,36 @@
-"""Roofs and vaults of a project as arches of three hinges: their weight, and their thrust on a block."""
+"""Roofs and vaults as arches of three hinges: what they are built of, their weight, and their thrust (thesis 3.2.2).
+
+A pair of rafters, or the two halves of a vault, lean on each other at the ridge or crown and stand on springings: an
+arch with three hinges. At the crown of a symmetric one only a horizontal force H acts between the halves, which each
+springing returns as the thrust; V, half the weight W, is the springing's vertical reaction. Moments of one half about
+its springing, its weight at the distance x from there, the crown at the rise f above:
+
+              crown
+            H -->o<-- H                      V x = H f
+            .    |    .
+          .   V  |      .                    weight even over the plan of span L:  x = L / 4,  H = W L / (8 f)
+       H o--x-->         o H
+         V <--- L ---> V
+
+So the thrust follows the vertical reaction of the springing: a wall that carries a part of it takes that part of H.
+For the bay of a quadripartite vault the same equilibrium holds for half the bay, cut along its ridge: the thrust is
+that of both its corners together.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, underside
+from assess.errors import GeometryError
+from assess.geometry.dimensions import extent_along, intrados_area, mean_lever_arm, overall_height, roof_slope
 from assess.geometry.solid import Solid
 from assess.loads.definitions import BodyLoad
-from assess.loads.thrust import CONSTRUCTIONS, arch_thrust, uniform_lever_arm
 from assess.messages.message import Message, Quantity, Term, Value, message
 from spectra.arrays import FloatArray
 
-SINGLE = 0.5  # one-sidedness above which a roof has a single slope
-SQUARE = 0.02  # cosine: a covering that spans within a degree of square to the motion has no thrust along it
+SINGLE_SLOPE = 0.5  # one-sidedness above which a roof has a single slope
+SPANS_ACROSS = 0.02  # cosine: a covering that spans within a degree of square to the motion has no thrust along it
 
 
 @dataclass(frozen=True)
@@ -45,15 +63,15 @@ def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
 
     along : unit vector of the motion [3]
     """
-    falls = slope(body)
+    falls = roof_slope(body)
     if falls.axis is None:
         return None
     every_way = falls.both_ways if load.vault is None else load.vault == "quadripartite"
-    if not every_way and falls.one_sided > SINGLE:
+    if not every_way and falls.one_sided > SINGLE_SLOPE:
         return None
     axis = along if every_way else falls.axis if falls.axis @ along >= 0.0 else -falls.axis
-    low, high = extent(body, axis=axis)
-    span, rise = load.span or high - low, load.rise or height(body)
+    low, high = extent_along(body, axis=axis)
+    span, rise = load.span or high - low, load.rise or overall_height(body)
     own = uniform_lever_arm(span) if load.role == "roof" else _vault_lever(load, body, axis=axis, span=span)
     measures = (("L", span, load.span), ("f", rise, load.rise))
     source: list[Term | Message] = [
@@ -63,7 +81,7 @@ def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
     return Arch(axis, span, rise, own, source)
 
 
-def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, Term | Message]:
+def body_mass(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, Term | Message]:
     """Return the mass of the whole body [kg] and its source; mass: by its volume or as given for the body [kg]."""
     if load.mass is not None:
         values: dict[str, Value] = {"mass": Quantity(load.mass, "mass"), "table": Quantity(mass, "mass")}
@@ -71,7 +89,7 @@ def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, T
     if body is None:
         return mass, message("load-mass-direct", {"mass": Quantity(mass, "mass")})
     shell, fill = _vault_masses(load, body)
-    area, plan = underside(body)
+    area, plan = intrados_area(body)
     own: Term | Message = Term("its volume")
     if load.construction is not None:
         built = CONSTRUCTIONS[load.construction]
@@ -98,7 +116,7 @@ def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float)
     if arch is None:
         return Thrust(0.0, [Term("no thrust: it is flat or slopes one way only, like a beam")])
     cosine = float(arch.axis @ along)
-    if cosine < SQUARE:
+    if cosine < SPANS_ACROSS:
         return Thrust(0.0, [Term("no thrust along the motion: its ridge runs that way, it spans across")])
     H = arch_thrust(V, lever=arch.lever, rise=arch.rise)
     values: dict[str, Value] = {
@@ -107,12 +125,12 @@ def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float)
         "f": Quantity(arch.rise, "length"),
         "H": Quantity(H, "force"),
     }
-    said = [message("load-thrust", values), *arch.source, _spread(load, arch, V=V)]
+    said = [message("load-thrust", values), *arch.source, _lever_source(load, arch, V=V)]
     along_motion = message("load-along-motion", {"force": Quantity(H * cosine, "force")})
     return Thrust(H * cosine, said if cosine > 0.9999 else [*said, along_motion])
 
 
-def _spread(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:
+def _lever_source(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:
     """Say how the weight is spread over the span, and the thrust if it were uniform in plan."""
     if load.role == "roof":
         return Term("rafters: x = L / 4")
@@ -122,7 +140,7 @@ def _spread(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:
 
 def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
     """Return the lever arm of half a vault's weight about its springing [m]: of the mesh, and of uniform fill."""
-    low, high = extent(body, axis=axis)
+    low, high = extent_along(body, axis=axis)
     own = mean_lever_arm(body, axis=axis) * span / (high - low)
     shell, fill = _vault_masses(load, body)
     return (shell * own + fill * uniform_lever_arm(span)) / (shell + fill)
@@ -130,6 +148,63 @@ def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) 
 
 def _vault_masses(load: BodyLoad, body: Solid) -> tuple[float, float]:
     """Return the mass of a vault itself, and of what lies on it [kg]."""
-    area, plan = underside(body)
+    area, plan = intrados_area(body)
     shell = body.mass if load.construction is None else area * CONSTRUCTIONS[load.construction].mass_per_area
     return shell, plan * (load.fill or 0.0)
+
+
+@dataclass(frozen=True)
+class Construction:
+    """What a vault is built of: name, thickness [m], density [kg/m3]."""
+
+    name: str
+    thickness: float
+    density: float
+
+    @property
+    def mass_per_area(self) -> float:
+        """The mass of the vault per area of its surface [kg/m2]."""
+        return self.thickness * self.density
+
+
+LIGHT_BRICK, STRONG_BRICK, SANDSTONE, RUBBLE = 1300.0, 1800.0, 2250.0, 2200.0  # kg/m3
+
+CONSTRUCTIONS: Mapping[int, Construction] = {
+    1: Construction("1/2 lightweight brick", 0.125, LIGHT_BRICK),
+    2: Construction("1/2 strong brick, or 3/4 lightweight brick", 0.125, STRONG_BRICK),
+    3: Construction("3/4 strong brick, or 1 lightweight brick", 0.190, STRONG_BRICK),
+    4: Construction("1 strong brick, or 200 mm sandstone", 0.250, STRONG_BRICK),
+    5: Construction("300 mm rubble", 0.300, RUBBLE),
+}
+"""The five cases of Ungewitter and Mohrmann (1901) with their thicknesses, as thesis 3.2.2 lists them.
+
+The densities are assumptions: usual ones for which the two constructions of a case weigh nearly the same (case 2:
+225 and 247 kg/m2, case 3: 342 and 325, case 4: 450 and 450); the strong brick stands for the case.
+"""
+
+
+def arch_thrust(reaction: float, *, lever: float, rise: float) -> float:
+    """Return the thrust H = V x / f of half an arch of three hinges on its springing.
+
+    Parameters
+    ----------
+    reaction : vertical reaction V of the springing [N]
+    lever : distance x of the weight of the half from its springing [m]
+    rise : f of the crown above the springing [m]
+
+    Returns
+    -------
+    Horizontal thrust, outwards [N]
+
+    Raises
+    ------
+    GeometryError : the crown is not above the springing
+    """
+    if not rise > 0.0:
+        raise GeometryError(f"arch: rise = {rise:g} m: the crown must be above the springing")
+    return reaction * lever / rise
+
+
+def uniform_lever_arm(span: float) -> float:
+    """x = L / 4 [m] for a weight spread evenly over the plan: rafters, a flat vault, one filled up to the crown."""
+    return span / 4.0

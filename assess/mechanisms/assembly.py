@@ -1,28 +1,27 @@
-"""The steps that all kinds of mechanism share: checks, restitution, and joints under the hinges."""
+"""The steps that all kinds of mechanism share: checks and warnings, restitution, and joints under the hinges."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+import shapely
 
-from assess.geometry.outline import Outline
-from assess.mechanisms.chain import Chain, require_movable
-from assess.mechanisms.flexible import FlexibleChain
-from assess.mechanisms.impact import GIVEN, RestitutionChoice, find_restitution
-from assess.mechanisms.joint import Joint
-from assess.mechanisms.jointed_chain import top_loads
+from assess.geometry.planar import Outline
+from assess.mechanisms.chain import Chain, Joint, Point, hinge_names, point_values, require_movable
+from assess.mechanisms.flexible_chain import FlexibleChain, top_loads
+from assess.mechanisms.hinge_forces import hinge_compressions
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.restitution import Restitution, source_text
+from assess.mechanisms.restitution import (
+    GIVEN,
+    RestitutionChoice,
+    RestitutionCoefficient,
+    find_restitution,
+    source_text,
+)
 from assess.mechanisms.virtual_work import require_stable, virtual_work
-from assess.mechanisms.warnings import supports_in_tension
-from assess.messages.message import Message, Term, distinct, message
-
-Impacts = tuple[Restitution, Restitution]
-
-INSIDE = Term("about hinges a_SF inside the edges")
-CRUSHED = Term("about the resultants of the crushed joints")
+from assess.messages.message import Message, Quantity, Term, distinct, message, warning, whole_number
 
 
 def assemble(
@@ -70,8 +69,8 @@ def assemble(
         restitution_said=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        warnings=(*warnings, *pulling, *_notices(kept, back)),
-        stopped=_stopped(kept, back),
+        warnings=(*warnings, *pulling, *_impact_warnings(kept, back)),
+        stopped=_least_stopped(kept, back),
         rebounds=kept.range,
     )
 
@@ -108,7 +107,7 @@ def add_joints(
     )
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
     rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
-    before = _notices(*rigid)
+    before = _impact_warnings(*rigid)
     others = [notice for notice in mechanism.warnings if notice not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
@@ -117,12 +116,17 @@ def add_joints(
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
-        restitution_source=source_text(_sources(kept, returned, *others_of(kept, about))),
-        restitution_said=_sources(kept, returned, *others_of(kept, about)),
-        warnings=(*others, *_notices(kept, returned)),
-        stopped=_stopped(kept, returned),
+        restitution_source=source_text(_sources(kept, returned, *_hinge_points(kept, about))),
+        restitution_said=_sources(kept, returned, *_hinge_points(kept, about)),
+        warnings=(*others, *_impact_warnings(kept, returned)),
+        stopped=_least_stopped(kept, returned),
         rebounds=kept.range,
     )
+
+
+Impacts = tuple[RestitutionCoefficient, RestitutionCoefficient]
+INSIDE = Term("about hinges a_SF inside the edges")
+CRUSHED = Term("about the resultants of the crushed joints")
 
 
 def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
@@ -137,10 +141,10 @@ def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: Flexible
     own = [(leaning if len(leaning) == 1 else [work])[0].inertia[0] for work in works]
     fixed = [virtual_work(chain.fixed_hinge_chain, np.zeros(1)).inertia[0] for chain in (front, back)]
     faster = float(np.sqrt(own[0] / own[1] * fixed[1] / fixed[0]))
-    return _times(found[0], faster), _times(found[1], 1.0 / faster)
+    return _scaled(found[0], faster), _scaled(found[1], 1.0 / faster)
 
 
-def _times(kept: Restitution, factor: float) -> Restitution:
+def _scaled(kept: RestitutionCoefficient, factor: float) -> RestitutionCoefficient:
     """Return a coefficient times a factor, without the warning for values above 1 if it is no longer above."""
     if kept.source == GIVEN:
         return kept
@@ -168,12 +172,14 @@ def find_restitutions(
     return kept, find_restitution(choices[1], ending=negative, starting=positive, kind=kind, name=name)
 
 
-def _stopped(positive: Restitution, negative: Restitution) -> float | None:
+def _least_stopped(positive: RestitutionCoefficient, negative: RestitutionCoefficient) -> float | None:
     """Return the least of the negative coefficients, None if both impacts leave a velocity."""
     return min((each.stopped for each in (positive, negative) if each.stopped is not None), default=None)
 
 
-def _sources(positive: Restitution, negative: Restitution, *about: Term) -> tuple[Term | Message, ...]:
+def _sources(
+    positive: RestitutionCoefficient, negative: RestitutionCoefficient, *about: Term
+) -> tuple[Term | Message, ...]:
     """Return the source of both coefficients, in parts."""
     if positive.source == negative.source:
         return (*positive.source, *about)
@@ -182,11 +188,35 @@ def _sources(positive: Restitution, negative: Restitution, *about: Term) -> tupl
     return (*ahead, *behind, *about)
 
 
-def _notices(*found: Restitution) -> tuple[Message, ...]:
+def _impact_warnings(*found: RestitutionCoefficient) -> tuple[Message, ...]:
     """Return the warnings on the coefficients, each once."""
     return distinct(each.notice for each in found if each.notice is not None)
 
 
-def others_of(kept: Restitution, about: Term) -> tuple[Term, ...]:
+def _hinge_points(kept: RestitutionCoefficient, about: Term) -> tuple[Term, ...]:
     """Return about which points a mechanism on joints turns, nothing where the coefficient is given."""
     return () if kept.source == GIVEN else (about,)
+
+
+NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
+
+
+def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:
+    """Yield a warning for each hinge, counted from the base, that does not touch a block it joins."""
+    areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
+    for number, (letter, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
+        for block in (number - 1, number):
+            if not 0 <= block < len(areas) or areas[block].is_empty:
+                continue
+            gap = float(areas[block].distance(shapely.Point(hinge)))
+            if gap > NEAR * float(areas[block].length) / 4.0:
+                away, number_of_block = Quantity(gap, "length", 3), whole_number(block)
+                named = f"{letter}{mark}"
+                yield warning("loose-hinge", hinge=named, gap=away, block=number_of_block, **point_values(hinge))
+
+
+def supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[Message]:
+    """Yield a warning for each hinge on the ground that would be in tension at incipient motion."""
+    for letter, force in zip(hinge_names(chain), hinge_compressions(chain), strict=True):
+        if letter in "AD" and force < 0.0:
+            yield warning("hinge-in-tension", hinge=f"{letter}{mark}", pull=Quantity(-force, "force"))

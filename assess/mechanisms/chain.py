@@ -1,4 +1,7 @@
-"""A planar chain of rigid blocks with one degree of freedom: its parts. Its motion is in motion.py."""
+"""A planar chain of rigid blocks with one degree of freedom: its blocks, its hinges, and the joints under them.
+
+Its motion and the virtual work of its weights and loads are in `virtual_work`.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import hypot
+from typing import Literal
 
 from assess.errors import MechanismError
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import ContactSection
 from assess.loads.load import Load, PointMass, mirror_load
-from assess.mechanisms.joint import Joint
 from assess.messages.message import Value, lengths
 
 Point = tuple[float, float]
-
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; the far end is described in motion.py
 ROUNDING = 1e-9  # m: accuracy of coordinates
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
@@ -21,7 +25,7 @@ APART = 1e4  # ratio of the largest distance between hinges to the least; beyond
 
 
 @dataclass(frozen=True)
-class Block:
+class RigidBlock:
     """A rigid block in the plane of motion: mass [kg], centroid (x, z) [m], inertia about it [kg m2]."""
 
     mass: float
@@ -41,10 +45,10 @@ class Chain:
         impact between chains that divide the same masonry in different ways
     """
 
-    blocks: tuple[Block, ...]
+    blocks: tuple[RigidBlock, ...]
     hinges: tuple[Point, ...]
     loads: tuple[Load, ...] = ()
-    parts: tuple[tuple[Block, int | None], ...] = ()
+    parts: tuple[tuple[RigidBlock, int | None], ...] = ()
     joints: tuple[Joint | None, ...] = ()
 
     def __repr__(self) -> str:
@@ -92,7 +96,7 @@ def mirror_point(point: Point) -> Point:
 
 
 def mirror_chain(
-    blocks: Sequence[Block],
+    blocks: Sequence[RigidBlock],
     hinges: Sequence[Point],
     loads: Sequence[Load] = (),
     joints: Sequence[Joint | None] = (),
@@ -106,7 +110,7 @@ def mirror_chain(
     joints : under these hinges, None for a rigid one
     """
     return Chain(
-        tuple(Block(block.mass, mirror_point(block.centroid), block.inertia) for block in blocks),
+        tuple(RigidBlock(block.mass, mirror_point(block.centroid), block.inertia) for block in blocks),
         tuple(mirror_point(hinge) for hinge in hinges),
         tuple(mirror_load(load) for load in loads),
         joints=tuple(joint and replace(joint, inward=mirror_point(joint.inward)) for joint in joints),
@@ -124,7 +128,7 @@ def require_movable(chain: Chain, *, name: str) -> None:
     for (first, a), (second, b) in pairwise(zip(hinge_names(chain), chain.hinges, strict=True)):
         if hypot(b[0] - a[0], b[1] - a[1]) <= STRAIGHT * size:
             raise MechanismError(
-                f'mechanism "{name}": hinges {first} and {second} coincide at {format_point(a)}; move one'
+                f'mechanism "{name}": hinges {first} and {second} coincide at {point_text(a)}; move one'
             )
         if hypot(b[0] - a[0], b[1] - a[1]) * APART < size:
             raise MechanismError(
@@ -133,21 +137,21 @@ def require_movable(chain: Chain, *, name: str) -> None:
             )
     if count == 2 and abs(_rise(chain.hinges[1], chain.hinges[2])) <= STRAIGHT:
         raise MechanismError(
-            f'mechanism "{name}": hinges B {format_point(chain.hinges[1])} and '
-            f"C {format_point(chain.hinges[2])} lie at one elevation, so the block between them cannot turn while "
+            f'mechanism "{name}": hinges B {point_text(chain.hinges[1])} and '
+            f"C {point_text(chain.hinges[2])} lie at one elevation, so the block between them cannot turn while "
             "C slides on the vertical; move one"
         )
     if count == 3 and abs(_bend(*chain.hinges[1:])) <= STRAIGHT:
-        places = ", ".join(f"{letter} {format_point(at)}" for letter, at in zip("BCD", chain.hinges[1:], strict=True))
+        places = ", ".join(f"{letter} {point_text(at)}" for letter, at in zip("BCD", chain.hinges[1:], strict=True))
         raise MechanismError(
             f'mechanism "{name}": hinges {places} lie on one line, so the loop is locked; '
             "put them at opposite faces of the blocks"
         )
 
 
-def format_point(point: Point) -> str:
+def point_text(point: Point) -> str:
     """Return a point as errors print it."""
-    return f"({format_metres(point[0])}, {format_metres(point[1])}) m"
+    return f"({metres_text(point[0])}, {metres_text(point[1])}) m"
 
 
 def point_values(point: Point) -> dict[str, Value]:
@@ -160,7 +164,7 @@ def point_values(point: Point) -> dict[str, Value]:
     return lengths(x=point[0], z=point[1])
 
 
-def format_metres(length: float) -> str:
+def metres_text(length: float) -> str:
     """Return a coordinate [m] to four figures; 0 for rounding about 0."""
     return f"{0.0 if abs(length) < ROUNDING else length:.4g}"
 
@@ -174,3 +178,35 @@ def _bend(a: Point, b: Point, c: Point) -> float:
     """Return the sine of the angle between a b and b c."""
     (ux, uz), (vx, vz) = (b[0] - a[0], b[1] - a[1]), (c[0] - b[0], c[1] - b[1])
     return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))
+
+
+ContactModel = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
+FacingBlocks = tuple[int | None, int]
+
+FACING_BLOCKS: dict[int, tuple[FacingBlocks, ...]] = {
+    1: ((None, 0),),
+    2: ((None, 0), (0, 1), (None, 1)),
+    3: ((None, 0), (0, 1), (2, 1), (None, 2)),
+}
+"""By the number of blocks, for each hinge: the block whose face stays with the joint (None: ground, or the support at
+the top of a wall), and the block whose corner presses on it. The block nearer to the ground holds the face."""
+
+
+@dataclass(frozen=True)
+class Joint:
+    """The contact at a hinge, whose compressed edge is the hinge itself.
+
+    Attributes
+    ----------
+    inward : unit vector (x, z) from the hinge along the joint, in the plane of motion
+    section : of the contact, seen in the direction in which it is compressed
+    law : stiffness and strength
+    model : "rigid" with a strength: the plastic block; "flexible"; "semi-flexible": inertia about a fixed hinge,
+        a_SF inside the edge; "flexible-thesis": inertia about the resultant, where "flexible" takes it about the
+        instantaneous centre of the faces
+    """
+
+    inward: tuple[float, float]
+    section: ContactSection
+    law: JointLaw
+    model: ContactModel

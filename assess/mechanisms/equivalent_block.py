@@ -7,9 +7,9 @@ from math import cos, sin
 from scipy.constants import g
 
 from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Block, Chain, Point
-from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.chain import Chain, Point, RigidBlock
 from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Quantity, warning
 
 
@@ -44,7 +44,7 @@ def equivalent_block(
         default of the kind
     """
     half, height = radius * sin(uplift), radius * cos(uplift)
-    block = Block(mass, (0.0, elevation + height), mass * g * radius / p**2 - mass * radius**2)
+    block = RigidBlock(mass, (0.0, elevation + height), mass * g * radius / p**2 - mass * radius**2)
     chain = Chain((block,), ((half, elevation),))
     top = elevation + 2 * height
     k = g / (p**2 * radius)
@@ -60,3 +60,6 @@ def equivalent_block(
         outlines=((outline,),),
         warnings=(impossible,) if k < 1.0 else (),
     )
+
+
+INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans

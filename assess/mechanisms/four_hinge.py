@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load
-from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Block, Chain, Point, mirror_chain
-from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.assembly import assemble, loose_hinges
+from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.mechanisms.warnings import loose_hinges
+from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message
 
 Hinges = tuple[Point, Point, Point, Point]
@@ -51,7 +50,7 @@ def four_hinge(
         remedy = "give hinges_negative = { A, B, C, D }" if sides == "two" else "remove hinges_negative"
         raise MechanismError(f'mechanism "{name}": sides = "{sides}": {remedy}')
     outlines = tuple(body.outline for body in bodies)
-    blocks = tuple(Block(body.mass, body.centroid, body.inertia) for body in bodies)
+    blocks = tuple(RigidBlock(body.mass, body.centroid, body.inertia) for body in bodies)
     return assemble(
         name,
         "four-hinge",
@@ -66,3 +65,6 @@ def four_hinge(
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),
     )
+
+
+MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds

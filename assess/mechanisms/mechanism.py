@@ -1,22 +1,26 @@
-"""A collapse mechanism: a chain for each direction of rotation, the restitution of its impacts, and its drawing."""
+"""A collapse mechanism: its chains, the faces at its hinges, its directions, and the rotations at which its actions
+end.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf
+from math import atan2, cos, degrees, inf, radians, sin
 from typing import Literal
 
-from assess.geometry.outline import Outline
-from assess.mechanisms.actions import ChainActions, find_actions
-from assess.mechanisms.chain import Chain, ChainPair
-from assess.mechanisms.directions import Candidate, Directions, Vector
-from assess.mechanisms.face import Face
-from assess.mechanisms.joint import Joint
-from assess.mechanisms.oscillation import oscillator_at_start
-from assess.mechanisms.variants import Variants, find_variants
+import numpy as np
+
+from assess.geometry.planar import Outline
+from assess.loads.load import PointMass, Tie, lasts
+from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
+from assess.mechanisms.chain import Chain, ChainPair, Joint
+from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.messages.message import Message, Term
 from assess.oscillator import Oscillator
+from assess.short_repr import ShortRepr
+from spectra.arrays import FloatArray
 
 Sides = Literal["one", "two"]
 
@@ -64,7 +68,7 @@ class Mechanism:
     stopped: float | None = None
     rebounds: tuple[float, ...] = (1.0,)
     direction: Vector | None = None
-    candidates: tuple[Candidate, ...] = ()
+    candidates: tuple[CandidateDirection, ...] = ()
     beside: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
     restitution_said: tuple[Term | Message, ...] = ()
@@ -85,7 +89,7 @@ class Mechanism:
     @cached_property
     def actions(self) -> tuple[ChainActions, ...]:
         """The forces and ties on each chain, the positive one first."""
-        return find_actions(self.pair, self.oscillator)
+        return mechanism_actions(self.pair, self.oscillator)
 
     @cached_property
     def variants(self) -> Variants:
@@ -112,12 +116,193 @@ class Mechanism:
     def crushing(self) -> bool:
         """Whether every hinge presses on a joint of finite strength; the top of a wall may carry nothing."""
         chains = [chain for chain in (self.positive, self.negative) if chain is not None]
-        return all(chain.joints and all(map(_crushes, _pressing(chain))) for chain in chains)
+        return all(chain.joints and all(map(_crushes, _pressing_joints(chain))) for chain in chains)
 
 
-def _pressing(chain: Chain) -> tuple[Joint | None, ...]:
+def _pressing_joints(chain: Chain) -> tuple[Joint | None, ...]:
     return chain.joints[:2] if len(chain.blocks) == 2 and chain.joints[2] is None else chain.joints
 
 
 def _crushes(joint: Joint | None) -> bool:
     return joint is not None and joint.law.strength < inf
+
+
+LimitKind = Literal["break", "seat"]
+BranchName = Literal["positive", "negative"]
+AT_JUMP = 1e-9  # of a rotation: a jump of a table this near an end is that end
+BRANCHES: tuple[BranchName, BranchName] = ("positive", "negative")
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A rotation of a branch [rad], counted as its table: an action ends ("break"), or a load loses its seat ("seat").
+
+    what : name of the load
+    """
+
+    kind: LimitKind
+    what: str
+    branch: BranchName
+    rotation: float
+
+
+def limits(mechanism: Mechanism) -> tuple[Limit, ...]:
+    """Return where resisting actions end and loads lose their seats, on the branches of the breaking variant."""
+    rocker = mechanism.variants.breaking
+    return () if rocker is None else tuple(_limits(rocker, mechanism.actions))
+
+
+def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limit]:
+    """Yield the limits of each branch of an oscillator."""
+    sides = zip(acting, rocker.branches, BRANCHES, rocker.equilibria, strict=False)
+    for one, branch, name, rest in sides:
+        jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
+        ends = [(k, end - rest) for k, end in enumerate(one.ends) if 0.0 < end < inf and one.resists_at(k, end)]
+        found = [Limit("break", one.actions[k].name, name, end) for k, end in ends if _is_jump(end, jumps)]
+        masses = [load for load in one.chain.loads if isinstance(load, PointMass) and load.bearing]
+        found += [Limit("seat", mass.name, name, unseating_rotation(one.chain, mass) - rest) for mass in masses]
+        yield from (limit for limit in found if limit.rotation <= branch.rotation[-1])
+
+
+def _is_jump(rotation: float, jumps: FloatArray) -> bool:
+    """Return whether a table jumps at a rotation [rad]; jumps : of the table [n]."""
+    return bool(np.isclose(jumps, rotation, rtol=AT_JUMP, atol=0.0).any())
+
+
+@dataclass(frozen=True)
+class SeatTravel:
+    """How far the point of a load moves on its seat [m] over the rotation of a branch, counted as its table [rad] [n].
+
+    what : name of the load
+    """
+
+    what: str
+    branch: BranchName
+    rotation: FloatArray
+    travel: FloatArray
+
+
+def open_seats(mechanism: Mechanism) -> tuple[SeatTravel, ...]:
+    """Return the movement of each bearing mass (floor, beam) whose length of seat is not given, in each branch."""
+    return tuple(_open_seats(mechanism))
+
+
+def _open_seats(mechanism: Mechanism) -> Iterator[SeatTravel]:
+    rocker = mechanism.variants.deciding
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    for chain, name, rest in zip(chains, BRANCHES, rocker.equilibria, strict=False):
+        for mass in (each for each in chain.loads if isinstance(each, PointMass) and each.bearing):
+            if mass.seat is None:
+                rotation = scan_rotations(chain)
+                yield SeatTravel(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))
+
+
+def height_of_support(mechanism: Mechanism) -> float:
+    """Return the height of the far support or of a lasting tie above the base [m]; 0 without either."""
+    return height_of_highest_tie(mechanism) if mechanism.kind == "single-block" else mechanism.rise
+
+
+def height_of_highest_tie(mechanism: Mechanism) -> float:
+    """Return the height of the highest tie that holds the mechanism above the base hinge [m]; 0 without ties.
+
+    A tie counts if it is shown to last or its end is given: it stiffens the curve up to there.
+    """
+    heights = [
+        action.at[1] - one.chain.hinges[0][1]
+        for one in mechanism.actions
+        for number, action in enumerate(one.actions)
+        if isinstance(action, Tie)
+        and one.resists_at(number, 0.0)
+        and (lasts(action) or isinstance(action.until, float))
+    ]
+    return max(heights, default=0.0)
+
+
+NEARLY_WEAKEST = 1.01  # multipliers up to this many times the least are nearly as weak
+STEPS = 3600  # of the circle on which they are counted
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True, repr=False)
+class Directions(ShortRepr):
+    """The resistance against rotation towards each direction of a circle.
+
+    Attributes
+    ----------
+    angle : of the direction from +x towards +y, rising [n] [deg]
+    multiplier : lambda at rest of the rotation towards it [n] [-]
+    p : p_eq [n] [1/s]; overturning : phi_ov [n] [rad]
+    weakest : the angle of the least multiplier, the smallest of equals [deg]
+    """
+
+    angle: tuple[float, ...]
+    multiplier: tuple[float, ...]
+    p: tuple[float, ...]
+    overturning: tuple[float, ...]
+    weakest: float
+
+    @property
+    def variation(self) -> float:
+        """1 - least / largest multiplier [-]: 0 for a body that is equal from all sides."""
+        return 1.0 - min(self.multiplier) / max(self.multiplier)
+
+    @property
+    def flat(self) -> float:
+        """Range of angles within one percent of the least multiplier, interpolated linearly [deg]."""
+        circle = np.arange(STEPS) * (360.0 / STEPS)
+        around = np.interp(circle, self.angle, self.multiplier, period=360.0)
+        return float(np.count_nonzero(around <= NEARLY_WEAKEST * min(self.multiplier)) * (360.0 / STEPS))
+
+
+@dataclass(frozen=True)
+class CandidateDirection:
+    """A direction towards which a mechanism may topple.
+
+    Attributes
+    ----------
+    angle : from +x towards +y [deg]
+    multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
+        None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
+    touching : the bodies that stop it
+    why : the reason why it cannot rock this way, empty if it can
+    """
+
+    angle: float
+    multiplier: float | None = None
+    displacement: float | None = None
+    touching: tuple[str, ...] = ()
+    why: str = ""
+
+    @property
+    def way(self) -> Vector:
+        """The direction as a unit vector."""
+        return direction_at(self.angle)
+
+
+def direction_angle(direction: Vector) -> float:
+    """Return the angle of a horizontal vector from +x towards +y, from 0 to 360 [deg]."""
+    return round(degrees(atan2(direction[1], direction[0])), 12) % 360.0
+
+
+def direction_at(angle: float) -> Vector:
+    """Return the horizontal unit vector at `angle` [deg] from +x towards +y."""
+    return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)
+
+
+LEVEL = (0.0, 1.0)
+NO_FRICTION = Term("give blocks with geometry and a material with friction")
+
+
+@dataclass(frozen=True)
+class Face:
+    """The orientation and friction of the faces at a hinge.
+
+    normal : unit vector (x, z) in the sign of the branch, to the block that presses
+    found : whether the geometry has such faces; if not, they are taken as horizontal
+    friction : coefficient [-], None if not known; remedy : what to add to the project
+    """
+
+    normal: tuple[float, float] = LEVEL
+    found: bool = False
+    friction: float | None = None
+    remedy: Term | Message = NO_FRICTION

@@ -1,17 +1,35 @@
-"""Coefficients of restitution of a block: one function for each published formula."""
+"""The restitution of the impact that ends a branch, for every kind of mechanism.
+
+At rest the blocks of both branches coincide, and each branch is a field of velocities: (x', z', theta') of every block
+for a unit rate of phi. The rules differ in what is conserved from one field to the other.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from math import cos, sin
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from math import atan2, cos, hypot, isclose, sin
+from typing import Literal
 
-from assess.messages.message import Message, Term
-from assess.oscillator import SingleBlock
+import numpy as np
+
+from assess.errors import MechanismError
+from assess.loads.load import PointMass
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.virtual_work import move, trace_point
+from assess.messages.message import Message, Quantity, Term, Value, message, warning
+from assess.oscillator import RockingBlock
+from assess.short_repr import ShortRepr
+from spectra.arrays import FloatArray
+
+RestitutionRule = Literal["thesis", "housner", "sorrentino", "momentum"]
+
+RestitutionChoice = float | RestitutionRule | None
+"""A number, a rule by its name, or None: "momentum" if a load moves with the mechanism, else the rule of the thesis."""
 
 
 @dataclass(frozen=True)
-class Restitution:
+class RestitutionCoefficient:
     """A coefficient [-], at least 0, its source, and a warning if the rule does not apply (else None).
 
     source : the parts of a phrase: the rule, and what other rules would give
@@ -26,12 +44,223 @@ class Restitution:
     range: tuple[float, ...] = (1.0,)
 
 
+ImpactRule = Callable[[Chain, Chain], RestitutionCoefficient]
+ReboundRule = Callable[[Chain], RestitutionCoefficient]
+HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
+MOMENTUM = (Term("momentum kept over the mechanism"),)
+ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
+NO_REBOUND = (Term("no rebound"),)
+GIVEN = (Term("given"),)
+WORST_OF_THREE = Term("histories take the worst of 0.5, 1 and 1.5 times it")
+NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
+REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
+SAME = 5e-4  # coefficients this close are printed alike
+
+
+def conserve_momentum(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Conserve momentum: the impulses at the new hinges do no work on the new motion, so project the old field onto it.
+
+    For one block this is the angular momentum about the new hinge. No impact by this rule adds energy.
+    """
+    new = velocity_field(starting)
+    return RestitutionCoefficient(-kinetic_product(velocity_field(ending), new) / inertia_at_rest(new), MOMENTUM)
+
+
+def conserve_about_base(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Conserve the angular momentum of the whole about the new base hinge (3.46, there for two plain rectangles).
+
+    This neglects the impulse of the support at the top.
+    """
+    old, new = velocity_field(ending), velocity_field(starting)
+    x, z = starting.hinges[0]
+    return RestitutionCoefficient(angular_momentum(old, -x, z) / angular_momentum(new, x, z), ABOUT_BASE)
+
+
+def housner_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Apply 3.44, for a block with two like hinges."""
+    return RestitutionCoefficient(housner(plain_block(ending)), HOUSNER)
+
+
+def single_block_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Apply 3.44 for two like hinges; for others it could add energy (tested), so conserve momentum instead."""
+    first, second = plain_block(ending), plain_block(starting)
+    alike = isclose(first.slenderness, second.slenderness, rel_tol=1e-9) and isclose(
+        first.radius, second.radius, rel_tol=1e-9
+    )
+    return housner_rule(ending, starting) if alike else conserve_momentum(ending, starting)
+
+
+def sorrentino_rebound(chain: Chain) -> RestitutionCoefficient:
+    """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
+    signed = sorrentino(plain_block(chain))
+    source = message("restitution-3-45", {"value": Quantity(signed, "ratio", 3)})
+    if signed >= 0:
+        return RestitutionCoefficient(0.0, (source,), warning("restitution-no-rebound", **source.values))
+    return RestitutionCoefficient(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
+
+
+def no_rebound(chain: Chain) -> RestitutionCoefficient:
+    """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
+    return RestitutionCoefficient(0.0, NO_REBOUND, warning("restitution-chain"))
+
+
+_BLOCK_RULES: Mapping[RestitutionRule, ImpactRule] = {
+    "thesis": single_block_rule,
+    "housner": housner_rule,
+    "momentum": conserve_momentum,
+}
+
+TWO_SIDED: Mapping[str, Mapping[RestitutionRule, ImpactRule]] = {
+    "single-block": _BLOCK_RULES,
+    "equivalent-block": _BLOCK_RULES,
+    "two-block": {"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
+    "four-hinge": {"thesis": conserve_momentum, "momentum": conserve_momentum},
+}
+
+ONE_SIDED: Mapping[str, Mapping[RestitutionRule, ReboundRule]] = {
+    "single-block": {"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
+    "equivalent-block": {"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
+    "two-block": {"thesis": no_rebound},
+    "four-hinge": {"thesis": no_rebound},
+}
+
+
+def moving_masses(*chains: Chain) -> tuple[str, ...]:
+    """Return the names of the loads that move with the mechanism, bearing or not."""
+    return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
+
+
+def find_restitution(
+    choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, kind: str, name: str
+) -> RestitutionCoefficient:
+    """Find the coefficient of the impact that ends one branch.
+
+    A negative value means that the mechanism stops at the impact: 0, with the value found as `stopped`.
+
+    Parameters
+    ----------
+    choice : a number, a rule by its name, or None for the default
+    ending, starting : the chains of the branches before and after the impact; starting None for one-sided rocking
+    kind, name : of the mechanism
+
+    Raises
+    ------
+    MechanismError : a rule that does not apply to this kind, or a named one that adds energy
+    """
+    if isinstance(choice, int | float):
+        return RestitutionCoefficient(
+            choice, GIVEN, _high_dissipation_warning(choice, ending=ending, starting=starting)
+        )
+    rules = (ONE_SIDED if starting is None else TWO_SIDED)[kind]
+    if choice is not None and choice not in rules:
+        sides = "one" if starting is None else "two"
+        known = ", ".join(f'"{rule}"' for rule in rules)
+        raise MechanismError(
+            f'mechanism "{name}": restitution "{choice}" is not for a {kind} with sides = "{sides}"; use {known} or a '
+            "number"
+        )
+    if starting is None:
+        return ONE_SIDED[kind][choice or "thesis"](ending)
+    rule = choice or default_rule(ending, starting, kind=kind)
+    kept = TWO_SIDED[kind][rule](ending, starting)
+    _require_no_gain(kept, ending=ending, starting=starting, name=name)
+    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
+    return _stopped_at_impact(told) if told.value < 0.0 else _with_warning(told, ending=ending, starting=starting)
+
+
+def _high_dissipation_warning(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
+    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
+    by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
+    if starting is None or given >= by_momentum - NOTABLE:
+        return None
+    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
+    return warning("restitution-takes-more", **values)
+
+
+def default_rule(ending: Chain, starting: Chain, *, kind: str) -> RestitutionRule:
+    """Return momentum if a load moves with the mechanism, else the rule of the thesis unless it would add energy."""
+    if moving_masses(ending, starting):
+        return "momentum"
+    kept = TWO_SIDED[kind]["thesis"](ending, starting)
+    return "momentum" if _adds_energy(kept, ending=ending, starting=starting) else "thesis"
+
+
+def compare_rules(
+    rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, kind: str
+) -> tuple[Message, ...]:
+    """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
+    other: RestitutionRule = "thesis" if rule == "momentum" else "momentum"
+    value = TWO_SIDED[kind][other](ending, starting).value
+    said: tuple[Message, ...] = ()
+    if abs(value - kept.value) > SAME:
+        said = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
+    if rule != "momentum" or not moving_masses(ending, starting):
+        return said
+    new = velocity_field(starting, sliding=True)
+    slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
+    if abs(slid - kept.value) <= NOTABLE:
+        return said
+    return (*said, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
+
+
+def _stopped_at_impact(kept: RestitutionCoefficient) -> RestitutionCoefficient:
+    """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
+    notice = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
+    return replace(kept, value=0.0, notice=notice, stopped=kept.value)
+
+
+def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
+    if kept.value > 1.0:
+        return replace(kept, notice=_above_one_warning(kept, ending=ending, starting=starting))
+    loads = moving_masses(ending, starting)
+    if not loads:
+        return kept
+    plain = conserve_momentum(*(without_masses(chain) for chain in (ending, starting))).value
+    if kept.value <= plain + NOTABLE:
+        return kept
+    values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
+    return replace(kept, notice=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
+
+
+def without_masses(chain: Chain) -> Chain:
+    """Return the chain without the loads that move with it."""
+    return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
+
+
+def _above_one_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> Message:
+    """Return a warning that explains a coefficient above 1 without a gain of energy."""
+    share = inertia_at_rest(velocity_field(starting)) / inertia_at_rest(velocity_field(ending))
+    return warning(
+        "restitution-above-one",
+        value=Quantity(kept.value),
+        share=Quantity(share, figures=3),
+        kept=Quantity(100.0 * kept.value**2 * share, "percent", 3),
+    )
+
+
+def _adds_energy(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> bool:
+    """Return whether an impact would add energy."""
+    return kept.value > 0.0 and kept.value**2 * inertia_at_rest(velocity_field(starting)) > inertia_at_rest(
+        velocity_field(ending)
+    ) * (1 + 1e-9)
+
+
+def _require_no_gain(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, name: str) -> None:
+    """Raise MechanismError for a coefficient that would add energy."""
+    if _adds_energy(kept, ending=ending, starting=starting):
+        raise MechanismError(
+            f'mechanism "{name}": restitution {kept.value:.3g} ({source_text(kept.source)}) would add energy at the '
+            'impact, for the two hinges differ; use "momentum" or a number'
+        )
+
+
 def source_text(source: Iterable[Term | Message]) -> str:
     """Return the parts of a source in one English phrase."""
     return "; ".join(map(str, source))
 
 
-def housner(block: SingleBlock) -> float:
+def housner(block: RockingBlock) -> float:
     """Return the coefficient of two-sided rocking: angular momentum about the new hinge is conserved.
 
     Housner 1963; thesis eq. 3.44.
@@ -40,10 +269,90 @@ def housner(block: SingleBlock) -> float:
     return 1 - 2 * M * R**2 / I_O * sin(alpha) ** 2
 
 
-def sorrentino(block: SingleBlock) -> float:
+def sorrentino(block: RockingBlock) -> float:
     """Return the signed coefficient of one-sided rocking: below zero the block rebounds.
 
     Sorrentino et al. 2011; thesis eq. 3.45.
     """
     M, R, alpha, I_O = block.mass, block.radius, block.slenderness, block.inertia
     return housner(block) ** 2 * (1 - 2 * M * R**2 / I_O * cos(alpha) ** 2)
+
+
+@dataclass(frozen=True, repr=False)
+class VelocityField(ShortRepr):
+    """Velocities at rest for a unit rate of phi in the sign of the branch; one row for each block, then each mass.
+
+    shaken, borne : mass that moves horizontally and vertically [rows] [kg]; along, up : x' and z' [rows] [m]
+    turning : theta' [rows] [-]; inertia : about each centroid [rows] [kg m2]; x, z : places [rows] [m]
+    """
+
+    shaken: FloatArray
+    borne: FloatArray
+    inertia: FloatArray
+    along: FloatArray
+    up: FloatArray
+    turning: FloatArray
+    x: FloatArray
+    z: FloatArray
+
+
+def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
+    """Return the velocities with which a chain leaves or reaches its rest.
+
+    sliding : bearing masses slide on their seats and transfer no horizontal momentum
+    """
+    motion = move(chain, np.zeros(1))
+    parts = chain.parts or tuple((block, number) for number, block in enumerate(chain.blocks))
+    moving = [(part.mass, part.mass, part.inertia, part.centroid, number) for part, number in parts]
+    masses = [load for load in chain.loads if isinstance(load, PointMass)]
+    for load in masses:
+        shaken = 0.0 if sliding and load.bearing else load.mass
+        moving.append((shaken, load.mass * load.bearing, 0.0, load.at, load.block))
+    rows = []
+    for shaken, borne, turned, at, number in moving:
+        if number is None:
+            rows.append((shaken, borne, turned, 0.0, 0.0, 0.0, *at))
+            continue
+        path = trace_point(motion, block=number, at=at)
+        rows.append((shaken, borne, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
+    return VelocityField(*np.array(rows, dtype=np.float64).T)
+
+
+def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
+    """Return the kinetic product of two fields [kg m2], the second mirrored back to the sign of the first.
+
+    The product of a field with itself, not mirrored, is the inertia I of the branch.
+    """
+    along = np.sum(ending.shaken * ending.along * -starting.along)
+    up = np.sum(ending.borne * ending.up * starting.up)
+    return float(along + up + np.sum(ending.inertia * ending.turning * -starting.turning))
+
+
+def inertia_at_rest(moving: VelocityField) -> float:
+    """Return I of the branch at rest [kg m2]."""
+    squares = moving.shaken * moving.along**2 + moving.borne * moving.up**2 + moving.inertia * moving.turning**2
+    return float(np.sum(squares))
+
+
+def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
+    """Return the angular momentum about a point (x, z) in the frame of the field, clockwise [kg m2]."""
+    arms = (moving.z - z) * moving.shaken * moving.along - (moving.x - x) * moving.borne * moving.up
+    return float(np.sum(arms + moving.inertia * moving.turning))
+
+
+def plain_block(chain: Chain) -> RockingBlock:
+    """Return mass, radius, slenderness and hinge inertia of a chain of one block with its bearing masses.
+
+    These enter 3.44 and 3.45; non-bearing masses and applied forces are ignored.
+    """
+    (block,), (hinge,) = chain.blocks, chain.hinges
+    carried = [load for load in chain.loads if isinstance(load, PointMass) and load.bearing]
+    points = [(block.mass, block.centroid), *((load.mass, load.at) for load in carried)]
+    arms = [(mass, hinge[0] - at[0], at[1] - hinge[1]) for mass, at in points]
+    total = sum(mass for mass, _, _ in arms)
+    behind, height = (sum(arm[0] * arm[i] for arm in arms) / total for i in (1, 2))
+    about_hinge = block.inertia + sum(mass * (b**2 + h**2) for mass, b, h in arms)
+    return RockingBlock(total, hypot(behind, height), atan2(behind, height), about_hinge)
+
+
+RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")

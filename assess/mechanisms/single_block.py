@@ -9,10 +9,9 @@ from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load
 from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Block, Chain, Point, mirror_chain, point_values
-from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain, point_values
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.mechanisms.rest import plain_block
+from assess.mechanisms.restitution import RestitutionChoice, plain_block
 from assess.messages.message import Message, lengths, warning
 
 
@@ -48,12 +47,12 @@ def single_block(
     """
     if sides == "one" and hinge_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
-    block = Block(body.mass, body.centroid, body.inertia)
-    positive = Chain((block,), (hinge or _edge(body, "positive", name=name),), loads)
+    block = RigidBlock(body.mass, body.centroid, body.inertia)
+    positive = Chain((block,), (hinge or _edge_hinge(body, "positive", name=name),), loads)
     _require_stable(positive, name=name, towards="positive")
     negative = None
     if sides == "two":
-        other = hinge_negative or _edge(body, "negative", name=name)
+        other = hinge_negative or _edge_hinge(body, "negative", name=name)
         negative = mirror_chain((block,), (other,), loads)
         _require_stable(negative, name=name, towards="negative")
     return assemble(
@@ -64,7 +63,7 @@ def single_block(
         label=label,
         restitution=restitution,
         outlines=(body.outline,),
-        warnings=(*_off_base(body, hinge, "A"), *_off_base(body, hinge_negative, "A'"), *warnings),
+        warnings=(*_off_base_warnings(body, hinge, "A"), *_off_base_warnings(body, hinge_negative, "A'"), *warnings),
     )
 
 
@@ -84,7 +83,7 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
         )
 
 
-def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
+def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
     """Return a warning if a given hinge does not lie on the base of the body."""
     if hinge is None or body.base is None:
         return []
@@ -98,7 +97,7 @@ def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[Message
     return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
 
 
-def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
+def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
     """Return the edge of the base about which the body rocks."""
     if body.base is None:
         raise MechanismError(

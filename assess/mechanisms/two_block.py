@@ -13,15 +13,16 @@ about the edge of the crack behind; the top slides on the vertical at its edge i
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody, top_edge
 from assess.loads.load import Load
-from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Block, Chain, Point, format_point, mirror_chain
-from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.assembly import assemble, loose_hinges
+from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain, point_text, point_values
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.mechanisms.warnings import loads_across_crack, loose_hinges
-from assess.messages.message import Message
+from assess.mechanisms.restitution import RestitutionChoice
+from assess.messages.message import Message, Quantity, warning, whole_number
 
 Hinges = tuple[Point, Point, Point]
 
@@ -61,12 +62,12 @@ def two_block(
     if sides == "one" and hinges_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
     outlines = (lower.outline, upper.outline)
-    blocks = tuple(Block(body.mass, body.centroid, body.inertia) for body in (lower, upper))
-    front = hinges or edges(lower, upper, ahead=True, name=name)
+    blocks = tuple(RigidBlock(body.mass, body.centroid, body.inertia) for body in (lower, upper))
+    front = hinges or edge_hinges(lower, upper, ahead=True, name=name)
     _require_order(front, name=name)
     negative = None
     if sides == "two":
-        back = hinges_negative or edges(lower, upper, ahead=False, name=name)
+        back = hinges_negative or edge_hinges(lower, upper, ahead=False, name=name)
         _require_order(back, name=name)
         negative = mirror_chain(blocks, back, loads)
     return assemble(
@@ -86,7 +87,7 @@ def two_block(
     )
 
 
-def edges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
+def edge_hinges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
     """Return hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
     head = top_edge(upper)
     if lower.base is None or upper.base is None or head is None:
@@ -102,6 +103,24 @@ def _require_order(hinges: Hinges, *, name: str) -> None:
     a, b, c = hinges
     if not a[1] < b[1] < c[1]:
         raise MechanismError(
-            f'mechanism "{name}": hinges A {format_point(a)}, B {format_point(b)} and C {format_point(c)} must rise '
+            f'mechanism "{name}": hinges A {point_text(a)}, B {point_text(b)} and C {point_text(c)} must rise '
             "in this order: base, crack, top"
         )
+
+
+def loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[Message]:
+    """Yield a warning for each load of a wall of two blocks across the crack from its block."""
+    for load in loads:
+        side = int(load.at[1] >= elevation)
+        if load.block != side:
+            yield warning(
+                "load-across-crack",
+                load=load.name,
+                block=whole_number(load.block),
+                side=whole_number(side),
+                crack=Quantity(elevation, "length"),
+                **point_values(load.at),
+            )
+
+
+CRACKS = ("sorrentino", "minimum")

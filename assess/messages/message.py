@@ -5,7 +5,7 @@ Nothing is decided by reading the sentence: code compares keys.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
@@ -43,6 +43,7 @@ UNITS: Mapping[str, str] = {
     "annual rate": "1/year",
 }
 """The unit in which values of each dimension are given: SI, but for peak ground accelerations, in g, and years."""
+
 DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in reversed(tuple(UNITS.items()))}
 """The first dimension of `UNITS` that has a unit."""
 PLAIN = 1e9  # numbers below it are written without an exponent
@@ -104,6 +105,7 @@ class Message(ShortRepr):
 
 
 Value = Quantity | Term | Message | str
+
 Said = Term | Message
 """What is said in English that a language can say otherwise."""
 
@@ -196,3 +198,31 @@ def note(key: str, where: str = "", /, **values: Value) -> Message:
 def list_values(first: Value, *others: Value) -> Value:
     """Return several values as one, which a language writes one after the other."""
     return message("listed", {"first": first, "others": list_values(*others)}) if others else first
+
+
+def count_noun(number: int, noun: str, several: str = "") -> str:
+    """Write a number with its noun in the singular or plural: 1 wall, 2 walls.
+
+    Parameters
+    ----------
+    number : of things
+    noun : in the singular
+    several : its plural, "" for one in -s
+    """
+    return f"{number} {noun if number == 1 else several or f'{noun}s'}"
+
+
+def first_names(names: Sequence[str], most: int) -> str:
+    """Write the first of many names with commas, and an ellipsis for the others.
+
+    Parameters
+    ----------
+    names : at least one
+    most : how many are written
+    """
+    return ", ".join(names[:most]) + (", …" if len(names) > most else "")
+
+
+def escape_text(text: str) -> str:
+    """Escape line breaks and control characters, so that the text stays on one line."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)

@@ -6,6 +6,7 @@ from assess.late import late_names
 
 if TYPE_CHECKING:
     from assess.model.assembly import Built, mechanism_of
+    from assess.model.blocks import gaps_of
     from assess.model.body import Bodies, Body, Material, PointValues
     from assess.model.definitions import (
         CutAngle,
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
         SingleBlock,
         TwoBlock,
     )
-    from assess.model.gaps import gaps_of
     from assess.model.overlaps import overlaps_of
     from assess.model.walls import Crack, crack
 
@@ -58,7 +58,7 @@ _HOMES = {
         "SingleBlock",
         "TwoBlock",
     ),
-    "assess.model.gaps": ("gaps_of",),
+    "assess.model.blocks": ("gaps_of",),
     "assess.model.overlaps": ("overlaps_of",),
     "assess.model.walls": ("Crack", "crack"),
 }

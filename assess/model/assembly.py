@@ -7,11 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from assess.errors import CrackError, MechanismError
-from assess.geometry.piece import Piece
-from assess.geometry.scene import Scene
+from assess.geometry.cut import Piece, Scene
 from assess.loads.definitions import Place
-from assess.loads.load import Load
-from assess.loads.plane import point_in_plane
+from assess.loads.load import Load, point_in_plane
 from assess.mechanisms.chain import Point
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.four_hinge import four_hinge
@@ -20,12 +18,12 @@ from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.messages.message import distinct
 from assess.model.arches import arch_mechanism
+from assess.model.blocks import hinge_warnings, pieces_of, scene_of
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
-from assess.model.faces import faces_of
+from assess.model.definitions import BlockMechanism, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
+from assess.model.joint_planes import faces_of
 from assess.model.joints import place_on_joints
 from assess.model.loading import loads_of
-from assess.model.pieces import hinge_warnings, pieces_of, scene_of
 from assess.model.walls import Crack, blocks_at, crack_of, require_as_found
 
 MechanismPieces = tuple[Mechanism, Sequence[Piece]]  # a mechanism, and the piece of masonry of each of its outlines
@@ -42,14 +40,14 @@ class Built:
 def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
     """Build the mechanism of a definition."""
     if isinstance(definition, EquivalentBlock):
-        return Built(of_parameters(name, definition), None)
+        return Built(build_equivalent_block(name, definition), None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
     jointed = place_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
     faces = faces_of(jointed, definition, members, bodies)
     return Built(replace(jointed, faces=faces, direction=definition.towards), scene_of(members, definition.towards))
 
 
-def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
+def build_equivalent_block(name: str, definition: EquivalentBlock) -> Mechanism:
     """Return the mechanism of published parameters."""
     return equivalent_block(
         name,
@@ -64,7 +62,7 @@ def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
     )
 
 
-def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> MechanismPieces:
+def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> MechanismPieces:
     """Build the mechanism on rigid hinges, before it is placed on its joints."""
     try:
         pieces, crack = cut_into_blocks(name, definition, bodies)
@@ -77,7 +75,7 @@ def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> Mechanism
     return replace(mechanism, warnings=(*warnings, *load_set.warnings)), members
 
 
-def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
+def cut_into_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
     """Cut the bodies into blocks; a wall of one body is cut at its crack, which is returned too."""
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
@@ -87,7 +85,7 @@ def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Seq
     return blocks_at(found.elevation, name, definition, pieces[0]), found
 
 
-def of_one_block(
+def build_single_block(
     name: str,
     definition: SingleBlock,
     pieces: Sequence[Piece],
@@ -104,12 +102,12 @@ def of_one_block(
         hinge_negative=back[0] if back else None,
         loads=loads,
         warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
-        **common(definition),
+        **common_arguments(definition),
     )
     return mechanism, pieces
 
 
-def of_two_blocks(
+def build_two_block(
     name: str,
     definition: TwoBlock,
     pieces: Sequence[Piece],
@@ -129,12 +127,12 @@ def of_two_blocks(
         hinges_negative=back,
         loads=loads,
         warnings=distinct(warnings),
-        **common(definition),
+        **common_arguments(definition),
     )
     return mechanism, pieces
 
 
-def of_four_hinges(
+def build_four_hinge(
     name: str,
     definition: FourHinge,
     pieces: Sequence[Piece],
@@ -144,26 +142,26 @@ def of_four_hinges(
 ) -> MechanismPieces:
     """Build three blocks between given hinges, or an arch whose hinges are searched for."""
     if definition.hinges == "minimum":
-        return arch_mechanism(name, definition, pieces[0], **common(definition))
+        return arch_mechanism(name, definition, pieces[0], **common_arguments(definition))
     mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
         hinges=hinges_of(definition.hinge_points, definition),
         hinges_negative=hinges_of(definition.hinges_negative, definition),
         loads=loads,
-        **common(definition),
+        **common_arguments(definition),
     )
     return mechanism, pieces
 
 
-BUILDERS: dict[type[Chained], Callable[..., MechanismPieces]] = {
-    SingleBlock: of_one_block,
-    TwoBlock: of_two_blocks,
-    FourHinge: of_four_hinges,
+BUILDERS: dict[type[BlockMechanism], Callable[..., MechanismPieces]] = {
+    SingleBlock: build_single_block,
+    TwoBlock: build_two_block,
+    FourHinge: build_four_hinge,
 }
 
 
-def common(definition: Chained) -> dict[str, Any]:
+def common_arguments(definition: BlockMechanism) -> dict[str, Any]:
     """Return what every kind of chain takes unchanged."""
     return {
         "label": definition.label,
@@ -172,12 +170,12 @@ def common(definition: Chained) -> dict[str, Any]:
     }
 
 
-def restitution_of(definition: Chained | EquivalentBlock) -> tuple[Any, Any]:
+def restitution_of(definition: BlockMechanism | EquivalentBlock) -> tuple[Any, Any]:
     """Return the choices for the impacts that end the positive and the negative branch."""
     return (definition.restitution.positive, definition.restitution.negative)
 
 
-def hinges_of(hinges: Sequence[Place] | None, definition: Chained) -> Any:
+def hinges_of(hinges: Sequence[Place] | None, definition: BlockMechanism) -> Any:
     """Return hinges A, B, … as (distance along the direction from the origin, elevation) [m]; None if not given."""
     if hinges is None:
         return None

@@ -11,10 +11,10 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from assess.interfaces.definition import Interface
+from assess.interfaces.contact import Interface
 from assess.loads.definitions import LoadDefinition, Place, direction_keys
-from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Sides
+from assess.mechanisms.restitution import RestitutionChoice
 from spectra.arrays import FloatArray
 
 Vector = tuple[float, float, float]
@@ -58,7 +58,7 @@ class RadialJoints:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Chained:
+class BlockMechanism:
     """What all mechanisms of blocks share.
 
     blocks : names of the bodies of each block, from the base on
@@ -121,12 +121,12 @@ class Chained:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SingleBlock(Chained):
+class SingleBlock(BlockMechanism):
     """One block that rocks about its base."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class TwoBlock(Chained):
+class TwoBlock(BlockMechanism):
     """A wall held at its base and its top that opens at a crack between.
 
     crack : "sorrentino" (thesis eq. 3.27), "minimum" (least uplift multiplier), or an elevation [m]; hinge B's where
@@ -138,7 +138,7 @@ class TwoBlock(Chained):
 
 
 @dataclass(frozen=True, kw_only=True)
-class FourHinge(Chained):
+class FourHinge(BlockMechanism):
     """Three blocks between two fixed hinges, or one arch whose hinges are where it resists least.
 
     joints : where an arch may open, in order
@@ -166,10 +166,10 @@ class EquivalentBlock:
     elevation: float = 0.0
 
 
-Turnable = SingleBlock | TwoBlock
+DirectionSought = SingleBlock | TwoBlock
 """The kinds whose weakest direction is sought if none is given; a four-hinge mechanism is drawn in its plane."""
-BlockMechanism = Turnable | FourHinge
-Definition = BlockMechanism | EquivalentBlock
+AnyBlockMechanism = DirectionSought | FourHinge
+Definition = AnyBlockMechanism | EquivalentBlock
 
 
 def keys_along_direction(

@@ -1,61 +1,457 @@
-"""Mechanisms whose direction is sought on a whole circle: `direction = "sweep"`."""
+"""The direction of a mechanism: as given, the weakest of a few candidates, or the weakest all around ("sweep").
+
+Candidates are what the edges of the base face in plan, and the opposites: there the multiplier of a block is least. Of
+a wall held at base and top they are the two ways across its thickness. The least uplift multiplier, with all loads and
+the crack in place, is the first filter; of the candidates near it the one of least d0* stays. Bodies beside the
+mechanism (return walls, a building behind, a buttress) stop its motion towards them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from math import inf
+from typing import Any, TypeVar
 
 import numpy as np
+from scipy.constants import g
 
-from assess.errors import AssessError, MechanismError
-from assess.geometry.cut import divide
-from assess.geometry.footprint import edge_normals
-from assess.geometry.piece import Piece
-from assess.geometry.planar import base_of_section, lowest_corners, planar_body_without_outline
+from assess.errors import AssessError, FallingError, MechanismError, ProjectError
+from assess.geometry.contact import CONTACT_TOLERANCE, FacePatches, facing_patches
+from assess.geometry.cut import Piece, divide
+from assess.geometry.planar import base_of_section, hull_edge_normals, lowest_corners, planar_body_without_outline
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
-from assess.loads.definitions import BodyLoad
-from assess.mechanisms.directions import Directions, Vector, towards
-from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.table import branch
-from assess.messages.message import Message, warning
-from assess.model.assembly import Built, mechanism_of, of_one_block
+from assess.loads.definitions import BodyLoad, bodies_of
+from assess.loads.load import point_in_plane
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.mechanism import CandidateDirection, Directions, Mechanism, Vector, direction_angle, direction_at
+from assess.mechanisms.oscillators import collapse_branch
+from assess.mechanisms.virtual_work import virtual_work
+from assess.messages.message import Message, Quantity, Severity, Term, Value, message, warning
+from assess.model.assembly import Built, build_single_block, mechanism_of, on_rigid_hinges
+from assess.model.blocks import LEVEL, ROTATES_ABOUT_CORNER, cut_of, join_bodies
 from assess.model.body import Bodies
-from assess.model.definitions import BlockMechanism, Chained, CutAngle, SingleBlock
+from assess.model.definitions import (
+    AnyBlockMechanism,
+    BlockMechanism,
+    CutAngle,
+    Definition,
+    DirectionSought,
+    EquivalentBlock,
+    Restitution,
+    SingleBlock,
+    TwoBlock,
+)
 from assess.model.loading import loads_of
-from assess.model.pieces import ASKEW, LEVEL, as_one, cut_of
-from assess.oscillator import multiplier
+from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
 
-S = TypeVar("S", bound=Chained)
 
+def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
+    """Build the mechanism of a definition, in its weakest direction if none is given.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated
+    bodies : of the building, by name
+
+    Returns
+    -------
+    The mechanism with its candidate directions and messages, and its bodies in space
+
+    Raises
+    ------
+    ProjectError : the direction must be given; the text lists the candidates
+    MechanismError or GeometryError : it cannot rock as described
+    """
+    if (
+        not isinstance(definition, DirectionSought)
+        or definition.direction == "sweep"
+        or not has_geometry(definition, bodies)
+    ):
+        return mechanism_as_given(name, definition, bodies)
+    look = prepare_search(name, definition, bodies)
+    if definition.direction is None:
+        return in_weakest(look)
+    return in_given_direction(look)
+
+
+def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
+    """Build the mechanism without comparing candidates; a body without geometry has one plane only, taken as +x.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated, with its direction and sides
+    bodies : of the building, by name
+    """
+    if not isinstance(definition, EquivalentBlock) and definition.direction == "sweep":
+        return sweep_directions(name, definition, bodies)
+    return mechanism_of(name, definition, bodies)
+
+
+CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is clearly weaker
+LISTED = 4
+
+
+def has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
+    """Return whether all bodies of a mechanism have geometry."""
+    return all(bodies[body].solid is not None for body in definition.bodies)
+
+
+def in_weakest(look: DirectionSearch) -> Built:
+    """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
+    candidates = evaluate_all(look)
+    known = [each for each in candidates if each.multiplier is not None]
+    if not known:  # nor can it be built towards any: say why
+        return mechanism_of(look.name, turn_towards(look.definition, candidates[0].way), look.bodies)
+    reason = next(reasons_for_given_direction(look.definition), "")
+    if reason:
+        raise ProjectError(f"{look.where}.direction: missing; {reason}; the candidates are {list_directions(known)}")
+    pool, held = free_candidates(known)
+    found = weakest_of([with_displacement(each, look) for each in near_least(pool)])
+    candidates = tuple(found if each.angle == found.angle else each for each in candidates)
+    behind = () if held else bodies_that_stop(look.obstacles, opposite_direction(found.way))
+    definition = with_sides(turn_towards(look.definition, found.way), behind)
+    built = mechanism_of(look.name, definition, look.bodies)
+    messages = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
+    messages += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
+    return with_messages(built, candidates, messages, look)
+
+
+def with_sides(definition: BlocksT, behind: Sequence[str]) -> BlocksT:
+    """Return the definition with its sides: those given, else one if bodies stand behind."""
+    return replace(definition, sides=definition.sides or ("one" if behind else "two"))
+
+
+def reasons_for_given_direction(definition: DirectionSought) -> Iterator[str]:
+    """Say why the direction cannot be found for the user."""
+    if definition.sides == "one":
+        yield 'with sides = "one" it says which way the mechanism is free'
+    for key in definition.keys_along():
+        yield f"{format_key(key)} is measured along it"
+
+
+def format_key(key: Sequence[str | int]) -> str:
+    """Write a key of a mechanism as the user does, with entries of lists counted from 1."""
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
+
+
+def list_directions(known: Sequence[CandidateDirection]) -> str:
+    """List directions with their multipliers, the weakest first."""
+    rising = sorted(known, key=rank)
+    texts = [f"{vector_text(each.way)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
+    return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
+
+
+def opposite_direction(way: Vector) -> Vector:
+    """Return the opposite direction."""
+    return (-way[0], -way[1], 0.0)
+
+
+def in_given_direction(look: DirectionSearch) -> Built:
+    """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
+    ahead = CandidateDirection(direction_angle(look.definition.towards)).way
+    into = bodies_that_stop(look.obstacles, ahead)
+    behind = () if into else bodies_that_stop(look.obstacles, opposite_direction(ahead))
+    built = mechanism_of(look.name, with_sides(look.definition, behind), look.bodies)
+    messages = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
+    if look.definition.hinges is not None or next(look.definition.keys_along(), None) is not None:
+        return with_messages(built, (), messages, look)
+    candidates = evaluate_all(look)
+    messages += weaker_than(built.mechanism, candidates, look)
+    return with_messages(built, candidates, messages, look)
+
+
+def direction_warnings(into: Sequence[str], ahead: Vector, look: DirectionSearch) -> Iterator[Message]:
+    """Warn that the given direction leads into a body."""
+    if into:
+        values = {"direction": vector_text(ahead), "bodies": ", ".join(into)}
+        yield message("direction-into", values, severity=Severity.WARNING, where=look.where)
+
+
+def weaker_than(given: Mechanism, candidates: Sequence[CandidateDirection], look: DirectionSearch) -> Iterator[Message]:
+    """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
+    ahead = np.array(CandidateDirection(direction_angle(look.definition.towards)).way)
+    open_ways = [each for each in candidates if each.multiplier is not None and not each.touching]
+    if given.sides == "one":  # what stops it stands behind
+        open_ways = [each for each in open_ways if np.array(each.way) @ ahead > -AHEAD]
+    if not open_ways:
+        return
+    weak = weakest_of([with_displacement(each, look) for each in near_least(open_ways)])
+    own = min((given.positive, *([given.negative] if given.negative else [])), key=uplift_multiplier)
+    if multiplier_of(weak) >= CLEARLY * uplift_multiplier(own):
+        return
+    values: dict[str, Value] = {
+        "direction": vector_text(weak.way),
+        "weaker": Quantity(multiplier_of(weak)),
+        "weaker_d0": length_text(weak.displacement),
+        "given": Quantity(uplift_multiplier(own)),
+        "given_d0": length_text(displacement_of(own, name=look.name)),
+    }
+    yield message("direction-weaker", values, severity=Severity.WARNING, where=look.where)
+
+
+def length_text(length: float | None) -> Value:
+    """Return a displacement [m] as a value of a message."""
+    return Term("none, as it never overturns,") if length is None else Quantity(length, "length")
+
+
+def obstacle_messages(
+    candidates: Sequence[CandidateDirection], found: CandidateDirection, *, held: bool, where: str
+) -> Iterator[Message]:
+    """Tell which directions are stopped by bodies beside the mechanism."""
+    for each in candidates:
+        if each.multiplier is None or not each.touching:
+            continue
+        bodies, weaker = ", ".join(each.touching), Quantity(multiplier_of(each))
+        values: dict[str, Value] = {"direction": vector_text(each.way), "bodies": bodies, "weaker": weaker}
+        if not held:
+            yield message("direction-stopped", values, where=where)
+        elif each.angle == found.angle:
+            yield message("direction-held", values, severity=Severity.WARNING, where=where)
+
+
+def sides_messages(behind: Sequence[str], look: DirectionSearch) -> Iterator[Message]:
+    """Tell that it rocks to one side because of what stands behind it."""
+    if behind and look.definition.sides is None:
+        yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)
+
+
+def cannot_rock(candidate: CandidateDirection, where: str) -> Message:
+    """Say why a direction was left out."""
+    values = {"direction": vector_text(candidate.way), "why": candidate.why}
+    return message("direction-left-out", values, severity=Severity.WARNING, where=where)
+
+
+def with_messages(
+    built: Built, candidates: Sequence[CandidateDirection], messages: Sequence[Message], look: DirectionSearch
+) -> Built:
+    """Return the mechanism with its candidates, the bodies beside it and the messages on them."""
+    beside = tuple(obstacle.body for obstacle in look.obstacles)
+    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(messages))
+    return replace(built, mechanism=found)
+
+
+NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
+MUCH_STRONGER = (
+    1.5  # of the least multiplier: free directions this much stronger do not stand for a weak axis held both ways
+)
+ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
+OTHER_SIDE = "the hinge that is given lies on another side"
+DIGITS = 6  # candidates that agree to so many are as weak
+Towards = Callable[[Vector], Mechanism]
+
+
+@dataclass(frozen=True)
+class DirectionSearch:
+    """A mechanism whose directions are compared.
+
+    definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
+    ways : angles of the candidates [deg]
+    at : the mechanism towards a direction, of one side and on rigid hinges
+    """
+
+    name: str
+    definition: DirectionSought
+    bodies: Bodies
+    foot: FloatArray
+    obstacles: tuple[Obstacle, ...]
+    ways: tuple[float, ...]
+    at: Towards
+
+    @property
+    def where(self) -> str:
+        """The table, as messages name it."""
+        return f"mechanisms.{self.name}"
+
+
+def prepare_search(name: str, definition: DirectionSought, bodies: Bodies) -> DirectionSearch:
+    """Find the candidate directions of a mechanism and the bodies beside it."""
+    standing, bare = solids_of_blocks(name, definition, bodies), one_sided_definition(definition)
+    if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
+        block = standing_above_cut(name, bare, standing)
+        standing, foot, at = block.solids, block.foot, block_by_direction(name, bare, block, bodies)
+    else:
+        foot = lowest_corners(standing)
+
+        def at(way: Vector) -> Mechanism:
+            return on_rigid_hinges(name, turn_towards(bare, way), bodies)[0]
+
+    ways = candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
+    return DirectionSearch(name, definition, bodies, foot, obstacles_of(definition, standing, bodies), ways, at)
+
+
+def candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
+    """Return the angles [deg] of the candidates, rising, from the corners of the base and of the whole mechanism."""
+    plan = hull_edge_normals(corners)
+    if isinstance(definition, TwoBlock):
+        normals = thinnest_normal(corners[:, :2], plan)
+    else:
+        normals = plan if isinstance(definition.cut, CutAngle) else edge_normals_and_beside(foot)
+    normals = normals if normals.size else plan
+    return tuple(np.unique(np.round(np.concatenate([normals, normals + 180.0]), 9) % 360.0).tolist())
+
+
+def one_sided_definition(definition: BlocksT) -> BlocksT:
+    """Return the definition for one side, without what depends on the impacts or is measured along the direction."""
+    changes: dict[str, Any] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
+    if definition.direction is None:
+        keys = set(definition.keys_along())
+        flat = {key[1] for key in keys if key[0] == "loads"}
+        changes["loads"] = tuple(load for place, load in enumerate(definition.loads) if place not in flat)
+        if any(key[0] == "hinges" for key in keys):
+            changes["hinges"] = None
+    return replace(definition, **{**changes, "hinges_negative": None})
+
+
+def thinnest_normal(plan: FloatArray, normals: FloatArray) -> FloatArray:
+    """Return the normal [deg] among [k] along which a plan [n, 2] is thinnest, the first of equals."""
+    at = np.radians(normals)
+    width = np.ptp(plan @ np.array([np.cos(at), np.sin(at)]), axis=0)
+    return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
+
+
+def evaluate_all(look: DirectionSearch) -> tuple[CandidateDirection, ...]:
+    """Evaluate every candidate: its multiplier, or why it cannot rock that way, and what touches it there."""
+    return tuple(evaluate(angle, look) for angle in look.ways)
+
+
+def evaluate(angle: float, look: DirectionSearch) -> CandidateDirection:
+    """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
+    asked = CandidateDirection(angle)
+    asked = replace(asked, touching=bodies_that_stop(look.obstacles, asked.way))
+    if not hinge_on_side(look, asked.way):
+        return replace(asked, why=OTHER_SIDE)
+    try:
+        return replace(asked, multiplier=uplift_multiplier(look.at(asked.way).positive))
+    except FallingError as error:
+        if look.definition.direction is None and not asked.touching:
+            raise FallingError(
+                f"{error} (towards {vector_text(asked.way)}, looked at as `direction` is absent)"
+            ) from None
+        return replace(asked, why=str(error))
+    except AssessError as error:
+        return replace(asked, why=str(error))
+
+
+def hinge_on_side(look: DirectionSearch, way: Vector) -> bool:
+    """Return whether a hinge given in space lies on the side of the base towards `way`; true if none is given."""
+    hinges = look.definition.hinge_points
+    if hinges is None or len(hinges[0]) == 2:
+        return True
+    reach = look.foot @ np.array(way)
+    low, high = float(reach.min()), float(reach.max())
+    out = (point_in_plane(hinges[0], way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
+    return ON_SIDE[0] < out < ON_SIDE[1]
+
+
+def vector_text(way: Vector) -> str:
+    """Write a direction as the project file does."""
+    return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in way) + "]"
+
+
+def uplift_multiplier(chain: Chain) -> float:
+    """Return the uplift multiplier of a chain on rigid hinges [-]."""
+    work = virtual_work(chain, np.zeros(1))
+    return float(work.restoring[0] / (g * work.excitation[0]))
+
+
+def with_displacement(candidate: CandidateDirection, look: DirectionSearch) -> CandidateDirection:
+    """Return the candidate with d0* of its control point."""
+    return replace(candidate, displacement=displacement_of(look.at(candidate.way).positive, name=look.name))
+
+
+def displacement_of(chain: Chain, *, name: str) -> float | None:
+    """Return d0* of a chain on rigid hinges, the displacement at overturning [m]; None if it never overturns.
+
+    With what is shown to last to collapse: 0 where it stands only by other ties and forces.
+    """
+    try:
+        side = collapse_branch(chain, name=name)
+    except FallingError:
+        return 0.0
+    except AssessError:
+        return None
+    return float(displacement(side, np.array(side.overturning), mass=chain.mass))
+
+
+def free_candidates(known: Sequence[CandidateDirection]) -> tuple[list[CandidateDirection], bool]:
+    """Return the candidates that nothing stops; all of them, and True, if bodies hold the weak axis both ways.
+
+    What holds a wall on both faces, as a floor and a buttress may, does not make its own plane its weak direction.
+    """
+    free = [each for each in known if not each.touching]
+    least = min(known, key=rank)
+    back = [each for each in known if abs((each.angle - least.angle) % 360.0 - 180.0) < 1e-6]
+    both = bool(least.touching) and all(each.touching for each in back)
+    if not free or (both and multiplier_of(min(free, key=rank)) > MUCH_STRONGER * multiplier_of(least)):
+        return list(known), True
+    return free, False
+
+
+def multiplier_of(candidate: CandidateDirection) -> float:
+    """Return the multiplier of a candidate that has one [-]."""
+    assert candidate.multiplier is not None
+    return candidate.multiplier
+
+
+def near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
+    """Return the candidates whose multiplier is near the least."""
+    least = min(map(multiplier_of, pool))
+    return [each for each in pool if multiplier_of(each) <= NEAR * max(least, 0.0) or multiplier_of(each) == least]
+
+
+def weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
+    """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
+    return min(near, key=lambda each: (rounded(inf if each.displacement is None else each.displacement), *rank(each)))
+
+
+def rank(candidate: CandidateDirection) -> tuple[float, float, float]:
+    """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
+    x, y, _ = candidate.way
+    return rounded(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
+
+
+def rounded(value: float) -> float:
+    """Round to so many figures that equals stay equal."""
+    return float(f"{value:.{DIGITS}g}")
+
+
+BlocksT = TypeVar("BlocksT", bound=BlockMechanism)
 STEP = 5.0  # deg between directions, besides those that the edges of the base face
 BESIDE = 0.01  # deg: of the normal of an edge that rises
 SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
+def sweep_directions(name: str, definition: AnyBlockMechanism, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
     corner: tuple[Message, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
-        block = block_above_cut(name, definition, standing)
-        found = directions(block_by_direction(name, definition, block, bodies), angles(normals_of(block.foot)))
+        block = standing_above_cut(name, definition, standing)
+        found = resistance_by_direction(
+            block_by_direction(name, definition, block, bodies), swept_angles(edge_normals_and_beside(block.foot))
+        )
         corner = (warning("turns-about-corner"),) if has_slope(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
-        found = directions(
+        found = resistance_by_direction(
             lambda way: mechanism_of(name, turn_towards(definition, way), bodies).mechanism,
-            angles(edge_normals(plan)),
+            swept_angles(hull_edge_normals(plan)),
         )
-    built = mechanism_of(name, turn_towards(definition, towards(found.weakest)), bodies)
-    kept = (each for each in built.mechanism.warnings if each.key != ASKEW)  # every direction has been looked at
+    built = mechanism_of(name, turn_towards(definition, direction_at(found.weakest)), bodies)
+    kept = (
+        each for each in built.mechanism.warnings if each.key != ROTATES_ABOUT_CORNER
+    )  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
 
-def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
+def solids_of_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Solid, ...]:
     """Return the solids of all blocks; raise MechanismError for a body without geometry, which has one plane only."""
     found = []
     for body in (body for block in definition.blocks for body in block):
@@ -69,7 +465,7 @@ def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[So
     return tuple(found)
 
 
-def angles(normals: FloatArray) -> tuple[float, ...]:
+def swept_angles(normals: FloatArray) -> tuple[float, ...]:
     """Return the directions [deg] to evaluate: even steps, and the normals [k] of the edges of the base.
 
     Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
@@ -85,18 +481,18 @@ def has_slope(foot: FloatArray) -> bool:
     return float(np.ptp(foot[:, 2])) > LEVEL
 
 
-def normals_of(foot: FloatArray) -> FloatArray:
+def edge_normals_and_beside(foot: FloatArray) -> FloatArray:
     """Return the normals of the edges between corners [k, 3] [deg]; on a slope also just beside.
 
     There the lower end has the larger height to the centroid over it, and so the least multiplier.
     """
-    normals = edge_normals(foot)
+    normals = hull_edge_normals(foot)
     beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
     return np.unique(np.concatenate(beside) % 360.0) if has_slope(foot) else normals
 
 
 @dataclass(frozen=True)
-class Standing:
+class StandingBlock:
     """A block above its cut, before a direction is chosen.
 
     solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
@@ -107,17 +503,17 @@ class Standing:
     fixed: tuple[Solid, ...] = ()
 
 
-def block_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> Standing:
+def standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> StandingBlock:
     """Return the block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
-        return Standing(solids, lowest_corners(solids))
+        return StandingBlock(solids, lowest_corners(solids))
     parts = divide(solids, plane, where=f'mechanism "{name}"')
-    return Standing(parts.above, parts.foot, parts.below)
+    return StandingBlock(parts.above, parts.foot, parts.below)
 
 
 def block_by_direction(
-    name: str, definition: SingleBlock, standing: Standing, bodies: Bodies
+    name: str, definition: SingleBlock, standing: StandingBlock, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
     """Return a function of the direction that builds the single block; it is cut once and its loads are found once."""
     known: dict[str, BlockContact] = {}
@@ -128,22 +524,22 @@ def block_by_direction(
         return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
-        body = as_one([planar_body_without_outline(solid, direction=direction) for solid in standing.solids])
+        body = join_bodies([planar_body_without_outline(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = turn_towards(definition, direction)
         load_set = loads_of(name, faced, pieces, bodies, find=find)
-        return of_one_block(name, faced, pieces, bodies, loads=load_set.loads)[0]
+        return build_single_block(name, faced, pieces, bodies, loads=load_set.loads)[0]
 
     return block
 
 
-def turn_towards(definition: S, direction: Vector) -> S:
+def turn_towards(definition: BlocksT, direction: Vector) -> BlocksT:
     """Return the definition with a direction."""
     return replace(definition, direction=direction)
 
 
-def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
+def resistance_by_direction(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
     """Find the resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
 
     The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
@@ -155,11 +551,72 @@ def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequenc
     rows = []
     for angle in around:
         try:
-            mechanism = mechanism_towards(towards(angle))
-            leading = branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
+            mechanism = mechanism_towards(direction_at(angle))
+            leading = rigid_branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
         except AssessError as error:
             raise type(error)(f'{error} (direction = "sweep", here {angle:.6g} deg from +x)') from None
         rows.append((float(multiplier(leading)[0]), leading.linearised.p, leading.overturning))
     multipliers, p, overturning = zip(*rows, strict=True)
     weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
     return Directions(tuple(around), multipliers, p, overturning, weakest)
+
+
+FOOT = 0.1  # of the height of the masonry: what touches it lower, as a pavement does, does not stop it
+AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
+SMALLEST = 0.01  # m2: less contact is a slip of drawing
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """A body that touches the part of a mechanism above its hinge, and the faces of that part which it touches."""
+
+    body: str
+    faces: FacePatches
+
+    def stops(self, way: Vector) -> bool:
+        """Return whether it stops a motion towards `way`, a horizontal unit vector."""
+        ahead = self.faces.normal @ np.array(way) > AHEAD
+        return float(self.faces.area[ahead].sum()) > SMALLEST
+
+
+def obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:
+    """Find the bodies that touch what moves (`standing`), other than those of the mechanism and its loads."""
+    low = min(float(solid.vertices[:, 2].min()) for solid in standing)
+    high = max(float(solid.vertices[:, 2].max()) for solid in standing)
+    foot = low + FOOT * (high - low)
+    head = high - FOOT * (high - low) if isinstance(definition, TwoBlock) else np.inf  # held there by what touches
+    own = set(definition.bodies)
+    own |= {body for load in definition.loads for body in bodies_of(load)}
+    others = [each.solid for name, each in bodies.items() if each.solid is not None and name not in own]
+    found = (
+        (other, _touched_faces(standing, other, foot=foot, head=head))
+        for other in others
+        if _box_reaches(standing, other)
+    )
+    return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
+
+
+def bodies_that_stop(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
+    """Return the bodies that stop a motion towards `way`."""
+    return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(way))
+
+
+def _box_reaches(standing: Sequence[Solid], other: Solid) -> bool:
+    """Whether the bounding box of a body reaches one of those that move."""
+    low, high = other.vertices.min(axis=0) - CONTACT_TOLERANCE, other.vertices.max(axis=0) + CONTACT_TOLERANCE
+    return any(
+        bool(np.all((solid.vertices.max(axis=0) >= low) & (solid.vertices.min(axis=0) <= high))) for solid in standing
+    )
+
+
+def _touched_faces(standing: Sequence[Solid], other: Solid, *, foot: float, head: float) -> FacePatches:
+    """Return the upright faces of what moves that a body touches between two elevations [m].
+
+    A body drawn in the same place, in another state or simply put at the origin too, is not beside it.
+    """
+    met = [facing_patches(solid, other) for solid in standing]
+    area, centroid, normal = (
+        np.concatenate([getattr(each, key) for each in met]) for key in ("area", "centroid", "normal")
+    )
+    kept = (centroid[:, 2] > foot) & (centroid[:, 2] < head)
+    return FacePatches(area[kept], centroid[kept], normal[kept])

@@ -1,4 +1,4 @@
-"""Where the hinges of a mechanism press: the faces that meet there, found on the geometry."""
+"""Where the hinges of a mechanism press: the faces that meet there, found on the geometry, and their friction."""
 
 from __future__ import annotations
 
@@ -10,29 +10,30 @@ import numpy as np
 import shapely
 
 from assess.errors import GeometryError
-from assess.geometry.cut import Plane, divide, heading, project_on_plane
-from assess.geometry.piece import Piece
+from assess.geometry.cut import Piece, Plane, divide, heading, project_on_plane
 from assess.geometry.solid import Solid
 from assess.geometry.surface import areas_and_normals
-from assess.mechanisms.chain import Point
-from assess.mechanisms.joint import PAIRS
-from assess.model.definitions import Chained
-from assess.model.pieces import cut_of
+from assess.mechanisms.chain import FACING_BLOCKS, Chain, Point
+from assess.mechanisms.flexible_chain import JointedChain
+from assess.mechanisms.mechanism import Face, Mechanism
+from assess.messages.message import Message, Term, message
+from assess.model.blocks import cut_of
+from assess.model.body import Bodies, Material
+from assess.model.definitions import BlockMechanism
 from spectra.arrays import FloatArray
 
 Vector = tuple[float, float]
-
 UP, DOWN = (0.0, 1.0), (0.0, -1.0)
 TOUCH = 0.01  # m: faces this near a plane lie in it; joints are as thick, and drawings no better
 ACROSS = 0.05  # part of a unit normal along the axis of rotation: a face turned aside by more is no joint
-ALIKE = 1e-3  # faces whose unit normals differ by less are one
+SAME_NORMAL = 1e-3  # faces whose unit normals differ by less are one
 EDGE = 0.02  # of the depth of a contact: a hinge this near its edge is on it
-LYING = 0.26  # vertical part of a unit normal: a face within 15 degrees of upright carries nothing
+NOT_UPRIGHT = 0.26  # vertical part of a unit normal: a face within 15 degrees of upright carries nothing
 SLIVER = 1e-6  # m2: less is no contact
 
 
 @dataclass(frozen=True)
-class View:
+class MotionPlane:
     """The plane of motion of one branch in space.
 
     along : unit vector of its motion [3]; sign : -1 where that is against the direction
@@ -42,7 +43,7 @@ class View:
     sign: float
 
     @classmethod
-    def of(cls, direction: Sequence[float], *, sign: float) -> View:
+    def of(cls, direction: Sequence[float], *, sign: float) -> MotionPlane:
         """Return the plane of a direction, or of its opposite."""
         return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
 
@@ -80,14 +81,14 @@ class JointPlane:
 
 
 def find_joint_plane(
-    number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
+    number: int, hinge: Point, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane, *, where: str
 ) -> JointPlane:
     """Find the joint plane at a hinge: on the ground or the cut, at the support at the top, or between blocks.
 
     Raises GeometryError where no faces meet at the hinge.
     """
     blocks = definition.moving
-    face, pressing = PAIRS[blocks][number]
+    face, pressing = FACING_BLOCKS[blocks][number]
     ordered = pieces if view.sign > 0.0 or len(pieces) == blocks else pieces[::-1]
     if not all(piece.solids for piece in ordered):
         raise GeometryError(
@@ -106,13 +107,13 @@ def find_joint_plane(
 
 
 def normal_at(
-    number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
+    number: int, hinge: Point, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane, *, where: str
 ) -> Vector:
     """Return the normal of the joint plane at a hinge, from the held face to the pressing block; a known cut is reused.
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    face, pressing = PAIRS[definition.moving][number]
+    face, pressing = FACING_BLOCKS[definition.moving][number]
     piece = pieces[min(pressing, len(pieces) - 1)]
     if face is None and not (definition.moving == number == 2) and piece.cut and len(pieces) == definition.moving:
         plane = cut_of(definition, where=where)
@@ -121,13 +122,15 @@ def normal_at(
     return find_joint_plane(number, hinge, definition, pieces, view, where=where).normal
 
 
-def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> JointPlane:
+def joint_plane_on_face(
+    solids: Sequence[Solid], hinge: Point, view: MotionPlane, side: Vector, *, where: str
+) -> JointPlane:
     """Find the face of a block on the ground, or of a wall under the support at its top.
 
     It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
     """
     at = view.world(hinge)
-    found = [normal for normal in normals_at(solids, at, view) if normal[2] * side[1] >= LYING]
+    found = [normal for normal in normals_at(solids, at, view) if normal[2] * side[1] >= NOT_UPRIGHT]
     if found:
         outward = max(found, key=lambda normal: float(normal[2] * side[1]))
         plane = Plane(at, outward)
@@ -135,7 +138,7 @@ def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side:
         heights = np.concatenate([solid.vertices[:, 2] for solid in solids])
         level = float(heights.max() if side == UP else heights.min())
         plane = Plane(view.world((hinge[0], level)), np.array([0.0, 0.0, side[1]]))
-    region = as_multi(faces_in(solids, plane))
+    region = _parts_with_area(faces_in(solids, plane))
     if region.area <= SLIVER:
         raise GeometryError(
             f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
@@ -144,7 +147,7 @@ def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side:
 
 
 def joint_plane_between(
-    number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str
+    number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: MotionPlane, *, where: str
 ) -> JointPlane:
     """Find where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
     at = view.world(hinge)
@@ -152,7 +155,7 @@ def joint_plane_between(
         for outward in normals_at(over, at, view):
             plane = Plane(at, outward)
             facing = faces_in(under, Plane(at, -outward), seen_in=plane)
-            region = as_multi(shapely.intersection(faces_in(over, plane), facing))
+            region = _parts_with_area(shapely.intersection(faces_in(over, plane), facing))
             if region.area <= SLIVER:
                 continue
             bed = JointPlane(view.project_vector(-outward), plane, region)
@@ -170,7 +173,7 @@ def _neighbours(
     number: int, pieces: Sequence[Piece], blocks: int
 ) -> Iterator[tuple[tuple[Solid, ...], tuple[Solid, ...]]]:
     """Return the solids that press and those that hold the face at a hinge; of an arch all neighbours may."""
-    face, pressing = PAIRS[blocks][number]
+    face, pressing = FACING_BLOCKS[blocks][number]
     assert face is not None
     if len(pieces) == blocks:
         yield pieces[pressing].solids, pieces[face].solids
@@ -179,7 +182,7 @@ def _neighbours(
         yield (other.solids, one.solids) if pressing > face else (one.solids, other.solids)
 
 
-def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[FloatArray]:
+def normals_at(solids: Sequence[Solid], at: FloatArray, view: MotionPlane) -> list[FloatArray]:
     """Return the outward unit normals of the faces that contain the axis through a point [3], largest face first."""
     there: list[tuple[FloatArray, FloatArray]] = []
     for corners, normal, area in map(_faces, solids):
@@ -189,7 +192,7 @@ def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[Floa
     normals, areas = (np.concatenate(each) for each in zip(*there, strict=True))
     found = []
     while len(normals):
-        alike = np.abs(normals - normals[0]).max(axis=1) <= ALIKE
+        alike = np.abs(normals - normals[0]).max(axis=1) <= SAME_NORMAL
         found.append((normals[0], areas[alike].sum()))
         normals, areas = normals[~alike], areas[~alike]
     return [normal for normal, _ in sorted(found, key=lambda each: -each[1])]
@@ -201,12 +204,12 @@ def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = N
     axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
     for corners, normal, _ in map(_faces, solids):
         off = np.abs((corners - plane.point) @ plane.normal).max(axis=1)
-        lying = (normal @ plane.normal >= 1.0 - ALIKE) & (off <= TOUCH)
+        lying = (normal @ plane.normal >= 1.0 - SAME_NORMAL) & (off <= TOUCH)
         pieces += list(shapely.polygons((corners[lying] - shown.point) @ axes.T))
     return shapely.union_all([piece for piece in pieces if piece.area > 0.0])
 
 
-def as_multi(region: shapely.Geometry) -> shapely.MultiPolygon:
+def _parts_with_area(region: shapely.Geometry) -> shapely.MultiPolygon:
     """Return the parts of a region that have area."""
     return shapely.MultiPolygon([part for part in shapely.get_parts(region) if part.area > SLIVER])
 
@@ -217,3 +220,67 @@ def _faces(solid: Solid) -> tuple[FloatArray, FloatArray, FloatArray]:
     area, normal = areas_and_normals(corners)
     kept = area > 0.0
     return corners[kept], normal[kept], area[kept]
+
+
+STEEP = 0.5  # vertical part of a unit normal: of a face 60 degrees off level
+
+
+def faces_of(
+    mechanism: Mechanism, definition: BlockMechanism, pieces: Sequence[Piece], bodies: Bodies
+) -> tuple[tuple[Face, ...], ...]:
+    """Return the faces at the hinges of the positive and of the negative branch, each in its own sign."""
+    frictions = [friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    return tuple(
+        tuple(
+            Face(
+                *normal_of(number, chain, definition, pieces, MotionPlane.of(definition.towards, sign=sign)),
+                *frictions[number],
+            )
+            for number in range(len(chain.hinges))
+        )
+        for chain, sign in zip(chains, (1.0, -1.0), strict=False)
+    )
+
+
+def normal_of(
+    number: int, chain: Chain, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane
+) -> tuple[Vector, bool]:
+    """Return the normal at a hinge, to the pressing block, and whether the geometry shows it; otherwise it is vertical.
+
+    What a block stands on is not part of the geometry: a face steeper than STEEP is no bed, as the intrados of a vault.
+    """
+    ground = FACING_BLOCKS[len(chain.blocks)][number][0] is None
+    if chain.joints and chain.joints[number] is not None:
+        normal = complex(JointedChain(chain, "").normal[number])
+        return (normal.real, normal.imag), True
+    upright = DOWN if len(chain.blocks) == number == 2 else UP
+    try:
+        found = normal_at(number, chain.hinges[number], definition, pieces, view, where="")
+    except GeometryError:
+        return upright, False
+    return (upright, False) if ground and found[1] * upright[1] < STEEP else (found, True)
+
+
+def friction_at(number: int, definition: BlockMechanism, bodies: Bodies) -> tuple[float | None, Term | Message]:
+    """Return the least friction of the blocks that meet at a hinge, None if one has none, with the remedy."""
+    least: float | None = None
+    for block in FACING_BLOCKS[definition.moving][number]:
+        if block is None:
+            continue
+        materials = dict.fromkeys(materials_of(definition.blocks[min(block, len(definition.blocks) - 1)], bodies))
+        given = [mu for material in materials if (mu := material.friction) is not None]
+        if not given:
+            keys = " / ".join(f"materials.{material.name}.friction" for material in materials)
+            none = Term("give its bodies geometry and a material with friction")
+            return None, message("remedy-keys", {"keys": keys}) if keys else none
+        least = min(given) if least is None else min(least, *given)
+    return least, Term("")
+
+
+def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:
+    """Return the materials of the bodies of a block that have geometry."""
+    for name in block:
+        material = bodies[name].material
+        if material is not None:
+            yield material

@@ -1,36 +1,33 @@
-"""The keys `interface` and `interfaces`: the joints that the hinges of a mechanism press on."""
+"""The keys `interface` and `interfaces`: the joints that the hinges of a mechanism press on, and what acts through
+them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import inf
+from math import dist, inf
 
 import numpy as np
 import shapely
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.cut import heading
-from assess.geometry.piece import Piece
-from assess.interfaces.contact import contact, out_of_plane_warning
-from assess.interfaces.definition import Interface, Shape
-from assess.interfaces.law import JointLaw
-from assess.interfaces.section import Section
-from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
-from assess.loads.overburden import through_of
+from assess.geometry.cut import Piece, heading
+from assess.interfaces.contact import Interface, JointLaw, Shape, contact, out_of_plane_warning
+from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.loads.definitions import LoadDefinition, OverburdenLoad, Through
+from assess.loads.load import Load
+from assess.loads.overburden import UPPER, name_of
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Chain, hinge_names
-from assess.mechanisms.flexible import FlexibleChain
-from assess.mechanisms.hinge_forces import at_top
-from assess.mechanisms.impact import RestitutionChoice
-from assess.mechanisms.joint import Joint
-from assess.mechanisms.jointed_chain import JointedChain
+from assess.mechanisms.chain import Chain, Joint, hinge_names
+from assess.mechanisms.flexible_chain import FlexibleChain, JointedChain, top_loads
+from assess.mechanisms.hinge_forces import is_top_support
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.through_joint import through_joint, under_loads
+from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message, Quantity, distinct, warning
 from assess.model.body import Bodies, Material
-from assess.model.definitions import Chained
-from assess.model.joint_planes import DOWN, UP, JointPlane, Vector, View, find_joint_plane
+from assess.model.definitions import BlockMechanism
+from assess.model.joint_planes import DOWN, UP, JointPlane, MotionPlane, Vector, find_joint_plane
 
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge gets a warning
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
@@ -38,7 +35,7 @@ TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 def place_on_joints(
     mechanism: Mechanism,
-    definition: Chained,
+    definition: BlockMechanism,
     pieces: Sequence[Piece],
     bodies: Bodies,
     *,
@@ -52,7 +49,7 @@ def place_on_joints(
     interfaces = [definition.interface_at(letter) for letter in hinge_names(mechanism.positive)]
     found = [
         [
-            joint_at(Seat(number, chain, mechanism.name, definition, interface, tuple(pieces), sign), bodies)
+            joint_at(PressedHinge(number, chain, mechanism.name, definition, interface, tuple(pieces), sign), bodies)
             for number, interface in enumerate(interfaces)
         ]
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
@@ -60,8 +57,8 @@ def place_on_joints(
     warnings = [each for side in found for _, messages in side for each in messages]
     joints = [tuple(joint for joint, _ in side) for side in found]
     through = through_of(definition.loads)
-    moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
-    joints = [under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
+    moved = [move_loads_to_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
+    joints = [joints_under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
     loaded = replace(mechanism, positive=moved[0], negative=moved[1] if len(moved) > 1 else None)
     if not any(joint for side in joints for joint in side):
         return loaded
@@ -88,7 +85,7 @@ def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Join
 
 
 @dataclass(frozen=True)
-class Seat:
+class PressedHinge:
     """A hinge of one branch, and what it presses on.
 
     number : of the hinge; name : of the mechanism; sign : -1 for the branch that is mirrored
@@ -97,7 +94,7 @@ class Seat:
     number: int
     chain: Chain
     name: str
-    definition: Chained
+    definition: BlockMechanism
     interface: Interface
     pieces: tuple[Piece, ...]
     sign: float
@@ -118,16 +115,16 @@ class Seat:
         return self.chain.hinges[self.number]
 
     @property
-    def view(self) -> View:
+    def view(self) -> MotionPlane:
         """The plane of motion of the branch."""
-        return View.of(self.definition.towards, sign=self.sign)
+        return MotionPlane.of(self.definition.towards, sign=self.sign)
 
     def plane(self) -> JointPlane:
         """Find the plane of the joint; raise GeometryError if no faces meet at the hinge."""
         return find_joint_plane(self.number, self.hinge, self.definition, self.pieces, self.view, where=self.where)
 
 
-def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
+def joint_at(seat: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
     """Return the joint under a hinge, with warnings; None if it is rigid or carries nothing."""
     interface = seat.interface
     law = law_of(interface, material_of(seat.definition, bodies), where=seat.where)
@@ -144,18 +141,18 @@ def joint_at(seat: Seat, bodies: Bodies) -> tuple[Joint | None, tuple[Message, .
     return joint, (*warnings, *more)
 
 
-def shaped_joint(seat: Seat, law: JointLaw, shape: Shape, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
+def shaped_joint(seat: PressedHinge, law: JointLaw, shape: Shape, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
     """Return a joint of given sizes in the plane of the faces that meet, level if there are none."""
     warnings: tuple[Message, ...] = ()
     try:
         normal = seat.plane().normal
     except GeometryError:
-        normal = DOWN if at_top(seat.chain, seat.number) else UP
+        normal = DOWN if is_top_support(seat.chain, seat.number) else UP
         warnings = (warning("joint-taken-level", interface=seat.letter),)
     return Joint(_inward(normal, sense), section_of_shape(shape, seat.view), law, seat.interface.model), warnings
 
 
-def outlined_joint(seat: Seat, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
+def outlined_joint(seat: PressedHinge, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
     """Return the joint of the outline where faces meet; warn if the hinge is not at its edge."""
     bed, view = seat.plane(), seat.view
     inward = _inward(bed.normal, sense)
@@ -186,12 +183,12 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
     return JointLaw(material.young_modulus / (interface.course_thickness or inf), strength)
 
 
-def material_of(definition: Chained, bodies: Bodies) -> Material | None:
+def material_of(definition: BlockMechanism, bodies: Bodies) -> Material | None:
     """Return the material of the first body of a mechanism that has one."""
     return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
 
 
-def section_of_shape(shape: Shape, view: View) -> Section:
+def section_of_shape(shape: Shape, view: MotionPlane) -> ContactSection:
     """Return a contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)
@@ -223,3 +220,62 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
             warned = out_of_plane_warning(joint.section, found, interface=f"{letter}{mark}")
             if warned is not None:
                 yield warned
+
+
+ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle acts through it unless the load says otherwise
+
+
+def move_loads_to_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Through]) -> Chain:
+    """Move the loads that act through the joint at the top of a wall to its hinge.
+
+    On a joint their resultant is still in the middle at rest, and moves to the edge as the wall rotates; on a rigid
+    top they press at the hinge of each direction.
+
+    Parameters
+    ----------
+    chain : of the wall
+    joint : at its top, None if rigid
+    through : what each load says, by its name
+    """
+    if len(chain.blocks) != 2:
+        return chain
+    loads = [
+        replace(load, at=chain.hinges[2]) if acts_through_joint(load, chain, joint, through.get(load.name)) else load
+        for load in chain.loads
+    ]
+    return replace(chain, loads=tuple(loads))
+
+
+def acts_through_joint(load: Load, chain: Chain, joint: Joint | None, through: Through) -> bool:
+    """Return whether a load acts through the joint at the top: as it says, else if it is on the middle."""
+    if through is not None:
+        return through == "joint"
+    if joint is None or load.block != UPPER:
+        return False
+    inside = joint.section.centroid
+    middle = tuple(at + inside * way for at, way in zip(chain.hinges[2], joint.inward, strict=True))
+    return dist(load.at, middle) <= ON_MIDDLE * joint.section.depth
+
+
+def joints_under_loads(
+    chain: Chain, joints: tuple[Joint | None, ...], through: Mapping[str, Through]
+) -> tuple[Joint | None, ...]:
+    """Return the joints of a chain, without the one at the top of a wall if all loads at its hinge are fixed there.
+
+    Parameters
+    ----------
+    chain : of the wall
+    joints : under its hinges
+    through : what each load says, by its name
+    """
+    if len(chain.blocks) != 2:
+        return joints
+    at_hinge = top_loads(chain)
+    fixed = bool(at_hinge) and all(through.get(load.name) == "fixed" for load in at_hinge)
+    return (*joints[:2], None) if fixed else joints
+
+
+def through_of(loads: Sequence[LoadDefinition]) -> dict[str, Through]:
+    """Return how each overburden presses on its wall, by the name of its force."""
+    entries = enumerate(loads, start=1)
+    return {name_of(number): load.through for number, load in entries if isinstance(load, OverburdenLoad)}

@@ -7,27 +7,33 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from assess.errors import GeometryError
-from assess.geometry.contact import TOLERANCE
-from assess.geometry.outline import Outline, distance
-from assess.geometry.overlap import overlap_warnings
-from assess.geometry.piece import Piece
-from assess.loads.body_loads import FindContact, LoadSet, Surroundings, body_loads, find_block_contact
+from assess.geometry.boolean import overlap_warnings
+from assess.geometry.contact import CONTACT_TOLERANCE
+from assess.geometry.cut import Piece
+from assess.geometry.planar import Outline, distance_to_outline
+from assess.loads.body_loads import (
+    FindContact,
+    LoadSet,
+    MechanismBlocks,
+    Surroundings,
+    body_loads,
+    find_block_contact,
+    loaded_blocks,
+)
 from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
-from assess.loads.load import Force, Load, Point, PointMass, Tie
-from assess.loads.loaded_blocks import Blocks, loaded_blocks
+from assess.loads.load import Force, Load, Point, PointMass, Tie, point_in_plane, unit_in_plane
 from assess.loads.overburden import overburden_of
-from assess.loads.plane import point_in_plane, unit_in_plane
 from assess.mechanisms.chain import point_values
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 from assess.model.body import Bodies, solids_of
-from assess.model.definitions import Chained, TwoBlock
+from assess.model.definitions import BlockMechanism, TwoBlock
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
 
 
 def loads_of(
     name: str,
-    definition: Chained,
+    definition: BlockMechanism,
     pieces: Sequence[Piece],
     bodies: Bodies,
     *,
@@ -39,7 +45,7 @@ def loads_of(
     """
     blocks = blocks_of(name, definition, pieces)
     parts = [
-        entry_of(number, load, blocks, definition, bodies, find=find)
+        loads_of_entry(number, load, blocks, definition, bodies, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
@@ -52,11 +58,11 @@ def loads_of(
     )
 
 
-def entry_of(
+def loads_of_entry(
     number: int,
     load: LoadDefinition,
-    blocks: Blocks,
-    definition: Chained,
+    blocks: MechanismBlocks,
+    definition: BlockMechanism,
     bodies: Bodies,
     *,
     find: FindContact,
@@ -74,7 +80,7 @@ def entry_of(
         )
         return LoadSet((force,), (), (False,))
     if isinstance(load, BodyLoad):
-        part = of_body(load, blocks, definition, bodies, find=find)
+        part = loads_of_body(load, blocks, definition, bodies, find=find)
     else:
         part = LoadSet((load_of(number, load, definition.towards),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
@@ -86,7 +92,7 @@ def entry_of(
     return LoadSet(part.loads, warnings, (isinstance(load, BodyLoad) and load.block is None,) * len(part.loads))
 
 
-def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
+def blocks_of(name: str, definition: BlockMechanism, pieces: Sequence[Piece]) -> MechanismBlocks:
     """Return the blocks as loads meet them; two blocks without geometry part at hinge B."""
     parted = len(definition.blocks) == 1 and len(pieces) == 2
     foot, crack = pieces[-1].foot, None
@@ -94,13 +100,13 @@ def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks
         crack = float(foot[0, 2])
     elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
         crack = None if (hinges := definition.hinge_points) is None else hinges[1][-1]
-    return Blocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
+    return MechanismBlocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
 
 
-def of_body(
+def loads_of_body(
     load: BodyLoad,
-    blocks: Blocks,
-    definition: Chained,
+    blocks: MechanismBlocks,
+    definition: BlockMechanism,
     bodies: Bodies,
     *,
     find: FindContact,
@@ -127,7 +133,7 @@ def of_body(
     return LoadSet(loads, (*warnings, *(each for part in parts for each in part.warnings)))
 
 
-def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
+def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: Bodies) -> Surroundings:
     """Return what stands around a body that loads a block; bodies of the mechanism as they are cut."""
     pieces = blocks.pieces
     moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
@@ -184,19 +190,19 @@ def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -
         if not isinstance(load, Tie) or load.anchor is None:
             continue
         for block, outline in enumerate(outlines):
-            if outline and distance(outline, load.anchor) <= TOLERANCE:
+            if outline and distance_to_outline(outline, load.anchor) <= CONTACT_TOLERANCE:
                 anchor = point_values(load.anchor)
                 yield warning("load-anchor-moves", load=load.name, block=whole_number(block), **anchor)
 
 
-def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[Message]:
+def misplaced_load_warnings(loads: Sequence[Load], blocks: MechanismBlocks) -> Iterator[Message]:
     """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
         whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
         outline = tuple(ring for piece in whole for ring in piece.body.outline)
         corners = [point for ring in outline for point in ring]
         size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
-        off = distance(outline, load.at) if corners else 0.0
+        off = distance_to_outline(outline, load.at) if corners else 0.0
         if off > IN_THE_AIR * size:
             away = Quantity(off, "length", 3)
             yield warning("load-in-the-air", load=load.name, distance=away, **point_values(load.at))

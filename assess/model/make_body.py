@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry import mesh as meshes
 from assess.geometry import solid as solids
-from assess.geometry.models import read_models
+from assess.geometry.mesh import read_selected_meshes
 from assess.model.body import Body, Material
 
 
@@ -93,8 +93,8 @@ def mesh(
     if up not in ("y", "z", None):
         raise GeometryError(f'body "{name}": up = {up!r}: write "y" or "z"')
     masonry, asked = _masonry(density, name), (Path(path), element)
-    model = read_models({name: asked})[asked]
-    made = meshes.solid_of(model, density=masonry.density, name=name, scale=unit, up=up)
+    model = read_selected_meshes({name: asked})[asked]
+    made = meshes.solid_from_meshes(model, density=masonry.density, name=name, scale=unit, up=up)
     return Body(name=name, solid=made, material=masonry)
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from assess.geometry.overlap import overlap_warnings
+from assess.geometry.boolean import overlap_warnings
 from assess.messages.message import Message
 from assess.model.body import Bodies
-from assess.model.definitions import Chained, Definition
+from assess.model.definitions import BlockMechanism, Definition
 
 
 def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
@@ -19,6 +19,6 @@ def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterat
     bodies : of the building, by name
     """
     for name, definition in definitions.items():
-        names = dict.fromkeys(definition.bodies if isinstance(definition, Chained) else ())
+        names = dict.fromkeys(definition.bodies if isinstance(definition, BlockMechanism) else ())
         known = [solid for body in names if (solid := bodies[body].solid) is not None]
         yield from overlap_warnings(known, where=f"mechanisms.{name}")

@@ -1,40 +1,36 @@
-"""Walls held at base and top: what presses on them, and where they crack."""
+"""Walls held at base and top: what presses on them, and where they crack: eq. 3.27, its general form, and a search."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import inf
+from math import inf, sqrt
 from typing import Literal
 
 import numpy as np
 from scipy.constants import g
+from scipy.optimize import minimize_scalar
 
 from assess.errors import CrackError
-from assess.geometry.contact import TOLERANCE
-from assess.geometry.cut import Division, divide, level_plane
-from assess.geometry.piece import Piece
+from assess.geometry.contact import CONTACT_TOLERANCE
+from assess.geometry.cut import Division, Piece, divide, level_plane
 from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import LoadSet
 from assess.loads.definitions import LoadDefinition
-from assess.loads.load import Force, Load, PointMass
+from assess.loads.load import Force, Load, PointMass, point_in_plane
 from assess.loads.overburden import UPPER
-from assess.loads.plane import point_in_plane
-from assess.mechanisms.chain import Block, Chain, mirror_chain
-from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, find_least
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
 from assess.mechanisms.mechanism import Sides
-from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
-from assess.mechanisms.virtual_work import virtual_work
+from assess.mechanisms.virtual_work import move, virtual_work
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.model.as_floats import with_floats
+from assess.model.blocks import join_bodies, piece_above_cut, pieces_of
 from assess.model.body import Bodies, Body, Material
-from assess.model.check import check_definition
+from assess.model.check import check_definition, with_floats
 from assess.model.definitions import TwoBlock, Vector
 from assess.model.loading import loads_of
-from assess.model.pieces import as_one, piece_above_cut, pieces_of
 
 
 @dataclass(frozen=True)
@@ -47,7 +43,7 @@ class Crack:
 
 
 @dataclass(frozen=True)
-class Panel:
+class WallPanel:
     """The wall as eq. 3.27 sees it: the box around it [m], its weight [N], the mortar's tensile strength [Pa].
 
     overburden : vertical load downwards [N]; place : of the load along the direction [m]; low, high : faces [m]
@@ -131,7 +127,7 @@ def crack_of(
         crack = front[1][1] if front is not None else "sorrentino"
     if not isinstance(crack, str):
         return Crack(float(crack))
-    find = by_formula if crack == "sorrentino" else by_search
+    find = crack_by_formula if crack == "sorrentino" else crack_by_search
     load_set = loads()
     strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0
     elevation, notice = find(definition, whole, load_set, strength=strength)
@@ -146,7 +142,7 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
     parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
-    return below(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
+    return block_below_crack(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
 
 
 def loads_above(load_set: LoadSet, elevation: float) -> tuple[Load, ...]:
@@ -174,7 +170,7 @@ def material_of(block: Sequence[str], bodies: Bodies) -> Material:
     return next(material for name in block if (material := bodies[name].material) is not None)
 
 
-def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
+def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> WallPanel:
     """Return the box around a wall and the load on its top: forces and bearing masses of the upper block."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
     along = np.array(definition.towards) / np.linalg.norm(definition.towards)
@@ -185,7 +181,7 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     overburden = sum(force for force, _ in pressing)
     moment = sum(force * at for force, at in pressing)
     middle = float(x.min() + x.max()) / 2.0
-    return Panel(
+    return WallPanel(
         low=float(x.min()),
         high=float(x.max()),
         length=float(np.ptp(y)),
@@ -198,7 +194,9 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     )
 
 
-def by_formula(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, Message]:
+def crack_by_formula(
+    definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
+) -> tuple[float, Message]:
     """Find the crack by eq. 3.27 with the loads above it: elevation [m] and how it was found.
 
     The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
@@ -231,16 +229,16 @@ def consistent_cracks(
         if lowest > on_top:
             return
         try:
-            elevation, notice = of_panel(panel, sides="two" if definition.two_sided else "one")
+            elevation, notice = crack_of_panel(panel, sides="two" if definition.two_sided else "one")
         except CrackError:
             if next_one < on_top:
                 continue
             raise
         if lowest < elevation <= next_one:
-            yield uplift(definition, whole, panel, loads, elevation), elevation, notice
+            yield cracked_multiplier(definition, whole, panel, loads, elevation), elevation, notice
 
 
-def of_panel(panel: Panel, *, sides: str) -> tuple[float, Message]:
+def crack_of_panel(panel: WallPanel, *, sides: str) -> tuple[float, Message]:
     """Find the crack by eq. 3.27, or by its general form for an eccentric load: elevation [m] and how it was found.
 
     Where the wall rocks to both sides the load is taken at the face that is worse.
@@ -267,7 +265,7 @@ def of_panel(panel: Panel, *, sides: str) -> tuple[float, Message]:
     return elevation, warning("crack-by-formula", **values)
 
 
-def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, Message]:
+def crack_by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, Message]:
     """Find the crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
@@ -276,11 +274,11 @@ def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength
     panel = panel_of(definition, whole, loads_above(load_set, -inf), strength=strength)
 
     def multiplier(elevation: float) -> float:
-        return uplift(definition, whole, panel, loads_above(load_set, elevation), elevation)
+        return cracked_multiplier(definition, whole, panel, loads_above(load_set, elevation), elevation)
 
     jumps = [load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows]
-    elevation = find_least(
-        multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
+    elevation = find_least_multiplier(
+        multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * CONTACT_TOLERANCE
     )
     ratio = (elevation - panel.base) / panel.height
     found = warning(
@@ -292,10 +290,12 @@ def by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength
     return elevation, found
 
 
-def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
+def cracked_multiplier(
+    definition: TwoBlock, whole: Piece, panel: WallPanel, loads: tuple[Load, ...], elevation: float
+) -> float:
     """Return the multiplier that opens a crack at an elevation [m], the least of the sides that rock."""
     parts = divide(whole.solids, level_plane(elevation), where="crack")
-    blocks = (weight_of(parts.below, definition.towards), weight_of(parts.above, definition.towards))
+    blocks = (static_block(parts.below, definition.towards), static_block(parts.above, definition.towards))
     base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top_edge(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
@@ -304,19 +304,97 @@ def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, 
         hinges = (base[ahead], joint[not ahead], head[ahead])
         chain = Chain(blocks, hinges, loads) if ahead else mirror_chain(blocks, hinges, loads)
         work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]
-        held = panel.tension * ARM * panel.thickness * float(turning[0] - turning[1])
+        held = panel.tension * TENSION_ARM * panel.thickness * float(turning[0] - turning[1])
         found.append(float((work.restoring[0] + held) / (g * work.excitation[0])))
     return min(found)
 
 
-def weight_of(solids: Sequence[Solid], direction: Sequence[float]) -> Block:
+def static_block(solids: Sequence[Solid], direction: Sequence[float]) -> RigidBlock:
     """Return solids that move as one as a block for statics: mass and centroid in the plane of motion."""
     masses = np.array([solid.mass for solid in solids])
     centre = masses @ np.array([solid.centroid for solid in solids]) / masses.sum()
-    return Block(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
+    return RigidBlock(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
-def below(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
+def block_below_crack(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
     """Return the lower side of a crack as a block on the base of the whole wall."""
-    body = as_one([planar_body(solid, direction=direction) for solid in parts.below])
+    body = join_bodies([planar_body(solid, direction=direction) for solid in parts.below])
     return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)
+
+
+STATIONS = 41  # of the search, before it is refined
+MARGIN = 0.02  # of the height: least distance of a crack from base or top
+FINE = 1e-6  # of the height: accuracy of the search
+TENSION_ARM = 0.5  # of the thickness: lever arm of the tensile block at the crack, in eq. 3.27
+
+
+def crack_ratio(*, load: float, tension: float, place: float, arm: float = TENSION_ARM) -> float:
+    """Return the height of the crack over that of a plain rectangular wall, for the least uplift multiplier.
+
+    h_c / h = sqrt(a) / (sqrt(a) + sqrt(c)) with a = 1 + n + arm t and c = (1 - xi) n + arm t. With the load at
+    mid-thickness (xi = 1/2) and arm = 1/2 it is thesis eq. 3.27 (Sorrentino et al. 2008).
+
+    Parameters
+    ----------
+    load : n, vertical load over the weight of the wall [-]
+    tension : t, tensile strength of the mortar times the area of the base over the weight of the wall [-]
+    place : xi, distance of the load from the edge support over the thickness [-]; see two_block
+    arm : lever arm of the tensile block over the thickness [-]
+
+    Raises
+    ------
+    CrackError : there is neither load nor tension, so that the crack would be at the top
+    """
+    a, c = 1.0 + load + arm * tension, (1.0 - place) * load + arm * tension
+    if c <= 0.0:
+        raise CrackError(
+            "eq. 3.27 puts the crack at the very top, for there is neither load nor tensile strength to hold it lower"
+        )
+    return sqrt(a) / (sqrt(a) + sqrt(c))
+
+
+def find_least_multiplier(
+    multiplier: Callable[[float], float], *, low: float, high: float, jumps: Sequence[float] = (), apart: float = 0.0
+) -> float:
+    """Find the elevation of the crack at which the multiplier of a wall is least [m].
+
+    Parameters
+    ----------
+    multiplier : of the wall cracked at an elevation [m] -> [-]
+    low, high : elevations of base and top [m]
+    jumps : elevations at which the multiplier jumps [m]
+    apart : least distance of the crack from a jump [m]
+
+    Raises
+    ------
+    CrackError : the multiplier is least at an end, so that no crack between controls
+    """
+    ends = (low + MARGIN * (high - low), high - MARGIN * (high - low))
+    parts = list(split_range(ends, jumps, apart=apart))
+    best, at, bounds = inf, low, ends
+    for start, end in parts:
+        stations = np.linspace(start, end, STATIONS)
+        values = [multiplier(float(each)) for each in stations]
+        lowest = int(np.argmin(values))
+        if values[lowest] < best:
+            best, at = values[lowest], float(stations[lowest])
+            bounds = (float(stations[max(lowest - 1, 0)]), float(stations[min(lowest + 1, STATIONS - 1)]))
+    if not parts or at in (parts[0][0], parts[-1][1]):
+        raise CrackError(
+            f'crack = "minimum": the least multiplier is at an end, at z = {at:.4g} m, so no crack between '
+            "base and top controls; give an overburden load, the material's tensile_strength, a crack elevation, or "
+            "hinges"
+        )
+    found = minimize_scalar(multiplier, bounds=bounds, method="bounded", options={"xatol": FINE * (high - low)})
+    return float(found.x)
+
+
+def split_range(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
+    """Split a range at jumps, leaving out what is nearer than `apart` to one."""
+    start = ends[0]
+    for jump in sorted(each for each in set(jumps) if ends[0] < each + apart and each - apart < ends[1]):
+        if jump - apart > start:
+            yield start, jump - apart
+        start = max(start, jump + apart)
+    if start < ends[1]:
+        yield start, ends[1]

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from assess.errors import AssessError, ResultsError
 from assess.messages.message import Message, warning
+from assess.outputs.journal import recover_for_reading
 from assess.outputs.manifest import is_changed
-from assess.outputs.recovery import recover_for_reading
 from assess.results import Results
 from assess.results.files import find_results, read, read_fragility
 from assess.results.fragility import FragilityResults

@@ -1,24 +1,91 @@
-"""Moves of finished files from their stage into a folder, which can be recovered from a stop at any moment.
+"""Moves of finished files from the stage they were made in to a folder, and recovery from a stop at any moment.
 
-The stage holds the new files in `made`. A journal written there lists every move with the SHA-256 of the new and of the
-old file; only then are files moved, replaced ones into `old`. Every step can be repeated: the next command that finds a
-stage with a journal finishes the moves, or takes them back if the folder was changed meanwhile. A stage without a
-journal was never finished, or is done with.
+The stage is a hidden folder on the same disk, which holds the new files in `made`. A journal written there lists every
+move with the SHA-256 of the new and of the old file; only then are files moved, replaced ones into `old`. Every step
+can be repeated: the next command that finds a stage with a journal finishes the moves, or takes them back if the folder
+was changed meanwhile. A stage without a journal was never finished, or is done with.
 """
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
-from contextlib import suppress
+import shutil
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from secrets import token_hex
 
 from assess.errors import OutputError
-from assess.outputs.digest import digest
-from assess.outputs.manifest import link_above, stays_inside
-from assess.outputs.stage import JOURNAL, MADE, OLD, files_in, flush
+from assess.messages.message import Message, note
+from assess.outputs.lock import LOCK, hold_lock, is_abandoned
+from assess.outputs.manifest import digest, link_above, stays_inside
+from assess.outputs.signals import defer_signals
+
+Tell = Callable[[Message], None]
+
+
+def recover_for_reading(folder: Path, *, tell: Tell) -> None:
+    """Recover a folder for a command that only reads in it.
+
+    Waits for a command that is moving files at this moment; does nothing if no command was stopped there.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    tell : callable
+        Called with a message on what was recovered.
+    """
+    if any((each / JOURNAL).is_file() for each in _stages(folder)):
+        with hold_lock(folder, command="a command that reads there", patient=True):
+            recover(folder, tell=tell)
+
+
+def recover(folder: Path, *, tell: Tell) -> None:
+    """Recover a folder whose lock the caller holds; remove stages that are left behind."""
+    for stage in left_behind(folder, alone=True):
+        if (stage / JOURNAL).is_file() and not stage.is_symlink():
+            with defer_signals():
+                tell(_finish_or_take_back(stage, folder))
+        remove_stage(stage)
+
+
+def keep_beside(stage: Path, folder: Path) -> Path:
+    """Move the files of a stage into a new folder beside `folder`, or within it, and return the new folder.
+
+    Old files whose place is taken by others go with them.
+    """
+    if (stage / OLD).is_dir() and files_in(stage / OLD):
+        (stage / OLD).rename(stage / MADE / OLD)
+    beside = folder.absolute()
+    for parent, name in ((beside.parent, f"{beside.name}-new"), (beside, "new")):
+        number = next(n for n in range(1, 10_000) if not (parent / f"{name}-{n}").exists())
+        try:
+            return (stage / MADE).rename(parent / f"{name}-{number}")
+        except OSError:
+            continue
+    return stage / MADE
+
+
+def _finish_or_take_back(stage: Path, folder: Path) -> Message:
+    moves = read_moves(stage)
+    if moves is not None and can_finish(stage, folder, moves):
+        finish(stage, folder, moves)
+        return note("writing-finished", str(folder))
+    take_back(stage, folder, guess_moves(stage, folder) if moves is None else moves)
+    left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
+    place = keep_beside(stage, folder) if left else folder
+    return note("writing-taken-back", str(folder), place=str(place))
+
+
+def _stages(folder: Path) -> list[Path]:
+    try:
+        return list(folder.glob(".assess-partial-*"))
+    except OSError:
+        return []
 
 
 @dataclass(frozen=True)
@@ -46,7 +113,7 @@ def begin(stage: Path, moves: Sequence[Move]) -> None:
 def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Carry out the moves that are not done yet."""
     for move in moves:
-        made, saved, target = _places(stage, folder, move)
+        made, saved, target = _made_saved_target(stage, folder, move)
         if made.exists() or move.new is None:
             _save(target, saved)
         if made.exists():
@@ -61,7 +128,7 @@ def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
 def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Undo the moves that are done; files whose place is taken stay in the stage."""
     for move in reversed(moves):
-        made, saved, target = _places(stage, folder, move)
+        made, saved, target = _made_saved_target(stage, folder, move)
         now = digest(target)
         if now is not None and now == move.new and not made.exists():
             made.parent.mkdir(parents=True, exist_ok=True)
@@ -89,7 +156,7 @@ def read_moves(stage: Path) -> list[Move] | None:
 def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
     """Return whether all new files are whole, and no unknown file is in their place."""
     for move in moves:
-        made, _, target = _places(stage, folder, move)
+        made, _, target = _made_saved_target(stage, folder, move)
         now = digest(target)
         if now not in (None, move.new, move.old):
             return False
@@ -108,7 +175,7 @@ def guess_moves(stage: Path, folder: Path) -> list[Move]:
     return moves
 
 
-def _places(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
+def _made_saved_target(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
     """Return where a file is made, saved and wanted; raise OutputError if a link leads out of the folder."""
     places = stage / MADE / move.name, stage / OLD / move.name, folder / move.name
     for root, place in zip((stage, stage, folder), places, strict=True):
@@ -142,3 +209,120 @@ def _remove_empty(folder: Path, names: Sequence[str]) -> None:
     for parent in sorted({(folder / name).parent for name in names} - {folder}, reverse=True):
         with suppress(OSError):
             parent.rmdir()
+
+
+PREFIX = ".assess-partial-"
+MADE, OLD, JOURNAL = "made", "old", "journal.json"
+_DAY = 86400.0  # s
+
+
+@contextmanager
+def stage(place: Path, *, command: str) -> Iterator[Path]:
+    """Give a new hidden folder in `place`, with an empty folder `made`; it is removed unless its journal is open.
+
+    Parameters
+    ----------
+    place : Path
+        The folder to make it in.
+    command : str
+        The command that uses it, named in its lock.
+
+    Yields
+    ------
+    Path
+        The stage.
+
+    Raises
+    ------
+    OutputError
+        If nothing can be written in `place`.
+    """
+    folder = place / f"{PREFIX}{token_hex(6)}"
+    try:
+        _make(folder)
+        with hold_lock(folder, command=command):
+            try:
+                (folder / MADE).mkdir()
+                yield folder
+            finally:
+                with defer_signals():
+                    _empty(folder)
+    finally:
+        with defer_signals():
+            if not (folder / JOURNAL).exists():
+                remove_stage(folder)
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(mode=0o700)
+    except OSError as error:
+        raise OutputError(
+            f"{folder.parent}: nothing can be written there ({error.strerror}); give another place"
+        ) from None
+
+
+def _empty(folder: Path) -> None:
+    """Remove the files of a stage except its lock, which goes last; none while moves are unfinished."""
+    for each in () if (folder / JOURNAL).exists() else folder.iterdir():
+        if each.name != LOCK:
+            remove_stage(each)
+
+
+def left_behind(place: Path, *, alone: bool = False) -> list[Path]:
+    """Return the stages in `place` that no command uses; alone: no other command can begin one there now."""
+    try:
+        found = sorted(place.glob(f"{PREFIX}*"))
+    except OSError:
+        return []
+    return [each for each in found if _is_left_behind(each, alone=alone)]
+
+
+def _is_left_behind(found: Path, *, alone: bool) -> bool:
+    """Return whether a stage is abandoned; one without a signed lock may just be beginning, or was stopped then."""
+    lock = found / LOCK
+    try:
+        if lock.is_file():
+            return is_abandoned(lock, unsigned=alone or _is_older_than_a_day(lock))
+        return alone or _is_older_than_a_day(found)
+    except OSError:
+        return False
+
+
+def _is_older_than_a_day(path: Path) -> bool:
+    return time.time() - path.lstat().st_mtime > _DAY
+
+
+def remove_abandoned(place: Path) -> None:
+    """Remove the abandoned stages in `place` that hold no old files."""
+    for each in left_behind(place):
+        if not (each / OLD).exists():
+            remove_stage(each)
+
+
+def remove_stage(found: Path) -> None:
+    """Remove a stage; a link is removed, not followed."""
+    if found.is_dir() and not found.is_symlink():
+        shutil.rmtree(found, ignore_errors=True)
+        return
+    with suppress(OSError):
+        found.unlink()
+
+
+def files_in(folder: Path) -> list[str]:
+    """Return every file below `folder`, as a sorted list of paths with slashes."""
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
+
+
+def flush(path: Path) -> None:
+    """Flush a file, or the names in a folder, to the disk."""
+    if os.name == "nt" and path.is_dir():
+        return  # Windows opens no folders
+    handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
+    try:
+        os.fsync(handle)
+    except OSError:
+        if not path.is_dir():  # some network disks flush files only
+            raise
+    finally:
+        os.close(handle)

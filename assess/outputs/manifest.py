@@ -6,19 +6,20 @@ written. Neither are ever replaced or removed.
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
-from assess.outputs.digest import digest
-
 MANIFEST = ".assess-manifest.json"
 RESULTS, ENVELOPES, FRAGILITY = "results.json", "envelopes.json", "fragility.json"
 VERIFICATION = "verification.json"
+
 RECORDS, PORTFOLIO = "records", "portfolio"
 """The sets of files, named after their results: each command replaces and removes files of its own set only."""
+
 REPORT = ("report.pdf", "report.html", "tables.xlsx")
 """Files of a report besides its tables and figures."""
 _EARLIER = {".assess-outputs": RESULTS, ".assess-envelopes": ENVELOPES}  # lists of names alone
@@ -60,8 +61,10 @@ def read(folder: Path) -> Manifest:
         content = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
         listed = {str(owner): dict(files) for owner, files in content["sets"].items()}
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        return _earlier(folder)
-    return Manifest({owner: _inside({name: s or "" for name, s in files.items()}) for owner, files in listed.items()})
+        return _manifest_of_earlier_lists(folder)
+    return Manifest(
+        {owner: _names_inside({name: s or "" for name, s in files.items()}) for owner, files in listed.items()}
+    )
 
 
 def state(path: Path, sha256: str | None) -> str:
@@ -78,7 +81,7 @@ def is_changed(path: Path) -> bool | None:
     return None if not written or written[0] is None else state(path, written[0]) == "changed"
 
 
-def _earlier(folder: Path) -> Manifest:
+def _manifest_of_earlier_lists(folder: Path) -> Manifest:
     """Return the manifest by lists of earlier versions; a file well younger than its list was changed since."""
     sets: dict[str, dict[str, str | None]] = {}
     for name, owner in _EARLIER.items():
@@ -87,7 +90,7 @@ def _earlier(folder: Path) -> Manifest:
             written = (folder / name).stat().st_mtime
         except (OSError, UnicodeDecodeError):
             continue
-        sets[owner] = _inside({each: "" if _younger(folder / each, written) else None for each in names if each})
+        sets[owner] = _names_inside({each: "" if _younger(folder / each, written) else None for each in names if each})
     return Manifest(sets, tuple(name for name in _EARLIER if (folder / name).is_file()))
 
 
@@ -110,5 +113,16 @@ def link_above(path: Path, folder: Path) -> Path | None:
     return next((found for each in above if (found := folder / each) != folder and found.is_symlink()), None)
 
 
-def _inside(files: Mapping[str, Any]) -> dict[str, str | None]:
+def _names_inside(files: Mapping[str, Any]) -> dict[str, str | None]:
     return {name: None if sha256 is None else str(sha256) for name, sha256 in files.items() if stays_inside(name)}
+
+
+def digest(path: Path) -> str | None:
+    """Return the SHA-256 of a file; None if there is no such file, "" if it is not a regular file or cannot be read."""
+    try:
+        with path.open("rb") as opened:
+            return hashlib.file_digest(opened, "sha256").hexdigest()
+    except FileNotFoundError:
+        return "" if path.is_symlink() else None
+    except OSError:
+        return ""

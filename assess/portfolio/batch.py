@@ -1,38 +1,67 @@
-"""A portfolio assessed: its projects computed, each once, and their rows written as one ranked table."""
+"""A portfolio assessed: its projects computed, each once, and their rows written as one ranked table.
+
+The ledger keeps the rows computed so far in an SQLite file that outlives a kill at any moment. One process writes it,
+the one that gives out the tasks. A row counts only under the identity of its job: with another input, another program
+or other outputs asked for it is computed again. Several commands can divide a portfolio into shards, each with a ledger
+of its own.
+"""
 
 from __future__ import annotations
 
+import hashlib
+import json
+import re
+import sqlite3
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from assess.errors import AssessError
+from assess.errors import AssessError, OutputError
 from assess.outputs import manifest
-from assess.outputs.folder import make_folder, output_folder, refuse_obstacles
 from assess.outputs.lock import LOCK, hold_lock
-from assess.portfolio.executors import Engine
-from assess.portfolio.ledger import Ledger, open_ledger
+from assess.outputs.writing import make_folder, output_folder, refuse_obstacles
+from assess.portfolio.executors import Engine, compute_all
 from assess.portfolio.projects import Task
-from assess.portfolio.row import Row
-from assess.portfolio.shard import LEDGERS, WHOLE, Shard
-from assess.portfolio.stream import compute_all
+from assess.portfolio.row import ProjectRow
 from assess.portfolio.tasks import Job, Keep, Runner
-from assess.results.program import describe_program
+from assess.results.inputs import describe_program
 
 COMMAND = "assess batch"
 TABLE = "ranked.html"
 WANTED = (TABLE, "ranked.xlsx", "ranked.csv")
-WORST = (70, 2, 1, 3, 0)
+
+WORST_CODES = (70, 2, 1, 3, 0)
 """Exit codes, the worst first."""
 
-Writer = Callable[[Sequence[Row], Path], object]
+TableWriter = Callable[[Sequence[ProjectRow], Path], object]
 """Writes the ranked table of rows into a folder."""
 
 
 @dataclass(frozen=True)
-class Order:
+class Shard:
+    """One of `count` shares, by its number from 1. A project belongs to a share by the hash of its key alone."""
+
+    number: int = 1
+    count: int = 1
+
+    def holds(self, key: str) -> bool:
+        """Return whether the project of a key is of this share."""
+        place = hashlib.sha256(key.encode("utf-8", "surrogatepass")).digest()[:8]
+        return int.from_bytes(place) % self.count == self.number - 1
+
+    @property
+    def ledger(self) -> str:
+        """The name of its ledger."""
+        return "ledger.sqlite" if self.count == 1 else f"ledger-{self.number}-of-{self.count}.sqlite"
+
+
+WHOLE = Shard()
+
+
+@dataclass(frozen=True)
+class BatchOptions:
     """What is asked for.
 
     place : folder of the outputs
@@ -56,7 +85,7 @@ class Portfolio:
     table : the ranked table as a page; None while projects are left
     """
 
-    rows: tuple[Row, ...]
+    rows: tuple[ProjectRow, ...]
     left: int
     table: Path | None
 
@@ -64,7 +93,7 @@ class Portfolio:
     def exit_code(self) -> int:
         """The worst exit code of its projects; 0 for a share without any."""
         found = {row.exit_code for row in self.rows}
-        return next((code for code in WORST if code in found), 0)
+        return next((code for code in WORST_CODES if code in found), 0)
 
     def count(self) -> Mapping[str, int]:
         """Return how many are broken, and how many came to each outcome."""
@@ -77,11 +106,11 @@ def no_progress(done: int, total: int) -> None:
 
 def run_batch(
     tasks: Sequence[Task],
-    order: Order,
+    order: BatchOptions,
     *,
     runner: Runner,
     engine: Engine,
-    write: Writer,
+    write: TableWriter,
     tell: Callable[[str], None],
     progress: Callable[[int, int], None] = no_progress,
 ) -> Portfolio:
@@ -131,7 +160,7 @@ def run_batch(
 
 
 @contextmanager
-def _own_ledger(order: Order) -> Iterator[Ledger]:
+def _own_ledger(order: BatchOptions) -> Iterator[Ledger]:
     """Open the ledger of the share, which no other command may use meanwhile."""
     with make_folder(order.place):
         refuse_obstacles(order.place, manifest.read(order.place), manifest.PORTFOLIO, WANTED)
@@ -141,8 +170,8 @@ def _own_ledger(order: Order) -> Iterator[Ledger]:
 
 
 def _rows_to_keep(
-    jobs: Mapping[str, Job], mine: Sequence[Job], ledger: Ledger, order: Order, tell: Callable[[str], None]
-) -> Mapping[str, Row]:
+    jobs: Mapping[str, Job], mine: Sequence[Job], ledger: Ledger, order: BatchOptions, tell: Callable[[str], None]
+) -> Mapping[str, ProjectRow]:
     """Return the rows of this share that need not be computed; without `resume` begin the ledger anew."""
     found = sum(1 for _ in ledger.rows())
     if not order.resume:
@@ -160,7 +189,7 @@ def _rows_to_keep(
     return done
 
 
-def _has_outputs(row: Row, place: Path) -> bool:
+def _has_outputs(row: ProjectRow, place: Path) -> bool:
     """Return whether the outputs that a row links to are still there."""
     return all((place / link).is_file() for link in (row.results, row.report) if link)
 
@@ -177,7 +206,7 @@ def _compute(
     done = total - len(left)
     progress(done, total)
 
-    def keep(rows: Sequence[tuple[Job, Row]]) -> None:
+    def keep(rows: Sequence[tuple[Job, ProjectRow]]) -> None:
         nonlocal done
         ledger.put([(job.identity, row) for job, row in rows])
         done += len(rows)
@@ -186,10 +215,10 @@ def _compute(
     compute_all(left, total=len(left), runner=runner, engine=engine, keep=keep)
 
 
-def _known_rows(jobs: Mapping[str, Job], order: Order) -> dict[str, Row]:
+def _known_rows(jobs: Mapping[str, Job], order: BatchOptions) -> dict[str, ProjectRow]:
     """Return the rows of all ledgers of the folder, by key; of several of one project the first that is done."""
-    names = {path.name for pattern in LEDGERS for path in order.place.glob(pattern)}
-    known: dict[str, Row] = {}
+    names = {path.name for pattern in LEDGER_PATTERNS for path in order.place.glob(pattern)}
+    known: dict[str, ProjectRow] = {}
     for name in sorted(names, key=lambda name: (name != order.shard.ledger, name)):
         with open_ledger(order.place / name) as ledger:
             for identity, row in ledger.rows():
@@ -198,6 +227,97 @@ def _known_rows(jobs: Mapping[str, Job], order: Order) -> dict[str, Row]:
     return known
 
 
-def _is_of(jobs: Mapping[str, Job], identity: str, row: Row) -> bool:
+def _is_of(jobs: Mapping[str, Job], identity: str, row: ProjectRow) -> bool:
     """Return whether a row is of a project as it is now."""
     return row.key in jobs and jobs[row.key].identity == identity
+
+
+_SHARD = re.compile(r"([0-9]{1,6})/([0-9]{1,6})")
+
+LEDGER_PATTERNS = ("ledger.sqlite", "ledger-*-of-*.sqlite")
+"""Patterns of the names of ledgers."""
+
+
+def parse_shard(text: str) -> Shard:
+    """Return the share that "i/n" names; raise AssessError for what names none."""
+    found = _SHARD.fullmatch(text)
+    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+        raise AssessError(f"--shard {text!r:.40}: give i/n, such as 1/8, with i from 1 to n")
+    return Shard(int(found[1]), int(found[2]))
+
+
+LEDGER_APPLICATION = 0x41534C47  # marks the file as ours
+LEDGER_VERSION = 1
+WAIT_FOR_WRITER = 60.0  # s, to wait for another process that writes
+
+
+class Ledger:
+    """An open ledger."""
+
+    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+        self._connection = connection
+        self.path = path
+
+    def rows(self) -> Iterator[tuple[str, ProjectRow]]:
+        """Yield every row with the identity of its job, in the order of keys."""
+        for identity, text in self._connection.execute("SELECT identity, row FROM rows ORDER BY key"):
+            yield identity, ProjectRow(**json.loads(text))
+
+    def put(self, rows: Iterable[tuple[str, ProjectRow]]) -> None:
+        """Write rows, each with the identity of its job; all of them are on the disk afterwards, or none."""
+        with self._connection:
+            self._connection.executemany(
+                "INSERT OR REPLACE INTO rows VALUES (?, ?, ?)",
+                [
+                    (json.dumps(row.key), identity, json.dumps(asdict(row))) for identity, row in rows
+                ],  # keys of any text
+            )
+
+    def clear(self) -> None:
+        """Remove every row."""
+        with self._connection:
+            self._connection.execute("DELETE FROM rows")
+
+
+@contextmanager
+def open_ledger(path: Path) -> Iterator[Ledger]:
+    """Open a ledger, made if absent; close it at the end.
+
+    Raises
+    ------
+    OutputError : it cannot be written, is damaged, of a newer version, or no ledger
+    """
+    if path.is_symlink() or path.is_dir():
+        raise OutputError(f"{path}: is no file of its own; move it away, or give another folder with -o")
+    try:
+        with closing(sqlite3.connect(path, timeout=WAIT_FOR_WRITER)) as connection:
+            _prepare_ledger(connection, path)
+            yield Ledger(connection, path)
+    except sqlite3.Error as error:
+        raise OutputError(
+            f"{path}: the ledger cannot be used ({error}); if the folder cannot be written give another with -o, and "
+            "if the file is damaged delete it: its projects are then computed again"
+        ) from None
+
+
+def _prepare_ledger(connection: sqlite3.Connection, path: Path) -> None:
+    """Make the table in an empty file; refuse a file that is newer or not ours."""
+    connection.execute("PRAGMA journal_mode = DELETE")  # a log beside the file fails on disks of a network
+    connection.execute("PRAGMA synchronous = FULL")
+    application, version, tables = (
+        int(connection.execute(query).fetchone()[0])
+        for query in ("PRAGMA application_id", "PRAGMA user_version", "SELECT count(*) FROM sqlite_master")
+    )
+    if tables and application != LEDGER_APPLICATION:
+        raise OutputError(f"{path}: not a ledger of a portfolio; move it away, or give another folder with -o")
+    if version > LEDGER_VERSION:
+        raise OutputError(
+            f"{path}: a ledger of version {version}, made by a newer program; this one knows up to {LEDGER_VERSION}: "
+            "use the newer program, or give another folder with -o"
+        )
+    if not tables:
+        with connection:
+            connection.execute("BEGIN")
+            connection.execute("CREATE TABLE IF NOT EXISTS rows (key TEXT PRIMARY KEY, identity TEXT, row TEXT)")
+            connection.execute(f"PRAGMA application_id = {LEDGER_APPLICATION}")
+            connection.execute(f"PRAGMA user_version = {LEDGER_VERSION}")

@@ -1,30 +1,181 @@
-"""Where the tasks of a portfolio are computed: processes of this machine, or the workers of a Dask scheduler.
+"""The tasks of a portfolio given out to processes of this machine, or to the workers of a Dask scheduler.
 
 Both are a `concurrent.futures.Executor`. Dask computes the tasks of a lost worker again by itself; a pool of processes
 breaks whole, and is made again.
+
+Tasks are given out in chunks that take about half a second, a few chunks at a time whatever the number of tasks, so
+that what a chunk costs beside its tasks is small and little is lost where the program is killed. When a worker ends,
+the tasks that were given out are suspects: each is computed again alone, and one whose worker ends then, and once more,
+is a broken row.
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, Executor
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING
 
-from assess.errors import AssessError
+from assess.errors import AssessError, HeldError
+from assess.portfolio.row import ProjectRow
+from assess.portfolio.tasks import BUG, INPUT_IS_WRONG, Computed, Job, Runner, broken_row, compute_rows
 from assess.workers import SpawnedPool, available_cores, end_on_error
 
 if TYPE_CHECKING:
     from distributed import Client
+
+
+CHUNK_DURATION = 0.5  # s
+LARGEST_CHUNK = 256  # tasks of a chunk
+CHECK_EVERY = 1.0  # s, between looks at the executor
+
+WORKER_ENDED = (
+    "it ended the process that computed it, alone and twice: not enough memory, or a fault in compiled code; try it "
+    "with `assess run`"
+)
+
+RowReceiver = Callable[[Sequence[tuple[Job, ProjectRow]]], None]
+"""Takes rows as they come, with their jobs."""
+
+
+def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engine, keep: RowReceiver) -> None:
+    """Compute every job, and hand over the rows in the order in which they are done.
+
+    Parameters
+    ----------
+    jobs : iterable of Job
+        What is to be computed; drawn as it is given out.
+    total : int
+        How many they are.
+    runner : Runner
+        Assesses one.
+    engine : Engine
+        Where it is computed.
+    keep : Keeper
+        Called in this process with rows that are done.
+
+    Raises
+    ------
+    AssessError
+        If the executor is lost, or cannot compute anything.
+    """
+    line, suspects, losses = _Queue(jobs, total), list[Job](), Counter[str]()
+    while line.left or suspects:
+        with engine() as opened:
+            if suspects:
+                suspects = _compute_alone(suspects, losses, runner, opened, keep)
+            else:
+                suspects = _compute_together(line, runner, opened, keep)
+
+
+class _Queue:
+    """The jobs that wait, given out in chunks as large as their pace asks for."""
+
+    def __init__(self, jobs: Iterable[Job], total: int) -> None:
+        self._jobs = iter(jobs)
+        self._pace: float | None = None  # s a job
+        self.left = total
+
+    def take(self, width: int) -> tuple[Job, ...]:
+        """Return the next chunk: at the end small ones, so that all workers end together."""
+        fair = -(-self.left // (4 * max(width, 1)))
+        fit = 1 if self._pace is None else int(CHUNK_DURATION / max(self._pace, CHUNK_DURATION / LARGEST_CHUNK))
+        chunk = tuple(islice(self._jobs, max(1, min(fit, fair))))
+        self.left -= len(chunk)
+        return chunk
+
+    def learn(self, computed: Computed) -> None:
+        """Follow the time that jobs take."""
+        now = computed.seconds / len(computed.rows)
+        self._pace = now if self._pace is None else 0.5 * (self._pace + now)
+
+
+def _compute_together(line: _Queue, runner: Runner, opened: OpenExecutor, keep: RowReceiver) -> list[Job]:
+    """Compute the jobs in line until all are done or a worker has ended; return those that may have ended it."""
+    given: dict[Future[Computed], tuple[Job, ...]] = {}
+    suspects: list[Job] = []
+    while given or (line.left and not suspects):
+        width = opened.width()
+        while line.left and not suspects and len(given) < width + opened.spare:
+            chunk = line.take(width)
+            try:
+                given[opened.executor.submit(compute_rows, runner, chunk)] = chunk
+            except opened.losses:
+                suspects.extend(chunk)
+        rows: list[tuple[Job, ProjectRow]] = []
+        for future in _wait_for_some(given, opened) if given else ():
+            chunk = given.pop(future)
+            computed = _result(future, opened)
+            if computed is None:
+                suspects.extend(chunk)
+            else:
+                line.learn(computed)
+                rows.extend(zip(chunk, computed.rows, strict=True))
+        if rows:
+            keep(rows)  # all at once: each time waits for the disk
+    return suspects
+
+
+def _compute_alone(
+    suspects: Sequence[Job], losses: Counter[str], runner: Runner, opened: OpenExecutor, keep: RowReceiver
+) -> list[Job]:
+    """Compute jobs one at a time until one ends its worker; return those that are left.
+
+    losses : how often each, by its key, ended its worker alone
+    """
+    for place, job in enumerate(suspects):
+        future = opened.executor.submit(compute_rows, runner, (job,))
+        for _ in _wait_for_some([future], opened):
+            computed = _result(future, opened)
+        if computed is not None:
+            keep(((job, computed.rows[0]),))
+            continue
+        losses[job.task.key] += 1
+        if losses[job.task.key] < opened.trials:
+            return list(suspects[place:])
+        keep(((job, _lost_row(job, future.exception())),))
+        return list(suspects[place + 1 :])
+    return []
+
+
+def _lost_row(job: Job, error: BaseException | None) -> ProjectRow:
+    """Return the row of a project that ends its worker, or whose outputs another command writes."""
+    if isinstance(error, HeldError):
+        return broken_row(job, str(error), INPUT_IS_WRONG)
+    return broken_row(job, WORKER_ENDED, BUG)
+
+
+def _wait_for_some(given: Iterable[Future[Computed]], opened: OpenExecutor) -> Iterator[Future[Computed]]:
+    """Wait until some are done, as long as the executor lasts, and yield those."""
+    while not (done := wait(given, CHECK_EVERY, FIRST_COMPLETED).done):
+        opened.check()
+    yield from done
+
+
+def _result(future: Future[Computed], opened: OpenExecutor) -> Computed | None:
+    """Return what a chunk came to; None if its worker ended or its outputs are held by another."""
+    losses: tuple[type[BaseException], ...] = (*opened.losses, HeldError)
+    try:
+        return future.result()
+    except losses:
+        return None
+    except CancelledError:
+        opened.check()
+        raise AssessError("the scheduler gave up the tasks; go on with --resume") from None
+    except ImportError as error:
+        raise AssessError(f"a worker cannot import the program ({error}); install rocking-assess there") from None
+
 
 CONNECT_WITHIN = 10.0  # s
 MOST_WAITING = 16  # chunks that wait at a scheduler, so that it sees work for workers which are yet to come
 
 
 @dataclass(frozen=True)
-class Opened:
+class OpenExecutor:
     """An executor that takes work.
 
     width : returns how many tasks it computes at a time; 0 while there are no workers
@@ -42,7 +193,7 @@ class Opened:
     check: Callable[[], None]
 
 
-Engine = Callable[[], AbstractContextManager[Opened]]
+Engine = Callable[[], AbstractContextManager[OpenExecutor]]
 """Opens an executor; again after one has broken."""
 
 
@@ -51,10 +202,10 @@ def processes(jobs: int | None) -> Engine:
     number = jobs or available_cores()
 
     @contextmanager
-    def opened() -> Iterator[Opened]:
+    def opened() -> Iterator[OpenExecutor]:
         pool = SpawnedPool(number)
         with end_on_error(pool):
-            yield Opened(pool, lambda: number, number, (BrokenExecutor,), 2, lambda: None)
+            yield OpenExecutor(pool, lambda: number, number, (BrokenExecutor,), 2, lambda: None)
 
     return opened
 
@@ -76,7 +227,7 @@ def dask(address: str) -> Engine:
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it writes tracebacks of what is handled here
 
     @contextmanager
-    def opened() -> Iterator[Opened]:
+    def opened() -> Iterator[OpenExecutor]:
         try:
             client = Client(address, timeout=CONNECT_WITHIN, set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
@@ -85,31 +236,31 @@ def dask(address: str) -> Engine:
                 "`dask scheduler`, and give the address that it prints"
             ) from None
         with client:
-            yield Opened(
+            yield OpenExecutor(
                 client.get_executor(pure=False),
-                lambda: _width(client, address),
+                lambda: _dask_width(client, address),
                 MOST_WAITING,
                 (KilledWorker,),
                 1,  # after several workers
-                lambda: _check(client, address),
+                lambda: _check_scheduler(client, address),
             )
 
     return opened
 
 
-def _width(client: Client, address: str) -> int:
+def _dask_width(client: Client, address: str) -> int:
     """Return how many tasks the workers compute at a time; raise AssessError if the scheduler has gone."""
     try:
         return sum(client.nthreads().values())
     except OSError:
-        raise _gone(address) from None
+        raise _scheduler_gone(address) from None
 
 
-def _check(client: Client, address: str) -> None:
+def _check_scheduler(client: Client, address: str) -> None:
     """Raise AssessError if the scheduler has gone."""
     if client.status != "running":
-        raise _gone(address)
+        raise _scheduler_gone(address)
 
 
-def _gone(address: str) -> AssessError:
+def _scheduler_gone(address: str) -> AssessError:
     return AssessError(f"--scheduler {address}: the scheduler has gone; start it again, and go on with --resume")

@@ -1,4 +1,7 @@
-"""The projects of a portfolio: those below a folder, or one for each row of a table that changes a template."""
+"""The projects of a portfolio: those below a folder, or one for each row of a table that changes a template.
+
+A project is known by the hash of all that it reads: its file or row, and every file that it names.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +12,24 @@ import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from glob import escape, glob
 from pathlib import Path
 from typing import Any
 
 from assess.errors import ProjectError
-from assess.portfolio.named_files import FilesHash, files_hash
-from assess.portfolio.table import Line, read_table
-from assess.portfolio.template import TITLE, Column, columns_of, key_text, keys_of, quote, read_template, with_row
+from assess.portfolio.template import (
+    TITLE,
+    KeyColumn,
+    TableRow,
+    columns_of,
+    key_text,
+    keys_of,
+    quote,
+    read_table,
+    read_template,
+    with_row,
+)
 from assess.short_repr import ShortRepr
 
 ID = "id"
@@ -49,11 +63,11 @@ class Task(ShortRepr):
     sha256: str
 
 
-UnitFault = Callable[[Path, Mapping[str, Any], Column], str]
+UnitFault = Callable[[Path, Mapping[str, Any], KeyColumn], str]
 """Says why the unit of a column cannot stand there, from the path and the tables of the template; "" if it can."""
 
 
-def no_unit_fault(path: Path, tables: Mapping[str, Any], column: Column) -> str:
+def no_unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
     """Take any unit."""
     return ""
 
@@ -86,10 +100,10 @@ def find_tasks(
     if source.is_dir():
         if template is not None:
             raise ProjectError(f"{source}: a folder, whose projects need no template; leave out --template")
-        return _counted(_of_folder(source), progress)
+        return _counted(_tasks_below(source), progress)
     if template is None:
         raise ProjectError(f"{source}: a table needs the project that its rows change; add --template FILE.toml")
-    return _counted(_of_table(source, template.absolute(), unit_fault), progress)
+    return _counted(_tasks_of_table(source, template.absolute(), unit_fault), progress)
 
 
 def _counted(tasks: Iterator[Task], progress: Callable[[int], object]) -> tuple[Task, ...]:
@@ -138,14 +152,14 @@ def row_fault(task: Task, text: str) -> str:
     return f"{where}: with {task.path.name}: {said}"
 
 
-def _of_folder(folder: Path) -> Iterator[Task]:
+def _tasks_below(folder: Path) -> Iterator[Task]:
     """Yield a task for each project file below a folder, in the order of their paths."""
     files, hash_of = sorted(_project_files(folder)), files_hash()
     if not files:
         raise ProjectError(
             f"{folder}: no project below it; give a folder with project files, or a table with --template"
         )
-    yield from (_of_file(file, folder, hash_of) for file in files)
+    yield from (_task_of_file(file, folder, hash_of) for file in files)
 
 
 def _project_files(folder: Path) -> Iterator[Path]:
@@ -166,7 +180,7 @@ def _bytes(path: Path) -> bytes:
         return b""
 
 
-def _of_file(file: Path, folder: Path, hash_of: FilesHash) -> Task:
+def _task_of_file(file: Path, folder: Path, hash_of: FilesHash) -> Task:
     data, key = _bytes(file), file.relative_to(folder).as_posix()
     try:
         tables: Mapping[str, Any] = tomllib.loads(data.decode("utf-8-sig"))
@@ -181,7 +195,7 @@ def _title(tables: Mapping[str, Any]) -> str:
     return title if isinstance(title, str) else ""
 
 
-def _of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iterator[Task]:
+def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iterator[Task]:
     """Yield a task for each row of a table.
 
     Raises
@@ -190,7 +204,7 @@ def _of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iterator[T
     """
     tables = read_template(template)
     lines, seen = read_table(source), dict[str, int]()
-    header = _header(next(lines))
+    header = _column_names(next(lines))
     try:
         columns = columns_of(header, tables, skipped=(ID,))
     except ProjectError as error:
@@ -200,18 +214,18 @@ def _of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iterator[T
             raise ProjectError(f"{source}: column {quote(f'{column.key} [{column.unit}]')}: {fault}")
     start, hash_of = hashlib.sha256(template.read_bytes()), files_hash()
     for line in lines:
-        key = _key(line, header)
+        key = _row_key(line, header)
         if key in seen:
             raise ProjectError(
                 f"{source}: lines {seen[key]} and {line.number}: {quote(key)} twice; give each row its own id"
             )
         seen[key] = line.number
-        yield _of_line(source, line, key, columns, template, tables, start.copy(), hash_of)
+        yield _task_of_row(source, line, key, columns, template, tables, start.copy(), hash_of)
     if not seen:
         raise ProjectError(f"{source}: no row below the header; add one for each project")
 
 
-def _header(line: Line) -> tuple[str, ...]:
+def _column_names(line: TableRow) -> tuple[str, ...]:
     """Return the names of the columns, without empty ones at the end, which spreadsheets leave there."""
     names = list(line.cells)
     while names and not names[-1]:
@@ -219,17 +233,17 @@ def _header(line: Line) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _key(line: Line, header: Sequence[str]) -> str:
+def _row_key(line: TableRow, header: Sequence[str]) -> str:
     """Return the row's id, or the number of its line."""
     place = header.index(ID) if ID in header else len(line.cells)
     return (line.cells[place] if place < len(line.cells) else "") or str(line.number)
 
 
-def _of_line(
+def _task_of_row(
     source: Path,
-    line: Line,
+    line: TableRow,
     key: str,
-    columns: Sequence[Column | None],
+    columns: Sequence[KeyColumn | None],
     template: Path,
     tables: Mapping[str, Any],
     start: Any,
@@ -246,19 +260,100 @@ def _of_line(
         _check_number(line, columns)
     except ProjectError as error:
         row = {"fault": str(error)}
-    start.update(_json(row).encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode())
-    content = _json({"table": str(source), "line": line.number, **row})
+    start.update(_compact_json(row).encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode())
+    content = _compact_json({"table": str(source), "line": line.number, **row})
     return Task(key, title, template, content, start.hexdigest())
 
 
-def _json(row: Mapping[str, Any]) -> str:
+def _compact_json(row: Mapping[str, Any]) -> str:
     return json.dumps(row, ensure_ascii=False, separators=(",", ":"))
 
 
-def _check_number(line: Line, columns: Sequence[Column | None]) -> None:
+def _check_number(line: TableRow, columns: Sequence[KeyColumn | None]) -> None:
     """Raise ProjectError unless a row has a cell, which may be empty, for each column, and no more."""
     said = f"{len(line.cells)} cell{'' if len(line.cells) == 1 else 's'} below {len(columns)} columns"
     if len(line.cells) < len(columns):
         raise ProjectError(f"{said}; write the missing ones, or their separators where the template's values stay")
     if any(line.cells[len(columns) :]):
         raise ProjectError(f"{said}; put a text with separators in quotes")
+
+
+LONGEST_PATH = 1000  # characters of a text that may be a path
+LOCK_ENDING = ".toml"  # how a file of [records] ends that names files itself: the lock of a suite
+FilesHash = Callable[[Mapping[str, Any], Path], str]
+
+
+def files_hash() -> FilesHash:
+    """Return a function of a project's tables and folder: the hash of the files that they name.
+
+    Each file is read once, however many projects name it.
+    """
+    digest = lru_cache(maxsize=None)(_file_digest)
+
+    @lru_cache(maxsize=100_000)
+    def named(text: str, folder: Path, of_records: bool) -> bytes:
+        files = _files_named(text, folder, of_records=of_records)
+        locked = (each for file in files if of_records and file.suffix == LOCK_ENDING for each in _files_of_lock(file))
+        return b"".join(map(digest, (*files, *locked)))
+
+    def hash_of(tables: Mapping[str, Any], folder: Path) -> str:
+        found = hashlib.sha256()
+        for text, of_records in _texts(tables):
+            found.update(named(text, folder, of_records))
+        return found.hexdigest()
+
+    return hash_of
+
+
+def _texts(tables: Mapping[str, Any]) -> Iterator[tuple[str, bool]]:
+    """Yield every text of a project, and whether it stands in [records]."""
+    for name, value in tables.items():
+        for text in _leaves(value):
+            if text and len(text) <= LONGEST_PATH and "\0" not in text and "\n" not in text:
+                yield text, name == "records"
+
+
+def _leaves(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for each in value.values():
+            yield from _leaves(each)
+    elif isinstance(value, list):
+        for each in value:
+            yield from _leaves(each)
+
+
+def _files_named(text: str, folder: Path, *, of_records: bool) -> list[Path]:
+    """Return the files that a text names; only [records] has patterns and folders."""
+    path = folder / text
+    try:
+        if path.is_file():
+            return [path]
+    except OSError:  # too long for a name, or in a folder that may not be read
+        return []
+    if not of_records:
+        return []
+    if path.is_dir():
+        below = (each for each in path.rglob("*") if not each.name.startswith("."))
+        return sorted(each for each in below if each.is_file())
+    return sorted(each for each in map(Path, glob(str(Path(escape(str(folder))) / text), recursive=True)))
+
+
+def _files_of_lock(lock: Path) -> list[Path]:
+    """Return the files that a lock names, beside it; none if it cannot be read, which the run of the project tells."""
+    try:
+        tables = tomllib.loads(lock.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return []
+    return [file for text, _ in _texts(tables) for file in _files_named(text, lock.parent, of_records=False)]
+
+
+def _file_digest(path: Path) -> bytes:
+    """Return the name and the hash of a file; of the name alone if it cannot be read."""
+    try:
+        with path.open("rb") as file:
+            content = hashlib.file_digest(file, "sha256").digest()
+    except OSError:
+        content = b""
+    return hashlib.sha256(str(path).encode("utf-8", "surrogateescape") + b"\0" + content).digest()

@@ -1,8 +1,13 @@
-"""What one project of a portfolio comes to: a row of the ranked table."""
+"""What one project of a portfolio comes to: a row of the ranked table, and the order of rows.
+
+What fails comes first, by how little it bears; what is broken last.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from math import inf, isfinite
 from typing import Literal
 
 Status = Literal["done", "broken"]
@@ -10,7 +15,7 @@ RowOutcome = Literal["pass", "fail", "incomplete", ""]
 
 
 @dataclass(frozen=True)
-class Row:
+class ProjectRow:
     """One project of a portfolio, assessed or broken. It is plain: processes and the ledger exchange it as it is.
 
     Attributes
@@ -53,3 +58,32 @@ class Row:
     report: str = ""
     results: str = ""
     exit_code: int = 0
+
+
+RANKED_OUTCOMES = ("fail", "incomplete", "pass")
+"""Outcomes in the order of a ranking; a project without any verdict stands with the incomplete ones."""
+
+
+def rank(rows: Iterable[ProjectRow]) -> tuple[ProjectRow, ...]:
+    """Return the rows in the order in which an owner wants to read them.
+
+    Projects that fail come first, then those without an answer, then those that pass, and broken ones at the end; in
+    each of these the least margin first, then those of unknown margin; equals by key.
+    """
+    return tuple(sorted(rows, key=_rank_key))
+
+
+def _rank_key(row: ProjectRow) -> tuple[int, float, str]:
+    if row.status == "broken":
+        return len(RANKED_OUTCOMES), 0.0, row.key
+    return RANKED_OUTCOMES.index(row.outcome or "incomplete"), margin_of(row), row.key
+
+
+def margin_of(row: ProjectRow) -> float:
+    """Return the margin that ranks a row [-]: 1 / (D/C) where that of PGA is unknown, infinite if both are."""
+    if row.margin is not None and isfinite(row.margin):
+        return row.margin
+    ratio = row.demand_capacity
+    if ratio is None or ratio != ratio or ratio <= 0.0:
+        return inf
+    return 1.0 / ratio

@@ -1,21 +1,24 @@
-"""What a worker does: it computes the rows of a few projects, and whatever happens to one does not stop the others."""
+"""One task as a worker computes it: where its outputs go, and the row that its verdict or its error gives."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+import re
 import traceback
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import inf
 from pathlib import Path
 from time import perf_counter
 from typing import Literal
 
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.errors import AssessError, HeldError
-from assess.portfolio.folder_names import LOGS, folder_name
+from assess.messages.message import Message, Severity
 from assess.portfolio.projects import Task
-from assess.portfolio.row import Row
-from assess.results.program import describe_program
+from assess.portfolio.row import ProjectRow, RowOutcome
+from assess.results.inputs import describe_program
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
@@ -51,7 +54,7 @@ class Job:
         return hashlib.sha256(whole.encode()).hexdigest()
 
 
-Runner = Callable[[Job], Row]
+Runner = Callable[[Job], ProjectRow]
 """Assesses a project and returns its row. It is a function of a module, which a worker imports by its name."""
 
 
@@ -59,7 +62,7 @@ Runner = Callable[[Job], Row]
 class Computed:
     """Rows in the order of their jobs, and the time they took [s]."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[ProjectRow, ...]
     seconds: float
 
 
@@ -77,7 +80,7 @@ def compute_rows(runner: Runner, jobs: Sequence[Job]) -> Computed:
     return Computed(tuple(row_of_job(runner, job) for job in jobs), perf_counter() - start)
 
 
-def row_of_job(runner: Runner, job: Job) -> Row:
+def row_of_job(runner: Runner, job: Job) -> ProjectRow:
     """Return the row of a project; one that cannot be assessed is broken, with the reason in one line."""
     try:
         return runner(job)
@@ -91,10 +94,10 @@ def row_of_job(runner: Runner, job: Job) -> Row:
         where = f"{error.filename}: " if error.filename else ""
         return broken_row(job, f"{where}{error.strerror or error}; check the path and its permissions", INPUT_IS_WRONG)
     except Exception as error:
-        return broken_row(job, f"internal error: {type(error).__name__}: {error} (log: {_log(job)})", BUG)
+        return broken_row(job, f"internal error: {type(error).__name__}: {error} (log: {_write_log(job)})", BUG)
 
 
-def broken_row(job: Job, reason: str, exit_code: int) -> Row:
+def broken_row(job: Job, reason: str, exit_code: int) -> ProjectRow:
     """Return the row of a project that could not be assessed.
 
     Parameters
@@ -110,10 +113,10 @@ def broken_row(job: Job, reason: str, exit_code: int) -> Row:
     if len(line) > LONGEST_REASON:
         line = f"{line[: LONGEST_REASON - 1]}…"
     task = job.task
-    return Row(task.key, task.title, task.sha256, "broken", reason=line, exit_code=exit_code)
+    return ProjectRow(task.key, task.title, task.sha256, "broken", reason=line, exit_code=exit_code)
 
 
-def _log(job: Job) -> str:
+def _write_log(job: Job) -> str:
     """Write the traceback into the folder of the portfolio, under a name that depends on the key alone."""
     name = f"{LOGS}/{folder_name(job.task.key)}.log"
     try:
@@ -122,3 +125,88 @@ def _log(job: Job) -> str:
     except OSError as error:
         return f"not written, {error.strerror}"
     return name
+
+
+EXIT_CODES: dict[RowOutcome, int] = {"pass": 0, "fail": 1, "incomplete": 3, "": 3}
+_WORST_FIRST = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)  # the worst first
+
+
+def row_of_verdict(
+    job: Job, found: Verdict | None, messages: Sequence[Message] = (), *, report: str = "", results: str = ""
+) -> ProjectRow:
+    """Return the row of a project that was assessed, by its worst mechanism and the answer that is worst there.
+
+    Parameters
+    ----------
+    job : Job
+        Of the project.
+    found : Verdict or None
+        Of its run.
+    messages : sequence of Message
+        On its input.
+    report, results : str
+        Links to its report and to its results.json; "" for none.
+    """
+    task = job.task
+    warned = sum(each.severity is Severity.WARNING for each in messages)
+    if found is None:
+        kept = ProjectRow(task.key, task.title, task.sha256, "done", report=report, results=results)
+        return replace(kept, warnings=warned, exit_code=EXIT_CODES[""])
+    one = min(found.mechanisms, key=_mechanism_severity, default=None)
+    answer = None if one is None else min(one.answers, key=_answer_severity, default=None)
+    outcome: RowOutcome = found.outcome.value
+    return ProjectRow(
+        key=task.key,
+        title=task.title,
+        sha256=task.sha256,
+        status="done",
+        outcome=outcome,
+        basis=found.basis,
+        limit_state="" if answer is None else answer.limit_state,
+        worst_mechanism="" if one is None else one.mechanism,
+        margin=None if one is None else one.margin,
+        demand_capacity=None if answer is None else answer.ratio,
+        procedure="" if answer is None else answer.procedure,
+        missing=len(found.missing),
+        warnings=warned,
+        mechanisms=len(found.mechanisms),
+        report=report,
+        results=results,
+        exit_code=EXIT_CODES[outcome],
+    )
+
+
+def _mechanism_severity(one: MechanismVerdict) -> tuple[int, float, float]:
+    """Return what sorts mechanisms, the worst first: by outcome, then by margin, then by demand over capacity."""
+    ratios = [answer.ratio for answer in one.answers if answer.ratio is not None]
+    return (_WORST_FIRST.index(one.outcome), inf if one.margin is None else one.margin, -max(ratios, default=-inf))
+
+
+def _answer_severity(answer: Answer) -> tuple[int, float]:
+    return (_WORST_FIRST.index(answer.outcome), inf if answer.ratio is None else -answer.ratio)
+
+
+LONGEST_NAME = 48  # characters of a key that are kept: paths have an end on Windows
+_FIT = re.compile(rf"[a-z0-9][a-z0-9_-]{{0,{LONGEST_NAME - 1}}}")
+_NOT_KEPT = re.compile(r"[^A-Za-z0-9_]+")
+_LIKE_ANOTHER = re.compile(r".*-[0-9a-f]{10}")
+_DEVICE = re.compile(r"con|prn|aux|nul|com\d|lpt\d")  # which Windows takes for devices
+LOGS = "logs"
+
+
+def folder_name(key: str) -> str:
+    """Return the name of the folder for the outputs of a project.
+
+    A key that is a name on every system stays as it is; any other is shortened to letters, digits and hyphens, and gets
+    the beginning of its SHA-256, so that two keys never share a folder, not even on disks that ignore case. The name
+    depends on the key alone.
+
+    Parameters
+    ----------
+    key : str
+        Of the project: any text.
+    """
+    if _FIT.fullmatch(key) and not (_LIKE_ANOTHER.fullmatch(key) or _DEVICE.fullmatch(key) or key == LOGS):
+        return key
+    kept = _NOT_KEPT.sub("-", key)[:LONGEST_NAME].strip("-") or "project"
+    return f"{kept}-{hashlib.sha256(key.encode('utf-8', 'surrogatepass')).hexdigest()[:10]}"

@@ -1,7 +1,8 @@
-"""A template: a project file whose values the rows of a table change."""
+"""A table of projects as CSV, and the template: the project file whose values its rows change."""
 
 from __future__ import annotations
 
+import csv
 import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -17,16 +18,16 @@ from assess.errors import ProjectError
 
 Place = tuple[str | int, ...]
 TITLE = "title"
-HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
-WHOLE = re.compile(r"[+-]?\d{1,18}")
+COLUMN_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
+WHOLE_NUMBER = re.compile(r"[+-]?\d{1,18}")
 NUMBER = re.compile(r"[+-]?(\d{1,40}\.?\d{0,40}|\.\d{1,40})([eE][+-]?\d{1,3})?|[+-]?(inf|nan)")
 QUANTITY = re.compile(r"\s*[+-]?(\d|\.\d|inf\b)")
-COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
+DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
 MOST_SHOWN = 60  # characters of a value in a message
 
 
 @dataclass(frozen=True)
-class Column:
+class KeyColumn:
     """A column of the table: its key in the template, written with dots, and the unit of its numbers, "" for none."""
 
     key: str
@@ -44,11 +45,11 @@ def read_template(path: Path) -> Mapping[str, Any]:
         size, changed = path.stat().st_size, path.stat().st_mtime_ns
     except (OSError, ValueError):
         raise ProjectError(f"{path}: no such file; give the project file whose values the table changes") from None
-    return _read(path, size, changed)
+    return _read_tables(path, size, changed)
 
 
 @lru_cache(maxsize=4)
-def _read(path: Path, size: int, changed: int) -> Mapping[str, Any]:
+def _read_tables(path: Path, size: int, changed: int) -> Mapping[str, Any]:
     """Read a template of that size and time, once in each process."""
     try:
         tables = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
@@ -81,7 +82,7 @@ def key_text(place: Place) -> str:
     return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in place).lstrip(".")
 
 
-def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]) -> list[Column | None]:
+def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]) -> list[KeyColumn | None]:
     """Return the columns of a table's header; None for those that are `skipped`.
 
     Raises
@@ -89,12 +90,14 @@ def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: S
     ProjectError : a column has no name, the same as another, or one that is no key of the template
     """
     known, seen = keys_of(template), set[str]()
-    found: list[Column | None] = []
+    found: list[KeyColumn | None] = []
     for number, cell in enumerate(header, 1):
-        match = HEADER.fullmatch(cell.strip())
+        match = COLUMN_HEADER.fullmatch(cell.strip())
         key, unit = (match[1].strip(), (match[2] or "").strip()) if match else (cell, "")
         if not key:
-            raise ProjectError(f"column {number}: no name; write a key of the template, such as {quote(_some(known))}")
+            raise ProjectError(
+                f"column {number}: no name; write a key of the template, such as {quote(_example_key(known))}"
+            )
         if key in seen:
             raise ProjectError(f"column {number}: {quote(key)} stands there twice; give each key one column")
         seen.add(key)
@@ -102,11 +105,11 @@ def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: S
             found.append(None)
         else:
             _check_column(key, unit, known, template)
-            found.append(Column(key, unit))
+            found.append(KeyColumn(key, unit))
     return found
 
 
-def _some(known: Mapping[str, Place]) -> str:
+def _example_key(known: Mapping[str, Place]) -> str:
     return next((key for key in known if key.startswith("bodies.")), TITLE)
 
 
@@ -170,10 +173,10 @@ def value_of(text: str, unit: str, *, like: Any, key: str) -> Any:
         return {"true": True, "false": False}.get(text.lower(), text)
     if not isinstance(like, int | float) and not _is_quantity(like):
         return text
-    if COMMA.fullmatch(text):
+    if DECIMAL_COMMA.fullmatch(text):
         raise ProjectError(f"{key}: {quote(text)}: a decimal comma; write {text.replace(',', '.')[:MOST_SHOWN]}")
     if NUMBER.fullmatch(text):
-        return f"{text} {unit}" if unit else int(text) if WHOLE.fullmatch(text) else float(text)
+        return f"{text} {unit}" if unit else int(text) if WHOLE_NUMBER.fullmatch(text) else float(text)
     return text
 
 
@@ -181,3 +184,51 @@ def quote(text: str) -> str:
     """Write a text of the user's in quotes on one line, shortened if it is long."""
     written = dumps(text if len(text) <= MOST_SHOWN else text[: MOST_SHOWN - 1] + "…", ensure_ascii=False)
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in written)
+
+
+SEPARATORS = (",", ";", "\t")
+LONGEST_HEADER = 1_000_000  # characters
+
+
+@dataclass(frozen=True)
+class TableRow:
+    """A row of the table: its cells, stripped, and the line of the file on which it begins."""
+
+    number: int
+    cells: tuple[str, ...]
+
+
+def read_table(path: Path) -> Iterator[TableRow]:
+    """Yield the header and then the rows of a table that are not empty, without holding them.
+
+    Cells are separated by comma, semicolon or tab, whichever the header has most of.
+
+    Raises
+    ------
+    ProjectError : the file cannot be read, is not UTF-8, or breaks the rules of quotes
+    """
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            header = file.readline(LONGEST_HEADER)
+            if not header.strip():
+                raise ProjectError(f"{path}: line 1: no header; write the keys of the template there")
+            separator = max(SEPARATORS, key=header.count)
+            file.seek(0)
+            yield from _lines(csv.reader(file, delimiter=separator))
+    except UnicodeDecodeError as error:
+        byte = f"byte {error.object[error.start]:#04x}"
+        raise ProjectError(f"{path}: {byte} is not UTF-8; save the table as CSV in UTF-8") from None
+    except csv.Error as error:
+        raise ProjectError(f"{path}: not a table as CSV ({error}); save it again from the spreadsheet") from None
+    except OSError as error:
+        raise ProjectError(f"{path}: cannot be read ({error.strerror}); give a table as CSV") from None
+
+
+def _lines(reader: Iterator[Sequence[str]]) -> Iterator[TableRow]:
+    """Yield the rows with the line on which each begins; one in quotes may go over several."""
+    begins = 1
+    for cells in reader:
+        stripped = tuple(cell.strip() for cell in cells)
+        if any(stripped):
+            yield TableRow(begins, stripped)
+        begins = reader.line_num + 1  # type: ignore[attr-defined]

@@ -1,64 +1,99 @@
-"""From the project file's tables to the field's own objects; bodies, loads and mechanisms have modules beside it."""
+"""From the tables of a project file to the study they describe, the files it is made of and the messages on them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 import numpy as np
+from scipy.constants import g
 
-from assess.codes.context import Building, FirstMode
+from assess.codes.context import Building, StatedFirstMode
+from assess.codes.italian_limit_states import LARGEST_FACTOR
+from assess.codes.verdict import Question
 from assess.errors import ProjectError, locate_errors
-from assess.geometry.affine import scale_density
-from assess.geometry.models import Models
-from assess.geometry.solid import Solid
-from assess.messages.message import Message, locate
+from assess.geometry.dimensions import size_warning
+from assess.geometry.formats.readers import WITHOUT_UNIT
+from assess.geometry.mesh import MeshesBySelection
+from assess.geometry.solid import Solid, scale_density
+from assess.mechanisms.mechanism import Mechanism
+from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.model.assembly import Built
+from assess.model.blocks import gaps_of
 from assess.model.body import Bodies
 from assess.model.definitions import Definition
-from assess.model.weakest import mechanism_as_given, mechanism_in_direction
+from assess.model.directions import mechanism_as_given, mechanism_in_direction
+from assess.model.overlaps import overlaps_of
 from assess.project import record_set, sections
-from assess.project.amplification import amplification_method_of, structure_of
-from assess.project.bodies import bodies_of, models_of, solid_of
-from assess.project.definitions import definitions_of
-from assess.project.dependents import dependents
-from assess.project.fragility import fragility_question
-from assess.project.ground import base_elevation_of, ground_mechanism, ground_of
-from assess.project.horizontal_records import horizontal_records, vertical_record_messages
-from assess.project.inputs import inputs_of
-from assess.project.key_text import value_text
-from assess.project.locked_records import lock_messages, locked_records
-from assess.project.procedures import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
-from assess.project.question import facts_of, question_of
-from assess.project.report_matter import report_matter_of
-from assess.project.schema import Project, resolve
+from assess.project.keys import KeySweep, ProjectVariant, dependents
+from assess.project.project_file import Project, resolve
+from assess.project.question import (
+    facts_of,
+    fragility_question,
+    free_periods_of,
+    hazard_files,
+    knowledge_of,
+    options_of,
+    procedures_of,
+    question_of,
+    with_procedures_run,
+)
+from assess.project.record_set import (
+    files_of_lock,
+    horizontal_records,
+    lock_messages,
+    locked_records,
+    vertical_record_messages,
+)
+from assess.project.report import annex_files, annex_of, picture_files, report_matter_of, uses_of
+from assess.project.section import value_text
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
-from assess.project.study_messages import project_messages
-from assess.project.survey import survey_of
-from assess.project.uncertainty import Cases, sampling_of, uncertainty_messages
-from assess.project.uses import uses_of
-from assess.project.variables import variables_of
-from assess.project.variations import Variant, Variation
-from assess.project.verification import annex_of
-from assess.study.amplification import MechanismInPlace, amplify
-from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
-from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
-from assess.study.verdict import levels_with_site
-from records.pulses import shape as pulse_shape
-from spectra.spectrum import Spectrum
+from assess.project.structure import (
+    amplification_method_of,
+    base_elevation_of,
+    bodies_of,
+    definitions_of,
+    ground_mechanism,
+    ground_of,
+    models_of,
+    solid_of,
+    structure_of,
+)
+from assess.project.variables import Cases, sampling_of, survey_of, uncertainty_messages, variables_of
+from assess.results import Input
+from assess.results.inputs import file_sha256
+from assess.results.verification import AnnexResult
+from assess.study.amplification import MechanismAmplification, MechanismInPlace, amplify
+from assess.study.mechanism_results import load_messages
+from assess.study.record_set import ALL_PERIODS, RecordSet, record_messages
+from assess.study.study import (
+    ArtificialRecords,
+    EquationOfMotion,
+    Fitting,
+    PulseGrid,
+    Study,
+    Sweep,
+    SweepCase,
+    levels_with_site,
+    may_follow_motion,
+)
+from records.pulses import pulse_shape
+from records.reading import relative_path
+from records.record import Record
+from spectra.spectrum import LARGEST_PLAUSIBLE, Spectrum
 
 Builder = Callable[[str, Definition, Bodies], Built]
 CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 
 @dataclass(frozen=True)
-class Files:
+class ProjectFiles:
     """What the files of a project hold: models; bodies by name, None without geometry; the site's spectrum; records."""
 
-    models: Models
+    models: MeshesBySelection
     solids: Mapping[str, Solid | None]
     spectrum: Spectrum | None
     named: RecordSet
@@ -90,26 +125,26 @@ def build_to_decide(project: Project) -> Study:
     with locate_errors(str(project.path)):
         if project.variations:
             return study_of(project)
-        study, files, messages = deciding_part_of(project)
+        study, files, messages = deciding_study(project)
         return replace(study, messages=input_messages(project, study, files, messages))
 
 
 def uses_of_project(project: Project) -> tuple[str, ...]:
-    """Return what a project uses of the program, in the words of `assess.results.uses`.
+    """Return what a project uses of the program, in the words of `assess.results.solved_cases`.
 
     Raises
     ------
     AssessError, SpectrumError or RecordError : as `build`
     """
     with locate_errors(str(project.path)):
-        return uses_of(project.content, deciding_part_of(project)[0])
+        return uses_of(project.content, deciding_study(project)[0])
 
 
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     report = report_matter_of(content, project.folder)
-    study, files, messages = deciding_part_of(project, executor=executor)
+    study, files, messages = deciding_study(project, executor=executor)
     solids = files.solids
     annex, said = annex_of(project, uses_of(content, study))
     return replace(
@@ -118,19 +153,21 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         inputs=tuple(inputs_of(project, files.named.records, annex)),
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
-        resolved=with_asked_procedures(resolve(project), content),
+        resolved=with_procedures_run(resolve(project), content),
         messages=(*input_messages(project, study, files, messages), *said),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
             for variation in project.variations
         ),
-        survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
-        variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
+        survey=survey_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
+        variables=variables_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
         sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
     )
 
 
-def input_messages(project: Project, study: Study, files: Files, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+def input_messages(
+    project: Project, study: Study, files: ProjectFiles, messages: tuple[Message, ...]
+) -> tuple[Message, ...]:
     """Return the messages on a project's input.
 
     Parameters
@@ -149,7 +186,9 @@ def input_messages(project: Project, study: Study, files: Files, messages: tuple
     )
 
 
-def deciding_part_of(project: Project, *, executor: Executor | None = None) -> tuple[Study, Files, tuple[Message, ...]]:
+def deciding_study(
+    project: Project, *, executor: Executor | None = None
+) -> tuple[Study, ProjectFiles, tuple[Message, ...]]:
     """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
     content = project.content
     site = site_in(content)
@@ -157,7 +196,7 @@ def deciding_part_of(project: Project, *, executor: Executor | None = None) -> t
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
     named, messages = all_records(content.records, project.folder, spectrum)
-    study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
+    study = study_of_mechanisms(content, ProjectFiles(models, solids, spectrum, named), names=content.mechanisms)
     wanted = content.records.selection
     if wanted is not None and spectrum is not None:
         named, messages = record_set.select_records(
@@ -169,11 +208,11 @@ def deciding_part_of(project: Project, *, executor: Executor | None = None) -> t
             executor=executor,
         )
     study = replace(study, records=named.records, fitting=named.fitting)
-    return study, Files(models, solids, spectrum, named), messages
+    return study, ProjectFiles(models, solids, spectrum, named), messages
 
 
-def part_of(
-    content: sections.Content, files: Files, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
+def study_of_mechanisms(
+    content: sections.Content, files: ProjectFiles, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
 ) -> Study:
     """Build the study of some mechanisms of a project, without messages about its file.
 
@@ -204,7 +243,9 @@ def part_of(
         building=structure_below(building),
         records=files.named.records,
         fitting=files.named.fitting,
-        artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
+        artificial=None
+        if synthetic is None
+        else ArtificialRecords(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         record_factor=content.records.further_factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
@@ -231,7 +272,9 @@ def part_of(
     )
 
 
-def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Mapping[str, tuple[str, ...]]) -> Sweep:
+def sweep_of(
+    variation: KeySweep, project: Project, files: ProjectFiles, *, beside: Mapping[str, tuple[str, ...]]
+) -> Sweep:
     """Build the cases of a sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
     names = dependents(project.content, variation.path, beside=beside)
     if not names:
@@ -242,15 +285,15 @@ def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Ma
     return Sweep(variation.key, variation.unit, cases)
 
 
-def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[str, ...]) -> Case:
+def case_of(variant: ProjectVariant, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> SweepCase:
     """Build one case of a sweep."""
     with locate_errors(variant.name):
-        study = part_of(variant.content, reread(variant.content, project, files), names=names)
-    return Case(variant.value, variant.name, study)
+        study = study_of_mechanisms(variant.content, files_of_case(variant.content, project, files), names=names)
+    return SweepCase(variant.value, variant.name, study)
 
 
-def alone(
-    name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
+def study_of_mechanism(
+    name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: ProjectFiles
 ) -> Study:
     """Build the study of one mechanism from other content of the project, with some of its bodies replaced.
 
@@ -259,18 +302,18 @@ def alone(
     return cases_of(content, project=project, files=files).build(name, replaced)
 
 
-def cases_of(content: sections.Content, *, project: Project, files: Files) -> Cases:
+def cases_of(content: sections.Content, *, project: Project, files: ProjectFiles) -> Cases:
     """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
-    known = reread(content, project, files)
+    known = files_of_case(content, project, files)
 
     def case(name: str, replaced: Mapping[str, Solid]) -> Study:
         solids = {**known.solids, **replaced}
-        return part_of(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
+        return study_of_mechanisms(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
 
     return Cases(known.solids, case)
 
 
-def reread(content: sections.Content, project: Project, files: Files) -> Files:
+def files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:
     """Read the files of a case; what the case has not changed is not read again."""
     whole = project.content
     changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
@@ -286,11 +329,15 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
         how = "selected by" if content.records.lock is None else "locked by"
         raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
     records = files.named if same else all_records(content.records, project.folder, spectrum)[0]
-    return Files(models, solids, spectrum, records)
+    return ProjectFiles(models, solids, spectrum, records)
 
 
 def solid_in_case(
-    name: str, case: sections.Content, whole: sections.Content, models: Models, solids: Mapping[str, Solid | None]
+    name: str,
+    case: sections.Content,
+    whole: sections.Content,
+    models: MeshesBySelection,
+    solids: Mapping[str, Solid | None],
 ) -> Solid | None:
     """Return the solid of a body that a case changes; a mesh of another density only is not put together again."""
     body, known = case.bodies[name], solids[name]
@@ -317,15 +364,15 @@ def structure_below(section: sections.Building | None) -> Building | None:
     """Return the structure below the mechanisms; None if its height is not given."""
     if section is None or section.height is None:
         return None
-    stated: dict[str, FirstMode] = {
-        name: FirstMode(mode.period, mode.damping, mode.reason) for name, mode in section.limit_states.items()
+    stated: dict[str, StatedFirstMode] = {
+        name: StatedFirstMode(mode.period, mode.damping, mode.reason) for name, mode in section.limit_states.items()
     }
     return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=stated)
 
 
-def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
+def equation_of(section: sections.Mechanism, content: sections.Content) -> EquationOfMotion:
     """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
-    default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
+    default: EquationOfMotion = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
 
 
@@ -342,12 +389,168 @@ def all_records(
 ) -> tuple[RecordSet, tuple[Message, ...]]:
     """Read every horizontal record named or locked, with messages; none are read here if a suite is to be selected."""
     if section.selection is not None or (section.lock is not None and spectrum is None):
-        return RecordSet((), Fitting(EVERYWHERE)), ()
+        return RecordSet((), Fitting(ALL_PERIODS)), ()
     if section.lock is not None and spectrum is not None:
         locked = locked_records(section.lock, folder=folder, spectrum=spectrum)
         return locked, (*lock_messages(section.lock, section), *record_messages(locked.records))
-    found = record_set.all_of(section, folder)
+    found = record_set.named_records(section, folder)
     return replace(found, records=horizontal_records(found.records)), (
         *vertical_record_messages(found.records),
         *record_messages(found.records),
     )
+
+
+def inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult | None) -> Iterator[Input]:
+    """Hash the project file and every file it names; if records are selected or locked, only those used.
+
+    Parameters
+    ----------
+    project : as read
+    records : in use
+    annex : of verification, whose files are hashed too; None if there is none
+    """
+    yield Input(project.path.name, project.sha256)
+    content = project.content
+    bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
+    table = content.site.spectrum if content.site is not None else None
+    tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
+    used = record_files(content.records, [project.folder / record.path for record in records])
+    named = [*hazard_files(content), *picture_files(content), *annex_files(project, annex)]
+    for path in dict.fromkeys([*bodies, *tables, *used, *named]):
+        yield Input(relative_path(path, project.folder), file_sha256(path))
+
+
+def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path, ...]:
+    """Return the files that the records come from; paths: those of the records in use."""
+    if section.lock is not None:
+        return files_of_lock(section.lock)
+    beside = [path for path in (section.flatfile, section.response) if path is not None]
+    return (*(section.files if section.selection is None else paths), *beside)
+
+
+CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
+SAME_MODE = 0.05  # by how much two first modes of one building may differ
+
+
+def project_messages(
+    content: sections.Content,
+    solids: Mapping[str, Solid | None],
+    study: Study,
+) -> Iterator[Message]:
+    """Yield what the engineer should know before reading any result."""
+    mechanisms = study.mechanisms
+    yield from implausible_numbers(content)
+    for name, solid in solids.items():
+        if solid is not None:
+            yield from _body_messages(name, solid, content.bodies[name])
+    definitions, bodies = definitions_of(content), bodies_of(content, solids)
+    yield from overlaps_of(definitions, bodies)
+    yield from gaps_of(definitions, bodies)
+    for mechanism in mechanisms:
+        yield from locate(mechanism.warnings, f"mechanisms.{mechanism.name}")
+        yield from load_messages(mechanism)
+        yield from mechanism.messages
+    yield from _equation_messages(content.analysis.equation, mechanisms)
+    raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
+    yield from _amplification_messages(raised, study.amplified, study.question)
+    yield from _first_mode_messages(content)
+    for code, circular in CIRCULARS.items():
+        if any(name.startswith(code) for name in procedures_of(content)):
+            yield from _crushing_messages(code, circular, getattr(content.procedures, code), mechanisms)
+
+
+def _amplification_messages(
+    raised: Sequence[str], amplified: Mapping[str, MechanismAmplification], question: Question
+) -> Iterator[Message]:
+    """List mechanisms above the ground whose input is the ground's motion, and the assumptions for the others."""
+    without = [name for name in raised if amplified[name].height is None]
+    if without:
+        bears = warning if may_follow_motion(question) else note
+        yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
+    for name, one in amplified.items():
+        yield from locate(one.assumptions, f"mechanisms.{name}")
+
+
+def _first_mode_messages(content: sections.Content) -> Iterator[Message]:
+    """Warn if the natural frequency of [building] is not the reciprocal of its period."""
+    building = content.building
+    if building is None or building.natural_frequency is None or building.period is None:
+        return
+    if abs(building.period * building.natural_frequency - 1.0) > SAME_MODE:
+        yield warning(
+            "two-first-modes",
+            "building",
+            frequency=Quantity(building.natural_frequency, "frequency"),
+            period=Quantity(building.period, "time"),
+            reciprocal=Quantity(1.0 / building.natural_frequency),
+        )
+
+
+def _equation_messages(equation: EquationOfMotion | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
+    """Warn that the linearised equation leaves out the flexibility of joints."""
+    soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
+    if equation == "linearised" and soft:
+        yield warning("equation", "analysis.equation", mechanisms=", ".join(soft))
+
+
+def _crushing_messages(
+    code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
+) -> Iterator[Message]:
+    """Warn of levels of knowledge and factors that have no effect, as the mechanism does not model crushing."""
+    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
+    better = [name for name in without if options.knowledge_levels.get(name, options.knowledge_level) in ("LC2", "LC3")]
+    lower = options.confidence_factor is not None and options.confidence_factor < LARGEST_FACTOR
+    for key, names in (("knowledge_level", better), ("confidence_factor", without if lower else [])):
+        if names:
+            yield warning(
+                "confidence-factor",
+                f"procedures.{code}.{key}",
+                mechanisms=", ".join(names),
+                circular=circular,
+                least=f"{LARGEST_FACTOR:.2f}",
+            )
+
+
+def _body_messages(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
+    """Report what was done to the mesh of a body, and an implausible size or place."""
+    if isinstance(body, sections.MeshBody) and solid.history:
+        yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
+    about_size = size_warning(solid, unit=mesh_unit_of(body))
+    yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
+
+
+def mesh_unit_of(body: sections.Body) -> float | None:
+    """Return the unit in which a mesh was read [m], if it is stated by the project or taken as metre; else None."""
+    if not isinstance(body, sections.MeshBody):
+        return None
+    return body.mesh_unit or (1.0 if body.mesh.suffix.lower() in WITHOUT_UNIT else None)
+
+
+LIGHTEST, DENSEST = 100.0, 3500.0  # kg/m3: straw and cork, basalt; metals are denser, and no wall is made of them
+ROUGHEST = 2.0  # coefficient of friction of masonry on masonry: tests give 0.3 to 1.2
+LONGEST_CORNER = 1.0  # s: T_C* of NTC 2018 is below it everywhere in Italy
+
+
+def implausible_numbers(content: sections.Content) -> Iterator[Message]:
+    """Yield a warning for each number that is beyond what masonry and sites have.
+
+    Parameters
+    ----------
+    content : of the project file
+    """
+    for name, material in content.materials.items():
+        if not LIGHTEST <= material.density <= DENSEST:
+            least, most = Quantity(LIGHTEST, "density"), Quantity(DENSEST, "density")
+            given = Quantity(material.density, "density")
+            yield warning("density-odd", f"materials.{name}.density", given=given, least=least, most=most)
+        if material.friction is not None and material.friction > ROUGHEST:
+            where, given = f"materials.{name}.friction", Quantity(material.friction, "ratio")
+            yield warning("friction-large", where, given=given, most=Quantity(ROUGHEST, "ratio"))
+    for level in content.analysis.levels or ():
+        if level > LARGEST_PLAUSIBLE * g:
+            given, most = Quantity(level / g, "ground acceleration"), Quantity(LARGEST_PLAUSIBLE, "ground acceleration")
+            yield warning("level-large", "analysis.levels", given=given, most=most)
+    corner = None if content.site is None else getattr(content.site.spectrum, "t_c_star", None)
+    if corner is not None and corner > LONGEST_CORNER:
+        given, most = Quantity(corner, "time"), Quantity(LONGEST_CORNER, "time")
+        yield warning("corner-long", "site.spectrum.t_c_star", given=given, most=most)

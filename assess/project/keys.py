@@ -1,4 +1,9 @@
-"""The keys of a project file that hold numbers: found, looked up, and given another value."""
+"""The numbers of a project file by their keys: found, given other values by a sweep, given with their scatter.
+
+A sweep, [analysis.sweep], is one whole project file for each of its values: the value is put at its key in what the
+file says and the whole is read through the schema again, so a case is checked like any project. Of a number given as
+{ mean, cov } the schema sees the mean alone, so that whatever does not ask for the scatter uses that.
+"""
 
 from __future__ import annotations
 
@@ -7,33 +12,40 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache, reduce
+from math import inf, isfinite, sqrt
+from pathlib import Path
 from typing import Any, get_args
 
+import numpy as np
+from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 
 from assess.errors import ProjectError
-from assess.project.bare_numbers import is_number
-from assess.project.key_text import escape_text, value_text
-from assess.project.section import Section
+from assess.messages.message import escape_text
+from assess.project.section import ProjectSection, error_line, key_text, value_text
+from assess.project.sections.analysis import Sweep
 from assess.project.sections.content import Content
-from assess.project.sections.uncertain_number import Uncertain
-from assess.project.units import Kind
+from assess.project.sections.loads import BodyLoad, OverburdenLoad
+from assess.project.sections.mechanisms import Restitution
+from assess.project.units import KINDS, Kind, QuantityError, key_value, number_and_unit
+from assess.project.values import UncertainMark, UncertainNumber
+from assess.results.variations import Distribution, UncertainInput
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
-Key = tuple[str | int, ...]
-Given = int | float | str
-Marks = tuple[Kind | None, Uncertain | None]
-UNMARKED: Marks = (None, None)
+KeyPath = tuple[str | int, ...]
+WrittenNumber = int | float | str
+Marks = tuple[Kind | None, UncertainMark | None]
+NO_MARKS: Marks = (None, None)
 
 
 @dataclass(frozen=True)
-class Place:
+class KeyedValue:
     """What stands at a key: the value as it was read, what it measures where that is known, whether it may scatter."""
 
-    path: Key
+    path: KeyPath
     value: Any
     kind: Kind | None
-    uncertain: Uncertain | None = None
+    uncertain: UncertainMark | None = None
 
     @property
     def is_number(self) -> bool:
@@ -41,31 +53,31 @@ class Place:
         return self.kind is not None or is_number(self.value)
 
 
-def places_of(content: Content) -> dict[str, Place]:
+def keyed_values(content: Content) -> dict[str, KeyedValue]:
     """Return every key of the project, with dots and items of lists counted from 0, defaults included."""
-    return {".".join(map(str, place.path)): place for place in _places((), content, UNMARKED)}
+    return {".".join(map(str, place.path)): place for place in _keyed_values_below((), content, NO_MARKS)}
 
 
-def _places(path: Key, value: Any, marks: Marks) -> Iterator[Place]:
+def _keyed_values_below(path: KeyPath, value: Any, marks: Marks) -> Iterator[KeyedValue]:
     """Yield every key below `path` that may be swept."""
     if path in _NOT_SWEPT:
         return
     if path:
-        yield Place(path, value, *marks)
-    if isinstance(value, Section):
+        yield KeyedValue(path, value, *marks)
+    if isinstance(value, ProjectSection):
         below = _marks_of(type(value))
         for name, item in value.entries().items():
-            yield from _places((*path, name), item, below[name])
+            yield from _keyed_values_below((*path, name), item, below[name])
     elif isinstance(value, Mapping):
         for name, item in value.items():
-            yield from _places((*path, name), item, UNMARKED)
+            yield from _keyed_values_below((*path, name), item, NO_MARKS)
     elif isinstance(value, tuple):
         for index, item in enumerate(value):
-            yield from _places((*path, index), item, marks)
+            yield from _keyed_values_below((*path, index), item, marks)
 
 
 @cache
-def _marks_of(table: type[Section]) -> Mapping[str, Marks]:
+def _marks_of(table: type[ProjectSection]) -> Mapping[str, Marks]:
     """Return the marks of every key of a table, which follow from its class."""
     return {name: _marks(field) for name, field in table.table_keys().items()}
 
@@ -74,7 +86,7 @@ def _marks(field: FieldInfo) -> Marks:
     """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
     found = (*field.metadata, *_metadata(field.annotation))
     kinds = {each for each in found if isinstance(each, Kind)}
-    uncertain = next((each for each in found if isinstance(each, Uncertain)), None)
+    uncertain = next((each for each in found if isinstance(each, UncertainMark)), None)
     return (kinds.pop() if len(kinds) == 1 else None), uncertain
 
 
@@ -84,16 +96,16 @@ def _metadata(annotation: Any) -> Iterator[Any]:
         yield from _metadata(part)
 
 
-def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:
+def swept_value(key: str, places: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
     """Return the place that a sweep names; raise ProjectError if it does not exist or holds no number."""
     place = places.get(key) or places.get(count_from_0(key))
-    if place is not None and (place.is_number or isinstance(place.value, Section)):
+    if place is not None and (place.is_number or isinstance(place.value, ProjectSection)):
         return place
     what = "unknown key" if place is None else "holds no number"
     raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, places)}")
 
 
-def _remedy(key: str, places: Mapping[str, Place]) -> str:
+def _remedy(key: str, places: Mapping[str, KeyedValue]) -> str:
     """Say what to write instead of a key that does not exist or holds no number."""
     table, _, last = key.rpartition(".")
     above = places.get(table)
@@ -115,35 +127,308 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
         return value
     step, *rest = path
     if isinstance(resolved, tuple):
-        items = list(node) if isinstance(node, list) else list(_plain(resolved))
+        items = list(node) if isinstance(node, list) else list(_as_written(resolved))
         items[int(step)] = with_value(items[int(step)], rest, value, resolved[int(step)])
         return items
-    table = dict(node) if isinstance(node, Mapping) else {} if node is None else dict(_plain(resolved))
-    table[str(step)] = with_value(table.get(str(step)), rest, value, _below(resolved, step))
+    table = dict(node) if isinstance(node, Mapping) else {} if node is None else dict(_as_written(resolved))
+    table[str(step)] = with_value(table.get(str(step)), rest, value, _step_down(resolved, step))
     return table
 
 
-def _below(value: Any, step: str | int) -> Any:
+def _step_down(value: Any, step: str | int) -> Any:
     """Take one step down into validated content."""
-    return value.entries()[str(step)] if isinstance(value, Section) else value[step]
+    return value.entries()[str(step)] if isinstance(value, ProjectSection) else value[step]
 
 
-def _plain(value: Any) -> Any:
+def _as_written(value: Any) -> Any:
     """Write validated content as a file would hold it."""
-    if isinstance(value, Section):
-        return {key: _plain(item) for key, item in value.entries().items() if item is not None}
+    if isinstance(value, ProjectSection):
+        return {key: _as_written(item) for key, item in value.entries().items() if item is not None}
     if isinstance(value, Mapping):
-        return {key: _plain(item) for key, item in value.items()}
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value
+        return {key: _as_written(item) for key, item in value.items()}
+    return [_as_written(item) for item in value] if isinstance(value, tuple) else value
 
 
-def value_at(content: Content, path: Key) -> Any:
+def value_at(content: Content, path: KeyPath) -> Any:
     """Return the validated value at a key."""
-    return reduce(_below, path, content)
+    return reduce(_step_down, path, content)
 
 
 def one_number(value: Any) -> bool:
     """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
-    if isinstance(value, Section):
+    if isinstance(value, ProjectSection):
         return all(is_number(item) for _, item in value)
     return is_number(value)
+
+
+def dependents(
+    content: Content, path: KeyPath, *, beside: Mapping[str, tuple[str, ...]] | None = None
+) -> tuple[str, ...]:
+    """Return the mechanisms that the value at `path` changes: those that use the body or material, or all of them.
+
+    beside : by mechanism, the bodies that touch it and so affect its direction and sides
+    """
+    touching = beside or {}
+    table, *names = path
+    if table == "mechanisms":
+        return tuple(name for name in content.mechanisms if name == names[0])
+    used = {name: _bodies_of_mechanism(mechanism, content) for name, mechanism in content.mechanisms.items()}
+    if table == "bodies":
+        return tuple(
+            name
+            for name, bodies in used.items()
+            if names[0] in (*bodies, *touching.get(name, ())) or _carries_bodies(content.mechanisms[name])
+        )
+    if table == "materials":
+        of = {name for name, body in content.bodies.items() if getattr(body, "material", None) == names[0]}
+        return tuple(name for name, bodies in used.items() if bodies & of)
+    return tuple(content.mechanisms)
+
+
+def _bodies_of_mechanism(mechanism: ProjectSection, content: Content) -> set[str]:
+    """Return the bodies named anywhere in the table of a mechanism: as blocks, floors, overburden."""
+    return set(_texts_in(mechanism)) & set(content.bodies)
+
+
+def _carries_bodies(mechanism: ProjectSection) -> bool:
+    """Whether bodies load the mechanism: what they rest on besides may be any other body of the project."""
+    loads = getattr(mechanism, "loads", ())
+    return any(isinstance(load, BodyLoad) or (isinstance(load, OverburdenLoad) and load.bodies) for load in loads)
+
+
+def _texts_in(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, ProjectSection | Mapping | tuple):
+        table = value.entries() if isinstance(value, ProjectSection) else value
+        for item in table.values() if isinstance(table, Mapping) else table:
+            yield from _texts_in(item)
+
+
+@dataclass(frozen=True)
+class ProjectVariant:
+    """The project file with one value of a sweep: the number typed, the case named for errors, and what it says."""
+
+    value: float
+    name: str
+    content: Content
+
+
+@dataclass(frozen=True)
+class KeySweep:
+    """One sweep.
+
+    Attributes
+    ----------
+    where : the table, for errors; key : what is swept, as the user wrote it; path : its steps
+    unit : of the values, as the user wrote it, or SI where they are plain numbers; "-" for none
+    variants : one for each value, in the user's order
+    """
+
+    where: str
+    key: str
+    path: KeyPath
+    unit: str
+    variants: tuple[ProjectVariant, ...]
+
+
+def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[KeySweep, ...]:
+    """Return every sweep of the project, with the `content` read from the `raw` file in `folder`.
+
+    Raises ProjectError for a key that is unknown or not a number, and for the first case that breaks the schema.
+    """
+    sweeps = content.analysis.sweeps
+    if not sweeps:
+        return ()
+    places = keyed_values(content)
+    single = isinstance(content.analysis.sweep, Sweep)
+    names = ["analysis.sweep"] if single else [f"analysis.sweep[{i}]" for i in range(1, len(sweeps) + 1)]
+    return tuple(
+        _key_sweep(sweep, swept_value(sweep.key, places, where=where), content, raw, folder, where=where)
+        for sweep, where in zip(sweeps, names, strict=True)
+    )
+
+
+def _key_sweep(
+    sweep: Sweep, place: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
+) -> KeySweep:
+    variants, units = [], []
+    for given in sweep.values or _values_in_range(sweep, where=where):
+        name = f"{where}: {sweep.key} = {value_text(given)}"
+        read = read_case(with_value(raw, place.path, given, content), folder, place.path, given, name=name)
+        number, unit = _number_and_unit_of(given, where=name)
+        units.append(unit)
+        if unit != units[0]:
+            raise ProjectError(f"{name}: not in the unit of the first value; write all in one unit")
+        variants.append(ProjectVariant(number, name, read))
+    symbol = "-" if place.kind is None else place.kind.symbol.replace("no unit", "-")
+    return KeySweep(where, sweep.key, place.path, units[0] or symbol, tuple(variants))
+
+
+def _values_in_range(sweep: Sweep, *, where: str) -> tuple[WrittenNumber, ...]:
+    """Return evenly spaced values in the unit of both ends."""
+    assert sweep.start is not None  # the schema asks for all three
+    assert sweep.to is not None
+    assert sweep.count is not None
+    low, unit = _number_and_unit_of(sweep.start, where=f"{where}.from: {value_text(sweep.start)}")
+    high, other = _number_and_unit_of(sweep.to, where=f"{where}.to: {value_text(sweep.to)}")
+    if unit != other:
+        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: not in the unit of from; write both in one unit")
+    if low == high:
+        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: the same as from; give another, or values = [ … ]")
+    numbers = [float(f"{number:.12g}") for number in np.linspace(low, high, sweep.count).tolist()]
+    if isinstance(sweep.start, int) and isinstance(sweep.to, int) and all(map(float.is_integer, numbers)):
+        return tuple(map(int, numbers))
+    return tuple(f"{number:.12g} {unit}" if unit else number for number in numbers)
+
+
+def _number_and_unit_of(value: WrittenNumber, *, where: str) -> tuple[float, str]:
+    """Return the number and the unit that the user wrote."""
+    if not isinstance(value, str):
+        return float(value), ""
+    try:
+        number, unit = number_and_unit(value)
+    except QuantityError as error:
+        remedy = "" if "; write " in str(error) else "; write a number, or one with its unit"
+        raise ProjectError(f"{where}: {error}{remedy}") from None
+    return float(number), unit
+
+
+def read_case(raw: Mapping[str, Any], folder: Path, path: KeyPath, value: Any, *, name: str) -> Content:
+    """Read the content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
+    try:
+        content = Content.model_validate(raw, context={"folder": folder})
+    except ValidationError as error:
+        said = f"{key_text(path)}: {value_text(value)}: "  # by the name of the case already
+        raise ProjectError(f"{name}: {error_line(error, raw=raw).removeprefix(said)}") from None
+    if not one_number(value_at(content, path)):
+        raise ProjectError(f"{name}: not a number; only numbers can be swept")
+    return content
+
+
+MAY_BE_UNCERTAIN = (
+    "sizes of boxes, lengths of profiles, hinges, densities, moduli and strengths of materials, friction, stiffness, "
+    "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent "
+    "blocks, and the building's period"
+)
+
+WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
+"""Tables without numbers that may scatter."""
+
+
+@dataclass(frozen=True)
+class UncertainValue:
+    """A number of the project that scatters.
+
+    path : its key; given : its mean, scatter and group in SI; least, most : physical limits of its values over the mean
+    """
+
+    path: KeyPath
+    given: UncertainInput
+    least: float
+    most: float
+
+
+StatedUncertainNumbers = tuple[tuple[KeyPath, UncertainNumber], ...]
+
+
+def take_means(raw: Mapping[str, Any], folder: Path) -> tuple[dict[str, Any], StatedUncertainNumbers]:
+    """Return what the file says with the mean in place of each uncertain number, and these numbers.
+
+    Raises ProjectError for a table with a mean that is none of an uncertain number.
+    """
+    found: list[tuple[KeyPath, UncertainNumber]] = []
+
+    def plain(value: Any, path: KeyPath) -> Any:
+        if isinstance(value, list):
+            return [plain(item, (*path, place)) for place, item in enumerate(value)]
+        if not isinstance(value, Mapping):
+            return value
+        if not _is_uncertain(value):
+            return {name: plain(item, (*path, name)) for name, item in value.items()}
+        found.append((path, _uncertain_number(value, path, raw, folder)))
+        return value["mean"]
+
+    means = {name: table if name in WITHOUT_UNCERTAIN_NUMBERS else plain(table, (name,)) for name, table in raw.items()}
+    return means, tuple(found)
+
+
+def _is_uncertain(table: Mapping[str, Any]) -> bool:
+    """Whether a table is meant as a number with its scatter; tables named "mean" are not."""
+    return any(key in table and not isinstance(table[key], Mapping) for key in ("mean", "cov"))
+
+
+def _uncertain_number(table: Mapping[str, Any], path: KeyPath, raw: Mapping[str, Any], folder: Path) -> UncertainNumber:
+    try:
+        return UncertainNumber.model_validate(table, context={"folder": folder})
+    except ValidationError as error:
+        said = error_line(error, raw=table)
+        raise ProjectError(f"{key_text(path)}.{said}") from None
+
+
+def uncertain_values(content: Content, stated: StatedUncertainNumbers) -> tuple[UncertainValue, ...]:
+    """Return the uncertain numbers of a project in SI.
+
+    Raises ProjectError for a key whose number may not scatter, and for a scatter without meaning.
+    """
+    if not stated:
+        return ()
+    places = keyed_values(content)
+    return tuple(_uncertain_value(path, number, places, content) for path, number in stated)
+
+
+def _uncertain_value(
+    path: KeyPath, number: UncertainNumber, places: Mapping[str, KeyedValue], content: Content
+) -> UncertainValue:
+    key, place = key_text(path), places.get(".".join(map(str, path)))
+    if place is None or place.uncertain is None:
+        raise ProjectError(f"{key}: must be one number; only these may be {{ mean, cov }}: {MAY_BE_UNCERTAIN}")
+    mean = si_mean(content, path)
+    if not isinstance(mean, float) or mean == 0.0 or not isfinite(mean):
+        raise ProjectError(f"{key}.mean: {value_text(number.mean)}: no number to scatter about; write it without cov")
+    kind = place.kind or KINDS["ratio"]
+    limits = place.uncertain
+    cov = number.cov if number.cov is not None else _cov_of_deviation(number, mean, kind, key)
+    distribution: Distribution = number.distribution or ("normal" if limits.crosses_zero else "lognormal")
+    if not limits.crosses_zero:
+        _check_positive(distribution, cov, key)
+    unit = kind.symbol.replace("no unit", "-")
+    given = UncertainInput(key, unit, mean, cov, distribution, number.group or key)
+    return UncertainValue(path, given, -inf if limits.crosses_zero else 0.0, limits.most / abs(mean))
+
+
+def si_mean(content: Content, path: KeyPath) -> Any:
+    """Return the number at a key [SI]; of a restitution that of both directions."""
+    value = value_at(content, path)
+    return value.positive if isinstance(value, Restitution) else value
+
+
+def _cov_of_deviation(number: UncertainNumber, mean: float, kind: Kind, key: str) -> float:
+    """Return the coefficient of variation of a number given by its standard deviation."""
+    try:
+        deviation = key_value(number.sd, kind)
+    except QuantityError as error:
+        raise ProjectError(f"{key}.sd: {value_text(number.sd)}: {error}") from None
+    if not 0.0 < deviation < inf:
+        raise ProjectError(f"{key}.sd: {value_text(number.sd)}: must be greater than 0; write the number without it")
+    return deviation / abs(mean)
+
+
+def _check_positive(distribution: Distribution, cov: float, key: str) -> None:
+    """Refuse a scatter too large for a number that keeps its sign."""
+    if cov >= 1.0:
+        raise ProjectError(
+            f"{key}.sd: {cov:.4g} times the mean: must be less than the mean of a number that keeps its sign"
+        )
+    if distribution == "uniform" and cov >= 1.0 / sqrt(3.0):
+        remedy = "write less than 0.577, or another distribution"
+        raise ProjectError(f"{key}.cov: {cov:.4g}: its lower bound, mean (1 - √3 cov), is beyond zero; {remedy}")
+
+
+def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
+    """Return the coefficient of variation of each uncertain number, by its key written with dots."""
+    return {".".join(map(str, value.path)): value.given.cov for value in values}
+
+
+def is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

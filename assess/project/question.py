@@ -1,27 +1,44 @@
-"""What decides: the tables [verdict], [site] and [building] as the question that the verdict answers."""
+"""What a project asks: what decides, by which procedures with which options, and which fragility.
+
+Where the project names no procedures, those that apply at its site are asked: the edition of the Italian code that its
+spectrum is of decides, the other is left out; elsewhere DM 2008 without time histories stands beside ASCE 43-05.
+Sliding is asked where a material has friction.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
 
 from scipy.constants import g
 
-from assess.codes.bases import BASES, BY_SITE
-from assess.codes.basis import Basis, Premise
-from assess.codes.verdict import (
-    Action,
-    Missing,
-    Question,
-)
-from assess.codes.verdict.question import SOURCES, missing_input
-from assess.errors import ProjectError
+from assess.codes.asce41_13 import Asce41Options
+from assess.codes.asce43_05 import Asce43Options
+from assess.codes.bases import BASES, BY_SITE, Basis, Premise
+from assess.codes.context import FreePeriod, SiteHazard
+from assess.codes.en1998_1 import Ec8Options
+from assess.codes.italian_limit_states import ItalianOptions
+from assess.codes.ntc2018_clauses import free_period
+from assess.codes.nzsee2017 import Nzsee2017Options
+from assess.codes.question import SOURCES, missing_input
+from assess.codes.registry import LIMIT_STATES, CodeOptions
+from assess.codes.verdict import Action, Missing, Question, methods_of
+from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
-from assess.project.sources import source_of
+from assess.project.section import ProjectSection, value_text
+from assess.results import ResolvedValue
+from assess.results.fragility import HazardResult, StateResult
+from assess.risk.hazard import read_hazard
+from assess.study.fragility_runs import measure
+from assess.study.study import FragilityQuestion, deciding_limit_states
+from records.reading import relative_path
 from spectra import ntc
 from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
+
 Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and is not given, and what it depends on."""
 
@@ -55,11 +72,11 @@ def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.
         upgrading=asked.upgrading,
         index_before=asked.index_before,
         target_nbs=asked.target_nbs,
-        missing=tuple(_scaled_down(content, scale)),
+        missing=tuple(_scaled_down_hazard(content, scale)),
     )
 
 
-def _scaled_down(content: sections.Content, scale: float) -> Iterator[Missing]:
+def _scaled_down_hazard(content: sections.Content, scale: float) -> Iterator[Missing]:
     """Report a PGA of the site below that of its own hazard, which is not the action of any limit state."""
     if content.site is None or content.site.pga is None or scale > 1.0 - LIKE:
         return
@@ -107,14 +124,14 @@ def facts_of(
 ) -> Mapping[str, Facts]:
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = () if question.basis is None else question.basis.premises
-    holds = of_pga(content, spectrum)
+    holds = lowered_pga_conditions(content, spectrum)
     return {
-        name: (tuple(_missing(content, name, premises)), (*holds, *_conditions(content, name, premises)))
+        name: (tuple(_missing_masonry(content, name, premises)), (*holds, *_conditions(content, name, premises)))
         for name in names
     }
 
 
-def of_pga(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:
+def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:
     """Return the condition of a pass if `[site] pga` makes a single spectrum weaker than its own parameters do."""
     site = content.site
     if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - LIKE:
@@ -126,7 +143,7 @@ def of_pga(content: sections.Content, spectrum: Spectrum | None) -> tuple[Messag
     return (message("pga-lowered", values, severity=Severity.WARNING),)
 
 
-def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
+def _missing_masonry(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
     """Yield the masonry of a mechanism whose disintegration is not excluded, with a source."""
     if Premise.SOUND_MASONRY not in premises:
         return
@@ -166,6 +183,179 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
 
 def own_basis(section: sections.VerdictSection) -> Basis:
     """Return the basis that a project states itself, with its own procedures and rule."""
-    from assess.codes.bases.own import own
+    from assess.codes.bases import stated_basis
 
-    return own(section.procedures or (), rule=section.rule or "all", statement=section.statement)
+    return stated_basis(section.procedures or (), rule=section.rule or "all", statement=section.statement)
+
+
+ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
+DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")
+
+PROCEDURES_AT_SITE: Mapping[str, tuple[str, ...]] = {  # by the code of the spectrum
+    "ntc2008": (*ASCE43, *DMI2008, "dmi2008-history"),
+    "ntc2018": (*ASCE43, "ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"),
+}
+PROCEDURES_ELSEWHERE = (*ASCE43, *DMI2008)
+SLIDING = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction is given
+
+
+def procedures_of(content: sections.Content) -> tuple[str, ...]:
+    """Return the procedures named, or all that apply at the site and check one of the limit states requested.
+
+    Raises ProjectError for a procedure that is named and checks none of them.
+    """
+    named = content.analysis.procedures
+    if named is None:
+        code = "" if content.site is None else content.site.spectrum.code
+        rubs = any(material.friction is not None for material in content.materials.values())
+        unasked = (
+            *PROCEDURES_AT_SITE.get(code, PROCEDURES_ELSEWHERE),
+            *content.site_procedures,
+            *(SLIDING if rubs else ()),
+        )
+        return with_methods((name for name in unasked if not _states_not_checked(name, content)), content)
+    for name in named:
+        if states := _states_not_checked(name, content):
+            key = f"procedures.{name.split('-')[0]}.limit_states"
+            known = ", ".join(LIMIT_STATES[name])
+            raise ProjectError(f"{key}: {', '.join(states)}: {name} checks {known}; add one, or leave it out")
+    return with_methods(named, content)
+
+
+def with_methods(names: Iterable[str], content: sections.Content) -> tuple[str, ...]:
+    """Add the procedures that may decide, which run in any case."""
+    deciding = () if content.site is None else methods_of(question_of(content, site_pga=0.0))
+    return tuple(dict.fromkeys((*names, *deciding)))
+
+
+def _states_not_checked(name: str, content: sections.Content) -> tuple[str, ...]:
+    """Return the limit states requested if the procedure checks none of them, else nothing."""
+    if name not in LIMIT_STATES:
+        return ()
+    states: tuple[str, ...] = getattr(content.procedures, name.split("-")[0]).limit_states
+    return () if set(states) & set(LIMIT_STATES[name]) else states
+
+
+def with_procedures_run(resolved: Mapping[str, ResolvedValue], content: sections.Content) -> dict[str, ResolvedValue]:
+    """Add the procedures that run to the values of the project, and leave out default options of other codes."""
+    names = procedures_of(content)
+    codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}
+    idle = {key for key, code in codes.items() if not any(name.startswith(f"{code}-") for name in names)}
+    kept = {key: each for key, each in resolved.items() if each.given or key not in idle}
+    return {**kept, "analysis.procedures": ResolvedValue(list(names), content.analysis.procedures is not None)}
+
+
+def options_of(content: sections.Content) -> CodeOptions:
+    """Return the options of every code; the limit states that decide are among theirs."""
+    section, deciding = content.procedures, deciding_limit_states(question_of(content, site_pga=0.0))
+    dmi2008, ntc2018 = section.dmi2008, section.ntc2018
+    return CodeOptions(
+        asce43_05=Asce43Options(**section.asce43_05.model_dump()),
+        nzsee2017=Nzsee2017Options(**in_g(section.nzsee2017, "c_0")),
+        asce41_13=Asce41Options(**in_g(section.asce41_13, "s_x1")),
+        ec8=Ec8Options(**in_g(section.ec8, "alpha_s")),
+        dmi2008=ItalianOptions(dmi2008.confidence_factor, _limit_states(dmi2008.limit_states, deciding)),
+        ntc2018=ItalianOptions(ntc2018.confidence_factor, _limit_states(ntc2018.limit_states, deciding)),
+    )
+
+
+def in_g(section: ProjectSection, key: str) -> dict[str, Any]:
+    """Return the options of a section, with one acceleration in g as its clause takes it."""
+    options = section.model_dump()
+    return {**options, key: None if options[key] is None else options[key] / g}
+
+
+def _limit_states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*asked, *deciding))
+
+
+def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
+    """Return the level of knowledge by mechanism and code; raise ProjectError for an unknown mechanism."""
+    found: dict[str, dict[str, str]] = {name: {} for name in content.mechanisms}
+    for code in ("dmi2008", "ntc2018"):
+        section: sections.Italian = getattr(content.procedures, code)
+        _require_mechanisms(content, f"procedures.{code}.knowledge_levels", section.knowledge_levels)
+        for name, levels in found.items():
+            level = section.knowledge_levels.get(name, section.knowledge_level)
+            if level is not None:
+                levels[code] = level
+    return found
+
+
+def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
+    """Return T_0 by mechanism; raise ProjectError for an unknown one."""
+    given = content.procedures.ntc2018.free_periods
+    _require_mechanisms(content, "procedures.ntc2018.free_periods", given)
+    return {
+        name: free_period(**each.model_dump()) if isinstance(each, sections.FreeElement) else FreePeriod(each)
+        for name, each in given.items()
+    }
+
+
+def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str]) -> None:
+    """Raise ProjectError for a name that is no mechanism."""
+    for name in names:
+        if name not in content.mechanisms:
+            known = ", ".join(content.mechanisms)
+            raise ProjectError(f"{key}: {value_text(name)}: no such mechanism; known: {known}")
+
+
+def fragility_question(content: sections.Content, hazard: SiteHazard | None, *, folder: Path) -> FragilityQuestion:
+    """Return what is asked of fragility; `hazard`: of an Italian site, used where the project gives no other."""
+    asked = content.analysis.fragility or sections.Fragility()
+    risk = content.analysis.risk or sections.Risk()
+    measures = tuple(measure(*sections.measure_of(text)) for text in asked.measures or ())
+    in_g = not measures or measures[0].dimension == "ground acceleration"
+    return FragilityQuestion(
+        measures=measures,
+        states=tuple(map(_fragility_state, asked.states)),
+        method=asked.method,
+        samples=asked.samples,
+        largest=None if asked.largest is None else float(asked.largest) / (g if in_g else 1.0),
+        largest_factor=asked.largest_factor,
+        seed=asked.seed,
+        draws=asked.draws,
+        epistemic=dict(asked.epistemic),
+        hazard=_hazard_result(risk, hazard, folder),
+        target_rate=risk.target,
+    )
+
+
+def hazard_files(content: sections.Content) -> list[Path]:
+    """Return the file of the hazard, if one is named."""
+    risk = content.analysis.risk
+    return [] if risk is None or risk.curve is None else [risk.curve]
+
+
+def _fragility_state(value: str | float) -> StateResult:
+    if isinstance(value, str):
+        return StateResult("rocking") if value == "rocking" else StateResult("overturning")
+    return StateResult("rotation", value)
+
+
+def _hazard_result(risk: sections.Risk, site: SiteHazard | None, folder: Path) -> HazardResult | None:
+    """Return the hazard: rows of the project, or a file, or the rows of an Italian site."""
+    if risk.hazard is not None:
+        pga = tuple(row.pga / g for row in risk.hazard)
+        return HazardResult(measure("pga"), "analysis.risk.hazard", pga, tuple(row.annual_rate for row in risk.hazard))
+    if risk.curve is not None:
+        place = risk.site
+        longitude, latitude = (None, None) if place is None else (place.longitude, place.latitude)
+        with locate_errors("analysis.risk.curve"):
+            found = read_hazard(risk.curve, longitude=longitude, latitude=latitude)
+        intensity, annual_rate = (tuple(each.tolist()) for each in (found.curve.intensity, found.curve.annual_rate))
+        own = measure(found.measure, () if found.period is None else (found.period,))
+        return HazardResult(own, relative_path(risk.curve, folder), intensity, annual_rate, found.distance)
+    if site is None:
+        return None
+    rates = tuple(1.0 / years for years in site.return_period)
+    return HazardResult(measure("pga"), "site.spectrum.hazard", tuple(pga / g for pga in site.pga), rates)
+
+
+ASSUMED = "assumed"
+
+
+def source_of(content: sections.Content, key: str) -> str:
+    """Return the source of a key, or of a table that holds it, if it is not an assumption; else an empty text."""
+    given = (text for start, text in content.report.sources.items() if f"{key}.".startswith(f"{start}."))
+    return next((text for text in given if text.partition(":")[0].strip() != ASSUMED), "")

@@ -1,17 +1,24 @@
-"""From the table [site.spectrum] to the spectrum it describes."""
+"""The spectrum of a site: from the table [site.spectrum], or from options of a command with the same keys."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import singledispatch
 from pathlib import Path
+from typing import Any
 
-from assess.codes.context import Hazard
+from pydantic import ValidationError
+
+from assess.codes.context import SiteHazard
 from assess.errors import ProjectError, locate_errors
+from assess.messages.message import Message
 from assess.project import sections
+from assess.project.project_file import bare_number_messages, load
 from assess.project.question import limit_state_of, use_class_of
-from assess.project.schema import load
+from assess.project.section import error_line
+from assess.project.sections.site import Site
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, plausibility_warnings, scale_to_pga
@@ -90,12 +97,12 @@ def _(section: sections.Asce7MappedSpectrum) -> Spectrum:
 
 @horizontal.register
 def _(section: sections.Ec8Spectrum) -> Spectrum:
-    return of_ec8(section, ec8.elastic_spectrum)
+    return ec8_spectrum(section, ec8.elastic_spectrum)
 
 
 @horizontal.register
 def _(section: sections.Nzs1170Spectrum) -> Spectrum:
-    return of_nzs(section, nzs1170_5.site_spectrum)
+    return nzs1170_spectrum(section, nzs1170_5.site_spectrum)
 
 
 @horizontal.register(sections.NtcSpectrum)
@@ -112,12 +119,12 @@ def vertical(section: sections.Spectrum) -> Spectrum:
 
 @vertical.register
 def _(section: sections.Ec8Spectrum) -> Spectrum:
-    return of_ec8(section, ec8.vertical_spectrum)
+    return ec8_spectrum(section, ec8.vertical_spectrum)
 
 
 @vertical.register
 def _(section: sections.Nzs1170Spectrum) -> Spectrum:
-    return of_nzs(section, nzs1170_5.vertical_spectrum)
+    return nzs1170_spectrum(section, nzs1170_5.vertical_spectrum)
 
 
 @vertical.register(sections.NtcSpectrum)
@@ -128,7 +135,7 @@ def _(section: NtcSection) -> Spectrum:
     )
 
 
-def of_ec8(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
+def ec8_spectrum(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
     """Return the spectrum of EN 1998-1 that `make` gives, horizontal or vertical."""
     return make(
         a_g=section.a_g,
@@ -138,14 +145,17 @@ def of_ec8(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spec
     )
 
 
-def of_nzs(section: sections.Nzs1170Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
+def nzs1170_spectrum(section: sections.Nzs1170Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
     """Return the spectrum of NZS 1170.5 that `make` gives, horizontal or vertical."""
     return make(
-        subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
+        subsoil=section.subsoil,
+        z=section.z,
+        r=return_period_factor(section),
+        near_fault_distance=section.near_fault_distance,
     )
 
 
-def factor_of(section: sections.Nzs1170Spectrum) -> float:
+def return_period_factor(section: sections.Nzs1170Spectrum) -> float:
     """Return the return period factor R [-], given or from the return period."""
     if section.r is not None:
         return section.r
@@ -166,7 +176,7 @@ def hazard_of(section: NtcSection) -> ntc.Hazard:
     )
 
 
-def hazard_over_periods(site: sections.Site) -> Hazard | None:
+def hazard_over_periods(site: sections.Site) -> SiteHazard | None:
     """Return the spectra of the limit states and the PGA of each row, scaled as the site's spectrum; None without rows.
 
     A limit state whose return period lies outside the rows has no spectrum.
@@ -178,7 +188,7 @@ def hazard_over_periods(site: sections.Site) -> Hazard | None:
         place, factor = place_of(section), spectrum_of(site).factor
         amplified = [ntc.soil_factor(row, place.soil) * row.a_g for row in rows_of(section)]
         spectra = {state: found for state in ntc.EXCEEDANCE if (found := state_spectrum(section, state)) is not None}
-    return Hazard(
+    return SiteHazard(
         spectra={state: replace(found, factor=factor, damping=section.damping) for state, found in spectra.items()},
         return_period=tuple(row.return_period for row in section.hazard),
         pga=tuple(factor * ntc.topographic_factor(place) * each for each in amplified),
@@ -200,9 +210,9 @@ def rows_of(section: sections.NtcHazardSpectrum) -> list[ntc.Hazard]:
     return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in section.hazard]
 
 
-def place_of(section: NtcSection) -> ntc.Place:
+def place_of(section: NtcSection) -> ntc.SoilAndTopography:
     """Return soil and topography of the site."""
-    return ntc.Place(section.soil, section.topography, section.relief_position)
+    return ntc.SoilAndTopography(section.soil, section.topography, section.relief_position)
 
 
 def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
@@ -216,3 +226,52 @@ def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
         asked["use_coefficient"] = ntc.USE_FACTORS[use_class]
         asked["reference_life"] = ntc.reference_life(life, use_class=use_class)
     return replace(spectrum, parameters={**asked, **spectrum.parameters})
+
+
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+
+
+def read_site_options(options: Mapping[str, str], *, folder: Path) -> Site:
+    """Read a site from options of the command line, with the keys of [site.spectrum] and `pga`.
+
+    Parameters
+    ----------
+    options : text of each option, by key
+    folder : paths are relative to it
+
+    Raises
+    ------
+    ProjectError : a project file would be refused for it; one line that names the option
+    """
+    raw = _site_table(options)
+    try:
+        return Site.model_validate(raw, context={"folder": folder})
+    except ValidationError as error:
+        raise ProjectError(_as_option(error_line(error, raw=raw))) from None
+
+
+def site_option_messages(options: Mapping[str, str]) -> tuple[Message, ...]:
+    """Warn of accelerations written without a unit that look as if g had been meant."""
+    found = bare_number_messages({"site": _site_table(options)})
+    return tuple(replace(each, where=_as_option(each.where.removeprefix("site."))) for each in found)
+
+
+def _site_table(options: Mapping[str, str]) -> dict[str, Any]:
+    """Return the options as the table [site] of a project file."""
+    table = {key: value if key == "file" else _number_or_text(value) for key, value in options.items() if key != "pga"}
+    raw: dict[str, Any] = {"spectrum": table}
+    if "pga" in options:
+        raw["pga"] = _number_or_text(options["pga"])
+    return raw
+
+
+def _number_or_text(text: str) -> float | int | str:
+    """Return a number if the text is one, as TOML would have it without quotes, else the text."""
+    if NUMBER.fullmatch(text) is None:
+        return text
+    return int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)
+
+
+def _as_option(line: str) -> str:
+    """Write the key in front of an error as the option."""
+    return re.sub(r"^(?:spectrum\.)?(\w+)", lambda found: f"--{found[1].replace('_', '-')}", line)

@@ -1,4 +1,4 @@
-"""The tables of `records.lock.toml`: the records of a suite with their factors, and what they were locked for.
+"""The lock of a suite, `records.lock.toml`: its records with their factors, and the target that these hold for.
 
 The file is written by `assess records select --lock` alone. Its seal, the SHA-256 of all that follows it, tells
 whether it was changed since.
@@ -15,22 +15,32 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field, StrictBool, StrictInt, StrictStr, ValidationError
+from scipy.constants import g
 
-from assess.errors import ProjectError
-from assess.project.file_digests import file_sha256
-from assess.project.key_text import error_line, escape_text
-from assess.project.section import Section
-from records.compliance.making import CodeName
+from assess.errors import OutputError, ProjectError
+from assess.messages.message import escape_text
+from assess.outputs.writing import replace_file
+from assess.project.section import ProjectSection, error_line
+from assess.results.inputs import file_sha256
+from assess.study.study import ArtificialRecords, Fitting, ScaledRecord
+from records.candidates import Candidate
+from records.compliance import CodeName
+from records.formats.header import NO_OVERRIDES, HeaderOverrides
+from records.reading import read_with_overrides, relative_path
+from records.record import Record
+from records.selection import ScaleTo, samples_sha256, target_mark
+from spectra.spectrum import Spectrum
 
-NAME = "records.lock.toml"
+LOCK_NAME = "records.lock.toml"
 AGAIN = "run `assess records select PROJECT --lock` again"
+
 HEAD = f"""\
 # The suite of records of a project, locked: its files, their factors, and the target that these hold for.
-# Written by `assess records select --lock`, which replaces it; [records] lock = "{NAME}" uses it.
+# Written by `assess records select --lock`, which replaces it; [records] lock = "{LOCK_NAME}" uses it.
 """
 _SEAL = re.compile(r'(.*?)^seal = "([0-9a-f]*)"\n(.*)', re.DOTALL | re.MULTILINE)
-
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
@@ -38,7 +48,7 @@ Sha256 = Annotated[StrictStr, Field(pattern="^[0-9a-f]{64}$")]
 FilePath = Annotated[StrictStr, Field(min_length=1, pattern="^[^\\x00]*$")]
 
 
-class LockedTarget(Section):
+class LockedTarget(ProjectSection):
     """The target spectrum that the factors refer to."""
 
     code: StrictStr
@@ -49,7 +59,7 @@ class LockedTarget(Section):
     """of the 5 % ordinates over the peak ground acceleration"""
 
 
-class LockedChoice(Section):
+class LockedChoice(ProjectSection):
     """How the records were chosen and scaled."""
 
     how: Literal["selected", "all"]
@@ -80,7 +90,7 @@ class LockedChoice(Section):
     """candidates left after each step"""
 
 
-class LockedArtificial(Section):
+class LockedArtificial(ProjectSection):
     """The recipe of artificial records, which are made again and compared."""
 
     count: Annotated[StrictInt, Field(ge=1, le=1000)]
@@ -97,7 +107,7 @@ class LockedArtificial(Section):
     """of the samples of each, rounded to 1e-4 m/s2"""
 
 
-class LockedRecord(Section):
+class LockedRecord(ProjectSection):
     """A record of a file."""
 
     id: StrictStr
@@ -136,7 +146,7 @@ class LockedRecord(Section):
     """of that file"""
 
 
-class SuiteLock(Section):
+class SuiteLock(ProjectSection):
     """All that a lock says."""
 
     format: Literal[1]
@@ -161,7 +171,7 @@ def read_lock(path: Path) -> tuple[SuiteLock, bool]:
     ProjectError : there is no such file, or it is no lock
     """
     try:
-        return _lock(path, file_sha256(path))
+        return _parse_lock(path, file_sha256(path))
     except FileNotFoundError:
         raise ProjectError(f"{path}: no such file; make it: run `assess records select PROJECT --lock`") from None
     except OSError as error:
@@ -169,7 +179,7 @@ def read_lock(path: Path) -> tuple[SuiteLock, bool]:
 
 
 @lru_cache(maxsize=64)
-def _lock(path: Path, sha256: str) -> tuple[SuiteLock, bool]:
+def _parse_lock(path: Path, sha256: str) -> tuple[SuiteLock, bool]:
     """Read the lock whose file has this SHA-256."""
     try:
         text = path.read_bytes().decode("utf-8")
@@ -206,11 +216,11 @@ def lock_text(
 ) -> str:
     """Return the text of a lock, with its seal."""
     single = {"target": target, "chosen": chosen, "artificial": artificial}
-    tables: list[tuple[str, Section]] = [
+    tables: list[tuple[str, ProjectSection]] = [
         ("[" + name + "]", table) for name, table in single.items() if table is not None
     ]
     tables += [("[[records]]", record) for record in records]
-    body = "".join("\n".join(("", head, *_lines(table), "")) for head, table in tables)
+    body = "".join("\n".join(("", head, *_table_lines(table), "")) for head, table in tables)
     return f'{HEAD}format = 1\nseal = "{_sha256(body)}"\n{body}'
 
 
@@ -218,20 +228,166 @@ def _sha256(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def _lines(table: Section) -> Iterator[str]:
+def _table_lines(table: ProjectSection) -> Iterator[str]:
     """Yield the keys of a table that are not at their default."""
     defaults: Mapping[str, Any] = {key: field.default for key, field in table.table_keys().items()}
     for key, value in table.entries().items():
         if value != defaults[key]:
-            yield f"{key} = {_value(value)}"
+            yield f"{key} = {_toml_value(value)}"
 
 
-def _value(value: Any) -> str:
+def _toml_value(value: Any) -> str:
     """Return a value as TOML: a list of lists on lines of their own, numbers at full precision."""
     if isinstance(value, tuple):
-        parts = [_value(each) for each in value]
+        parts = [_toml_value(each) for each in value]
         nested = any(isinstance(each, tuple) for each in value) or len(", ".join(parts)) > 100
         return "[\n" + "".join(f"    {part},\n" for part in parts) + "]" if nested else f"[{', '.join(parts)}]"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     return str(value).lower() if isinstance(value, bool) else repr(value)
+
+
+DIGITS = 12  # after the point, of a peak ground acceleration in g
+COMMAND = "records select --lock"
+
+
+def suite_text(
+    motions: Sequence[ScaledRecord],
+    spectrum: Spectrum,
+    fitting: Fitting,
+    *,
+    place: Path,
+    folder: Path,
+    scale_to: ScaleTo,
+    further_factor: float = 1.0,
+    overrides: HeaderOverrides = NO_OVERRIDES,
+    recipe: tuple[ArtificialRecords, tuple[float, float]] | None = None,
+) -> str:
+    """Return the text of the lock of a suite.
+
+    Parameters
+    ----------
+    motions : the suite, as scaled to the spectrum
+    spectrum : the target
+    fitting : how the records were chosen and scaled
+    place : folder of the lock
+    folder : that the paths of the records are relative to
+    scale_to, further_factor : as in [records]
+    overrides : what files do not state themselves, where the records were not selected out of a catalogue
+    recipe : of the artificial records, with the range of periods that they fit [s]
+    """
+    mark = target_mark(spectrum)
+    recorded = [motion for motion in motions if not motion.record.artificial]
+    chosen = () if fitting.selection is None else fitting.selection.choices
+    candidates: Sequence[Candidate | None] = [one for choice in chosen for one in choice.components]
+    numbers = dict(fitting.nga)
+    records = [
+        _locked_record(
+            motion,
+            folder / motion.record.path,
+            place=place,
+            overrides=overrides if candidate is None else candidate.overrides,
+            nga=numbers.get(motion.record.id),
+        )
+        for motion, candidate in zip(recorded, candidates or [None] * len(recorded), strict=True)
+    ]
+    return lock_text(
+        LockedTarget(code=mark.code, pga_g=round(mark.pga / g, DIGITS), sha256=mark.sha256),
+        _locked_choice(fitting, scale_to, further_factor),
+        artificial=None if recipe is None else _locked_artificial(*recipe, [m for m in motions if m.record.artificial]),
+        records=records,
+    )
+
+
+def write_lock(path: Path, text: str) -> None:
+    """Write a lock, whole or not at all; only a lock as it was written before is replaced.
+
+    Raises
+    ------
+    OutputError : the file that is there is another, or a lock that was edited
+    """
+    if path.is_file() and not is_replaceable(path) and path.read_bytes() != text.encode():
+        raise OutputError(f"{path}: {_why_not_replaceable(path)}; move it away, and a new one is written")
+    with replace_file(path, command=COMMAND, is_replaceable=is_replaceable) as made:
+        made.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _why_not_replaceable(path: Path) -> str:
+    """Return what a file is that is not a lock as it was written."""
+    start = path.read_bytes().startswith(HEAD.encode())
+    return "the lock was edited since it was written" if start else "not written by `assess records select --lock`"
+
+
+def _locked_record(
+    motion: ScaledRecord, file: Path, *, place: Path, overrides: HeaderOverrides, nga: int | None
+) -> LockedRecord:
+    record, response = motion.record, overrides.response
+    return LockedRecord(
+        id=record.id,
+        file=relative_path(file, place),
+        position=_position_in_file(record, read_with_overrides(file, overrides)),
+        component=record.component,
+        sha256=file_sha256(file),
+        scale_factor=motion.scaling.factor,
+        event=record.event,
+        date=record.earthquake.time,
+        station=record.station,
+        magnitude=record.earthquake.magnitude,
+        distance_m=record.distance,
+        vs30_m_per_s=record.site.vs30,
+        nga=nga,
+        unit=overrides.unit,
+        step_s=overrides.step,
+        response=None if response is None else relative_path(response, place),
+        response_sha256=None if response is None else file_sha256(response),
+    )
+
+
+def _position_in_file(record: Record, found: Sequence[Record]) -> int:
+    """Return the place of a record among those of its file, from 1."""
+    return next(
+        place
+        for place, one in enumerate(found, start=1)
+        if one.component == record.component and np.array_equal(one.acceleration, record.acceleration)
+    )
+
+
+def _locked_choice(fitting: Fitting, scale_to: ScaleTo, further_factor: float) -> LockedChoice:
+    low, high = fitting.band.ends
+    code = None if fitting.given is None or not fitting.given.code else fitting.given.code
+    found = fitting.selection
+    if found is None:
+        return LockedChoice(how="all", scale_to=scale_to, further_factor=further_factor, periods_s=(low, high))
+    weight = fitting.band.weight
+    pairs = zip(fitting.band.period.tolist(), weight.tolist(), strict=True)
+    of = found.criteria
+    return LockedChoice.model_validate(
+        {
+            "how": "selected",
+            "scale_to": scale_to,
+            "further_factor": further_factor,
+            "periods_s": (low, high),
+            "weights": () if np.all(weight == weight[0]) else tuple(pairs),
+            "for": code,
+            "fit": of.fit,
+            "components": of.components,
+            "one_per_event": of.one_per_event,
+            "scale_limits": of.scale_limits,
+            "misfit": found.misfit,
+            "greedy_misfit": found.greedy,
+            "remaining": found.counted,
+        }
+    )
+
+
+def _locked_artificial(
+    made: ArtificialRecords, band: tuple[float, float], motions: Sequence[ScaledRecord]
+) -> LockedArtificial:
+    return LockedArtificial(
+        count=made.count,
+        seed=made.seed,
+        duration_s=made.duration,
+        periods_s=band,
+        scale_factor=motions[0].scaling.factor,
+        sha256=tuple(samples_sha256(motion.record) for motion in motions),
+    )

@@ -14,31 +14,23 @@ from scipy.constants import g
 from assess.errors import AssessError
 from assess.messages.message import Message
 from assess.project.build import build
-from assess.project.horizontal_records import horizontal_records
-from assess.project.lock_writing import suite_text, write_lock
-from assess.project.record_set import overrides_of
-from assess.project.schema import load
+from assess.project.project_file import load
+from assess.project.record_set import horizontal_records, overrides_of
 from assess.project.site_spectrum import site_of, spectrum_of
-from assess.project.suite_lock import NAME
+from assess.project.suite_lock import LOCK_NAME, suite_text, write_lock
 from assess.results import GroundMotionResult, RecordResult
 from assess.study import record_set
-from assess.study.ground_motion import ground_motion, ground_motion_result
-from assess.study.motions import ScaledRecord, apply_given_factors, motions_of, scale_together
-from assess.study.periods import ABOVE, BELOW
-from assess.study.run import require_spectrum
-from assess.study.site_results import record_result
-from assess.study.study import Fitting, Study
-from assess.study.suite_rules import made_band
-from records.band import band, truncate_band
+from assess.study.ground_motion import ground_motion, ground_motion_result, record_result
+from assess.study.record_set import apply_given_factors, motions_of, scale_together
+from assess.study.study import Fitting, ScaledRecord, Study, require_spectrum
+from assess.study.suite_rules import ABOVE, BELOW, made_band
 from records.candidates import PERIODS
-from records.code_suites import Target, band_for, select_for
-from records.compliance.making import MAKING, CodeName
-from records.compliance.registry import REQUIREMENTS
-from records.formats.header_overrides import HeaderOverrides
-from records.reading import read_with
-from records.scaling import Scaling, misfit, scale_to_ordinate
-from records.selection import Components, Criteria, Filters, Range, ScaleTo, select
-from records.suites import Fit
+from records.code_suites import SuiteTarget, band_for, select_for
+from records.compliance import REQUIREMENTS, SELECTION_RULES, CodeName
+from records.formats.header import HeaderOverrides
+from records.reading import read_with_overrides
+from records.scaling import Scaling, band, misfit, scale_to_ordinate, truncate_band
+from records.selection import CandidateFilters, Components, Fit, Range, ScaleTo, SuiteCriteria, select
 from spectra.spectrum import Spectrum
 from spectra.table import read_table
 
@@ -47,7 +39,7 @@ UNITS: Mapping[str, float] = {"magnitude": 1.0, "distance": 1000.0, "vs30": 1.0,
 
 
 @dataclass(frozen=True)
-class Suite:
+class ScaledSuite:
     """Records as scaled, the suite beside its target, and what to know of it."""
 
     records: tuple[RecordResult, ...]
@@ -56,7 +48,7 @@ class Suite:
 
 
 @dataclass(frozen=True)
-class Wanted:
+class SuiteOptions:
     """What the command line asks of a suite, in its units; spans: of the filters by name; code: whose rules to meet."""
 
     count: int
@@ -71,7 +63,7 @@ class Wanted:
     code: str | None = None
 
 
-def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
+def suite_of_project(path: Path, *, executor: Executor | None = None) -> ScaledSuite:
     """Return the records of a project as it selects and scales them, without artificial ones.
 
     Parameters
@@ -89,16 +81,16 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     return _suite_of(study, motions_of(replace(study, artificial=None), require_spectrum(study)))
 
 
-def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> Suite:
+def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> ScaledSuite:
     """Return the suite of a study as scaled, with the messages on its records."""
     spectrum = require_spectrum(study)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
     messages = tuple(each for each in study.messages if each.where.startswith("records"))
-    return Suite(results_of(motions, spectrum, study.fitting), found, messages)
+    return ScaledSuite(results_of(motions, spectrum, study.fitting), found, messages)
 
 
-def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Suite, Path]:
+def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[ScaledSuite, Path]:
     """Write the lock of a project: its records as [records] finds, makes and scales them, whatever its lock says.
 
     Parameters
@@ -121,7 +113,7 @@ def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Suite
     section = given.model_copy(update={"lock": None})
     study = build(replace(project, content=project.content.model_copy(update={"records": section})), executor=executor)
     spectrum, made = require_spectrum(study), study.artificial
-    motions, lock = motions_of(study, spectrum), given.lock or project.folder / NAME
+    motions, lock = motions_of(study, spectrum), given.lock or project.folder / LOCK_NAME
     text = suite_text(
         motions,
         spectrum,
@@ -137,7 +129,7 @@ def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Suite
     return _suite_of(study, motions), lock
 
 
-def lock_target(target: Path, found: Selected) -> Path:
+def lock_target(target: Path, found: SelectedSuite) -> Path:
     """Write the lock of a suite that was selected for a target, beside the target.
 
     Parameters
@@ -157,31 +149,31 @@ def lock_target(target: Path, found: Selected) -> Path:
     text = suite_text(
         found.motions, found.spectrum, found.fitting, place=folder, folder=Path.cwd(), scale_to=found.scale_to
     )
-    write_lock(folder / NAME, text)
-    return folder / NAME
+    write_lock(folder / LOCK_NAME, text)
+    return folder / LOCK_NAME
 
 
 @dataclass(frozen=True)
-class Selected:
+class SelectedSuite:
     """A suite selected for a target: as results show it, and as it was scaled."""
 
-    suite: Suite
+    suite: ScaledSuite
     motions: tuple[ScaledRecord, ...]
     spectrum: Spectrum
     fitting: Fitting
     scale_to: ScaleTo
 
 
-def of_target(
+def select_for_target(
     target: Path,
     places: Sequence[Path],
-    wanted: Wanted,
+    wanted: SuiteOptions,
     *,
     overrides: HeaderOverrides,
     flatfile: Path | None,
     kept: Path | None,
     executor: Executor | None = None,
-) -> Selected:
+) -> SelectedSuite:
     """Select the suite that fits the spectrum of a target, out of files and the catalogues of folders.
 
     Parameters
@@ -208,9 +200,9 @@ def of_target(
         motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     else:
         code: CodeName = _one_of("for", wanted.code, CodeName)
-        making = MAKING[code]
+        making = SELECTION_RULES[code]
         low, high = truncate_band(criteria.band, spectrum.longest_period).ends
-        goal = Target(spectrum, spectrum, low / BELOW, high / ABOVE)
+        goal = SuiteTarget(spectrum, spectrum, low / BELOW, high / ABOVE)
         criteria = replace(criteria, band=band_for(making, goal))
         own = dict.fromkeys(REQUIREMENTS, (goal.shortest, goal.longest))
         found = select_for(offer.candidates, making, goal, criteria, read=record_set.read_candidate)
@@ -220,11 +212,11 @@ def of_target(
         motions = apply_given_factors(chosen.records, spectrum, chosen.fitting.given, band=criteria.band)
     motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={}, own=own)
     messages = (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records))
-    suite = Suite(results_of(motions, spectrum, chosen.fitting), motion, messages)
-    return Selected(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
+    suite = ScaledSuite(results_of(motions, spectrum, chosen.fitting), motion, messages)
+    return SelectedSuite(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
-def criteria_of(wanted: Wanted) -> Criteria:
+def criteria_of(wanted: SuiteOptions) -> SuiteCriteria:
     """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
     spans = {**wanted.spans, "scale-limits": wanted.scale_limits}
     for name, span in spans.items():
@@ -236,10 +228,10 @@ def criteria_of(wanted: Wanted) -> Criteria:
         name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
         for name, span in wanted.spans.items()
     }
-    return Criteria(
+    return SuiteCriteria(
         count=wanted.count,
         band=band(*wanted.periods),
-        filters=Filters(**si, events=wanted.events),
+        filters=CandidateFilters(**si, events=wanted.events),
         scale_limits=wanted.scale_limits,
         one_per_event=wanted.one_per_event,
         fit=_one_of("fit", wanted.fit, Fit),
@@ -250,7 +242,7 @@ def criteria_of(wanted: Wanted) -> Criteria:
 
 def write_scaled_files(
     target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
-) -> tuple[tuple[ScaledRecord, ...], Suite]:
+) -> tuple[tuple[ScaledRecord, ...], ScaledSuite]:
     """Scale every record to the spectrum of a target, or to its ordinate at one period.
 
     Parameters
@@ -272,7 +264,7 @@ def write_scaled_files(
     """
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    found = record_set.with_unique_names([record for file in files for record in read_with(file, overrides)])
+    found = record_set.with_unique_names([record for file in files for record in read_with_overrides(file, overrides)])
     records = horizontal_records(found)
     if at is None:
         motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
@@ -282,7 +274,9 @@ def write_scaled_files(
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
         motions = tuple(ScaledRecord(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = ground_motion_result(motions, spectrum, fitting, source="given", equivalent={})
-    return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.record_messages(records)))
+    return motions, ScaledSuite(
+        results_of(motions, spectrum, fitting), motion, tuple(record_set.record_messages(records))
+    )
 
 
 def _check_period(at: float | None) -> None:

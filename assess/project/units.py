@@ -1,14 +1,15 @@
-"""Quantities of the project file: a number in SI, or a string of a number and its unit, becomes an SI float.
+"""Quantities as they are typed: a number in SI, or a string of a number and its unit, becomes an SI float.
 
-The number is split off (`typed_quantity`) and only the unit goes to pint, whose own parser would evaluate
-`9**9**9 m`. pint is imported for the first unit that is not a usual one (0.5 s). All is computed with fractions, so
-"690 mm" is 0.69.
+The number is split off by a regular expression and nothing is evaluated; only the unit goes to pint, whose own parser
+would evaluate `9**9**9 m`. pint is imported for the first unit that is not a usual one (0.5 s). All is computed with
+fractions, so "690 mm" is 0.69.
 """
 
 from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -18,8 +19,6 @@ from typing import Any
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.quantity_text import QuantityError, number_and_unit
-from assess.project.usual_units import AMBIGUOUS, DEFINED, USUAL, WEIGHTS, G
 
 _POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
 SIGNS = "%‰°'\""
@@ -38,6 +37,7 @@ def unit_pattern(letter: str) -> str:
 
 _UNIT = re.compile(unit_pattern(r"[^\W\d_]"))
 SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
+
 _TURNS = frozenset(
     {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
 )
@@ -281,3 +281,128 @@ def _remedy(kind: Kind) -> str:
     article = "an" if kind.name[0] in "aeiou" else "a"
     weighing = f' or "{kind.weighing}"' if kind.weighing else ""
     return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'
+
+
+INCH, FOOT = Fraction("0.0254"), Fraction("0.3048")
+POUND = Fraction("0.45359237")
+G = Fraction("9.80665")  # standard gravity [m/s2]
+POUND_FORCE = POUND * G
+PI = Fraction("3.1415926535897932384626433832795028841971693993751")  # as pint has it
+
+USUAL: Mapping[str, Mapping[str, Fraction]] = {
+    "length": {
+        "m": Fraction(1),
+        "cm": Fraction(1, 100),
+        "mm": Fraction(1, 1000),
+        "ft": FOOT,
+        "in": INCH,
+        "'": FOOT,
+        '"': INCH,
+    },
+    "mass": {"kg": Fraction(1), "t": Fraction(1000), "lb": POUND},
+    "time": {"s": Fraction(1), "ms": Fraction(1, 1000)},
+    "duration": {"years": Fraction(1), "year": Fraction(1)},
+    "acceleration": {"m/s^2": Fraction(1), "m/s2": Fraction(1), "cm/s^2": Fraction(1, 100)},
+    "force": {"N": Fraction(1), "kN": Fraction(1000), "MN": Fraction(10**6), "lbf": POUND_FORCE},
+    "stress": {
+        "Pa": Fraction(1),
+        "kPa": Fraction(1000),
+        "MPa": Fraction(10**6),
+        "GPa": Fraction(10**9),
+        "N/mm^2": Fraction(10**6),
+        "psi": POUND_FORCE / INCH**2,
+        "ksi": 1000 * POUND_FORCE / INCH**2,
+    },
+    "stiffness per area": {
+        "GPa/m": Fraction(10**9),
+        "MPa/m": Fraction(10**6),
+        "N/mm^3": Fraction(10**9),
+        "psi/in": POUND_FORCE / INCH**3,
+    },
+    "density": {
+        "kg/m^3": Fraction(1),
+        "kg/m3": Fraction(1),
+        "t/m^3": Fraction(1000),
+        "lb/ft^3": POUND / FOOT**3,
+        "pcf": POUND / FOOT**3,
+        "kN/m^3": 1000 / G,
+        "kN/m3": 1000 / G,
+        "kN/m³": 1000 / G,
+    },
+    "mass per area": {"kg/m^2": Fraction(1), "kg/m2": Fraction(1)},
+    "angle": {"rad": Fraction(1), "deg": PI / 180},
+    "frequency": {"Hz": Fraction(1)},
+    "rate": {"1/s": Fraction(1)},
+    "ratio": {"%": Fraction(1, 100)},
+}
+"""SI units of a kind, by its name in `units.KINDS`, that one of each unit is, as it is typed."""
+
+WEIGHTS = frozenset({"kN/m^3", "kN/m3", "kN/m³", "pcf"})
+"""Units of weight per volume among those of density."""
+
+DEFINED = ("pcf = pound_force / foot ** 3", "psf = pound_force / foot ** 2", "lbm = pound")
+"""Units of American engineers that pint does not know, as its definitions."""
+
+AMBIGUOUS: Mapping[str, str] = dict.fromkeys(
+    ("ton", "tons"), '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'
+)
+"""What is wrong with units that mean different things in different countries, and the remedy."""
+LONGEST = 60  # characters
+NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?"
+_NUMBER = re.compile(rf"\s*({NUMBER})\s*")
+_SEPARATED = re.compile(r"([+-]?)(\d*,\d+(?:(?:[.,'_]\d+)| \d{3})*|\d+(?:[.,'_]\d+| \d{3})+)(?![.\d/])")
+_GROUPED = re.compile(r"(\d{1,3}(?:,\d{3})+|\d{1,3}(?:\.\d{3})+|\d{1,3}(?:['_ ]\d{3})+)(?:[.,](\d+))?")
+_FEET_AND_INCHES = re.compile(r"'[\s-]*\d|(?:ft|feet|foot)[\s-]+\d")
+
+_PLAIN = str.maketrans({
+    "−": "-", "‐": "-", "‑": "-", "–": "-", "﹣": "-", "－": "-",  # minus signs, hyphens, an en dash
+    "⋅": "·", "∙": "·", "×": "·", "∕": "/", "⁄": "/",
+    "º": "°", "˚": "°", "’": "'", "′": "'", "ʹ": "'", "”": '"', "″": '"', "ʺ": '"',
+    "\u200b": None, "\u2060": None, "\ufeff": None,  # spaces without width
+})  # fmt: skip
+
+
+class QuantityError(ProjectError):
+    """A quantity cannot be read; the text says what is wrong and the remedy, its caller adds the key and the value."""
+
+
+def number_and_unit(text: str) -> tuple[str, str]:
+    """Split a quantity into its number and its unit, both in plain signs; raise QuantityError if it has none."""
+    plain = " ".join(text.translate(_PLAIN).split())
+    found = _NUMBER.match(plain)
+    unit = plain[found.end() :] if found else ""
+    fault = "" if len(text) > LONGEST else _separated(plain) or _in_two_units(unit) or _pointless(plain)
+    if fault:
+        raise QuantityError(fault)
+    if len(text) > LONGEST or found is None:
+        raise QuantityError("not a number with a unit")
+    return found[1], unit
+
+
+def _separated(text: str) -> str:
+    """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
+    found = _SEPARATED.match(text)
+    if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
+        return ""
+    sign, number, rest = found[1], found[2], text[found.end() :]
+    grouped = _GROUPED.fullmatch(number)
+    whole, point = (f"{sign}{digits}{rest}" for digits in (re.sub(r"\D", "", number), number.replace(",", ".")))
+    if re.fullmatch(r"[1-9]\d{0,2},\d{3}", number):
+        return f'a comma that may mean two things; write "{point}" for a decimal comma, "{whole}" for thousands'
+    if re.fullmatch(r"\d*,\d+", number):
+        return f'a decimal comma; write "{point if number[0] != "," else point.replace(".", "0.", 1)}"'
+    if grouped is None:
+        return 'more in the number than one decimal point; write it like "1250.5"'
+    decimals = f".{grouped[2]}" if grouped[2] else ""
+    return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
+
+
+def _pointless(text: str) -> str:
+    """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
+    found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
+    return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
+
+
+def _in_two_units(unit: str) -> str:
+    """Say what is wrong with feet and inches in one quantity."""
+    return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""

@@ -1,56 +1,61 @@
-"""Which numbers of each mechanism its sensitivity varies, between which values.
+"""Which numbers of each mechanism are varied, and its study at other values of them.
 
-A number of the project file is varied at its key, and the whole is read through the schema again, as a sweep does; the
-thickness is varied on the bodies themselves.
+The sensitivity varies one number at a time, the survey's tolerance bears on thicknesses, given hinges and loads, and
+uncertain numbers are sampled together. A number of the project file is varied at its key, and the whole is read through
+the schema again, as a sweep does; the thickness is varied on the bodies themselves. The direction and the sides that
+were found at the values given are kept.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import partial, reduce
 from math import inf
 from typing import Any, NamedTuple
 
-from assess.geometry.affine import scale_along
-from assess.geometry.solid import Solid, Solids
+from pydantic import ValidationError
+
+from assess.errors import ProjectError
+from assess.geometry.solid import Solid, Solids, scale_along
 from assess.mechanisms.chain import hinge_names
 from assess.mechanisms.mechanism import Mechanism
-from assess.model.definitions import Chained
-from assess.model.pieces import pieces_of
+from assess.messages.message import Message, Term, note, warning
+from assess.model.blocks import pieces_of
+from assess.model.definitions import BlockMechanism
 from assess.project import sections
-from assess.project.bodies import bodies_of
-from assess.project.definitions import definition_of
-from assess.project.dependents import dependents
-from assess.project.key_text import key_text
-from assess.project.keys import Key, value_at, with_value
-from assess.project.schema import Project
-from assess.project.variations import read_case
-from assess.study.study import Amplified, Study, Unvaried, Variable
+from assess.project.keys import KeyPath, UncertainValue, dependents, read_case, value_at, with_value
+from assess.project.project_file import Project
+from assess.project.section import error_line, key_text
+from assess.project.structure import bodies_of, definition_of
+from assess.results.variations import UncertainInput
+from assess.study.amplification import MechanismAmplification
+from assess.study.sensitivity import Survey
+from assess.study.study import SampledNumber, Sampling, Study, UnvariedNumber, Variable
 
-Alone = Callable[[str, sections.Content, Mapping[str, Solid]], Study]
-FULL = "at most 1: more would add velocity at the impact"
+StudyOfMechanism = Callable[[str, sections.Content, Mapping[str, Solid]], Study]
+AT_MOST_1 = "at most 1: more would add velocity at the impact"
 SWEPT = "a parametric study changes the mechanism; write the value of its controlling case in its place"
 
 
 @dataclass(frozen=True)
-class Number:
+class VariedNumber:
     """A number of the project file: what it is to the mechanism, its key, its unit in SI."""
 
     parameter: str
-    path: Key
+    path: KeyPath
     unit: str = "-"
 
 
 @dataclass(frozen=True)
-class Subject:
+class VariedMechanism:
     """A mechanism as built, with what the project says of it, its direction included where that was sought."""
 
     mechanism: Mechanism
-    amplified: Amplified
+    amplified: MechanismAmplification
     project: Project
     solids: Solids
-    alone: Alone
+    alone: StudyOfMechanism
 
     @property
     def name(self) -> str:
@@ -69,7 +74,9 @@ class Subject:
         return tuple(name for name in content.materials if self.name in dependents(content, ("materials", name)))
 
 
-def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -> tuple[Variable | Unvaried, ...]:
+def variables_of(
+    project: Project, study: Study, solids: Solids, alone: StudyOfMechanism
+) -> tuple[Variable | UnvariedNumber, ...]:
     """Return every variable of every mechanism of a study; none if no sensitivity is requested.
 
     alone : builds the study of one mechanism from other content, with some bodies replaced
@@ -78,17 +85,19 @@ def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -
     if asked is None:
         return ()
     swept = {name for each in project.variations for name in dependents(project.content, each.path)}
-    found: list[Variable | Unvaried] = []
+    found: list[Variable | UnvariedNumber] = []
     for mechanism in study.mechanisms:
         if mechanism.name in swept:
-            found.append(Unvaried(mechanism.name, "", SWEPT))
+            found.append(UnvariedNumber(mechanism.name, "", SWEPT))
         else:
-            faced = turn_towards(project, mechanism)
-            found += of_mechanism(Subject(mechanism, study.amplified[mechanism.name], faced, solids, alone), asked)
+            faced = fix_direction(project, mechanism)
+            found += variables_of_mechanism(
+                VariedMechanism(mechanism, study.amplified[mechanism.name], faced, solids, alone), asked
+            )
     return tuple(found)
 
 
-def turn_towards(project: Project, mechanism: Mechanism) -> Project:
+def fix_direction(project: Project, mechanism: Mechanism) -> Project:
     """Fix the direction and the sides that were found for a mechanism, so that they stay the same."""
     section = project.content.mechanisms[mechanism.name]
     if isinstance(section, sections.EquivalentBlock):
@@ -101,39 +110,41 @@ def turn_towards(project: Project, mechanism: Mechanism) -> Project:
     return replace(project, raw=raw, content=sections.Content.model_validate(raw, context={"folder": project.folder}))
 
 
-def of_mechanism(subject: Subject, asked: sections.Sensitivity) -> Iterator[Variable | Unvaried]:
+def variables_of_mechanism(
+    subject: VariedMechanism, asked: sections.Sensitivity
+) -> Iterator[Variable | UnvariedNumber]:
     """Yield the variables of one mechanism that are requested."""
     if asked.thickness is not None and isinstance(subject.section, sections.Chained):
-        yield thickness(subject, subject.section, asked.thickness)
+        yield vary_thickness(subject, subject.section, asked.thickness)
     for number in dict.fromkeys(numbers_of(subject)):
         change = asked.entries()[number.parameter]
         if change is not None:
-            yield at_key(subject, number, change)
+            yield vary_at_key(subject, number, change)
     if asked.restitution is not None:
-        yield restitution(subject, asked.restitution)
+        yield vary_restitution(subject, asked.restitution)
 
 
-def numbers_of(subject: Subject) -> Iterator[Number]:
+def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
     """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
     section, materials = subject.section, subject.project.content.materials
     if isinstance(section, sections.EquivalentBlock):
-        yield Number("uplift", ("mechanisms", subject.name, "uplift"))
-        yield Number("p", ("mechanisms", subject.name, "p"), "1/s")
+        yield VariedNumber("uplift", ("mechanisms", subject.name, "uplift"))
+        yield VariedNumber("p", ("mechanisms", subject.name, "p"), "1/s")
         return
     for name in subject.materials:
-        yield Number("density", ("materials", name, "density"), "kg/m^3")
-    yield from of_joints(subject, section)
+        yield VariedNumber("density", ("materials", name, "density"), "kg/m^3")
+    yield from joint_numbers(subject, section)
     if subject.amplified.by_stiffness:
         for name in subject.materials:
             if materials[name].young_modulus is not None:
-                yield Number("stiffness", ("materials", name, "young_modulus"), "Pa")
+                yield VariedNumber("stiffness", ("materials", name, "young_modulus"), "Pa")
     for name in subject.materials:
         if materials[name].friction:
-            yield Number("friction", ("materials", name, "friction"))
-    yield from of_loads(subject, section)
+            yield VariedNumber("friction", ("materials", name, "friction"))
+    yield from load_numbers(subject, section)
 
 
-def of_joints(subject: Subject, section: sections.Chained) -> Iterator[Number]:
+def joint_numbers(subject: VariedMechanism, section: sections.Chained) -> Iterator[VariedNumber]:
     """Yield strength and stiffness of the joints, each at the key that gives it."""
     content = subject.project.content
     bodies = (content.bodies[name] for block in section.blocks for name in block)
@@ -145,30 +156,30 @@ def of_joints(subject: Subject, section: sections.Chained) -> Iterator[Number]:
         own = ("interfaces", letter) if letter in section.interfaces else ("interface",)
         table = ("mechanisms", subject.name, *own)
         if joint.strength is not None and joint.strength < inf:
-            yield Number("compressive_strength", (*table, "strength"), "Pa")
+            yield VariedNumber("compressive_strength", (*table, "strength"), "Pa")
         elif joint.strength is None and joint.model != "rigid" and material and material.compressive_strength:
-            yield Number("compressive_strength", ("materials", str(name), "compressive_strength"), "Pa")
+            yield VariedNumber("compressive_strength", ("materials", str(name), "compressive_strength"), "Pa")
         if joint.stiffness is not None and joint.stiffness < inf:
-            yield Number("stiffness", (*table, "stiffness"), "Pa/m")
+            yield VariedNumber("stiffness", (*table, "stiffness"), "Pa/m")
         elif joint.course_thickness is not None:
-            yield Number("stiffness", ("materials", str(name), "young_modulus"), "Pa")
+            yield VariedNumber("stiffness", ("materials", str(name), "young_modulus"), "Pa")
 
 
-def of_loads(subject: Subject, section: sections.Chained) -> Iterator[Number]:
+def load_numbers(subject: VariedMechanism, section: sections.Chained) -> Iterator[VariedNumber]:
     """Yield the loads given as numbers; a force given by two components is two of them."""
     for place, load in enumerate(section.loads):
         path = ("mechanisms", subject.name, "loads", place)
         if isinstance(load, sections.TieLoad):
-            yield Number("tie_force", (*path, "force"), "N")
+            yield VariedNumber("tie_force", (*path, "force"), "N")
         elif isinstance(load, sections.MassLoad | sections.BodyLoad) and load.mass is not None:
-            yield Number("loads", (*path, "mass"), "kg")
+            yield VariedNumber("loads", (*path, "mass"), "kg")
         elif isinstance(load, sections.ForceLoad) and isinstance(load.force, tuple):
-            yield from (Number("loads", (*path, "force", i), "N") for i in (0, 1) if load.force[i])
+            yield from (VariedNumber("loads", (*path, "force", i), "N") for i in (0, 1) if load.force[i])
         elif isinstance(load, sections.ForceLoad | sections.OverburdenLoad) and load.force is not None:
-            yield Number("loads", (*path, "force"), "N")
+            yield VariedNumber("loads", (*path, "force"), "N")
 
 
-def at_key(subject: Subject, number: Number, change: sections.Change) -> Variable | Unvaried:
+def vary_at_key(subject: VariedMechanism, number: VariedNumber, change: sections.Change) -> Variable | UnvariedNumber:
     """Vary a number at its key."""
     base = float(value_at(subject.project.content, number.path))
     return vary_between(
@@ -180,13 +191,13 @@ def at_key(subject: Subject, number: Number, change: sections.Change) -> Variabl
             base=base,
             low=base,
             high=base,
-            study_at=partial(with_number, subject, number.path),
+            study_at=partial(study_with_number, subject, number.path),
         ),
         change,
     )
 
 
-def with_number(subject: Subject, path: Key, value: Any) -> Study:
+def study_with_number(subject: VariedMechanism, path: KeyPath, value: Any) -> Study:
     """Return the study of the mechanism with another value at a key of the project."""
     project = subject.project
     raw = with_value(project.raw, path, value, project.content)
@@ -194,63 +205,67 @@ def with_number(subject: Subject, path: Key, value: Any) -> Study:
     return subject.alone(subject.name, content, {})
 
 
-def vary_between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
+def vary_between(at_base: Variable, change: sections.Change) -> Variable | UnvariedNumber:
     """Set the range of a variable: its base minus the change to its base plus the change."""
     base = at_base.base
     by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
     if by >= abs(base):
-        return Unvaried(at_base.mechanism, at_base.parameter, "a change as large as the value itself leaves nothing")
+        return UnvariedNumber(
+            at_base.mechanism, at_base.parameter, "a change as large as the value itself leaves nothing"
+        )
     return replace(at_base, low=base - by, high=base + by)
 
 
-def restitution(subject: Subject, change: sections.Change) -> Variable | Unvaried:
+def vary_restitution(subject: VariedMechanism, change: sections.Change) -> Variable | UnvariedNumber:
     """Vary the restitution of both branches in proportion, up to 1 at most."""
     first, second = subject.mechanism.restitution
     if first == 0.0:
-        return Unvaried(subject.name, "restitution", "it is 0: there is no rebound")
+        return UnvariedNumber(subject.name, "restitution", "it is 0: there is no rebound")
     path = ("mechanisms", subject.name, "restitution")
 
     def study_at(value: float) -> Study:
         both = {"positive": value, "negative": min(1.0, second * value / first)}
-        return with_number(subject, path, both)
+        return study_with_number(subject, path, both)
 
     made = vary_between(
         Variable(subject.name, "restitution", key_text(path), "-", first, first, first, study_at),
         change,
     )
-    if isinstance(made, Unvaried) or made.high <= 1.0:
+    if isinstance(made, UnvariedNumber) or made.high <= 1.0:
         return made
-    return replace(made, high=max(1.0, first), remark=FULL)
+    return replace(made, high=max(1.0, first), remark=AT_MOST_1)
 
 
-def thickness(subject: Subject, section: sections.Chained, change: sections.Change) -> Variable | Unvaried:
+def vary_thickness(
+    subject: VariedMechanism, section: sections.Chained, change: sections.Change
+) -> Variable | UnvariedNumber:
     """Vary the size of the blocks along the direction about the middle of the base, whose thickness names it."""
-    foot = foot_of(subject, section)
+    foot = block_base(subject, section)
     if isinstance(foot, str):
-        return Unvaried(subject.name, "thickness", foot)
-    study_at = partial(thicken, subject, section, width=foot.width, middle=foot.middle)
+        return UnvariedNumber(subject.name, "thickness", foot)
+    study_at = partial(study_with_thickness, subject, section, width=foot.width, middle=foot.middle)
     return vary_between(
         Variable(subject.name, "thickness", key_of_thickness(section), "m", *(foot.width,) * 3, study_at), change
     )
 
 
-class Foot(NamedTuple):
+class BlockBase(NamedTuple):
     """The base of the blocks along the direction of motion: its width and the place of its middle [m]."""
 
     width: float
     middle: float
 
 
-def foot_of(subject: Subject, section: sections.Chained) -> Foot | str:
+def block_base(subject: VariedMechanism, section: sections.Chained) -> BlockBase | str:
     """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
-    why = stiff_geometry(subject, section)
+    why = why_thickness_is_fixed(subject, section)
     if why:
         return why
-    definition: Chained = definition_of(section)
+    definition: BlockMechanism = definition_of(section)
     foot = pieces_of(subject.name, definition, bodies_of(subject.project.content, subject.solids))[0].body.base
     assert foot is not None  # every body has geometry
     (low, _), (high, _) = foot
-    return Foot(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
+    return BlockBase(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
 
 
 def key_of_thickness(section: sections.Chained) -> str:
@@ -258,7 +273,7 @@ def key_of_thickness(section: sections.Chained) -> str:
     return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
 
 
-def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
+def why_thickness_is_fixed(subject: VariedMechanism, section: sections.Chained) -> str:
     """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
     direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
     if direct:
@@ -268,14 +283,16 @@ def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
     hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
     if any(each is not None for each in hinges):
         return "its hinges are given as points, which do not move with the faces"
-    definition: Chained = definition_of(section)
+    definition: BlockMechanism = definition_of(section)
     joints = (definition.interface_at(letter) for letter in hinge_names(subject.mechanism.positive))
     if any(joint.shape != "outline" for joint in joints):
         return "the shape of a joint is given by its sizes, which do not follow"
     return ""
 
 
-def thicken(subject: Subject, section: sections.Chained, value: float, *, width: float, middle: float) -> Study:
+def study_with_thickness(
+    subject: VariedMechanism, section: sections.Chained, value: float, *, width: float, middle: float
+) -> Study:
     """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
     thick = thick_blocks(section, subject.solids, factor=value / width, middle=middle)
     return subject.alone(subject.name, subject.project.content, thick)
@@ -286,3 +303,190 @@ def thick_blocks(section: sections.Chained, solids: Solids, *, factor: float, mi
     bodies = {name: solid for block in section.blocks for name in block if (solid := solids[name]) is not None}
     towards = definition_of(section).towards
     return {name: scale_along(each, direction=towards, middle=middle, factor=factor) for name, each in bodies.items()}
+
+
+LOAD_TOLERANCE = 0.05  # share
+
+
+def survey_of(project: Project, study: Study, solids: Mapping[str, Solid | None], alone: StudyOfMechanism) -> Survey:
+    """Return what gives the numbers of a mechanism that the survey's tolerance bears on, by its name."""
+    mechanisms = {mechanism.name: mechanism for mechanism in study.mechanisms}
+
+    def variables(name: str) -> tuple[Variable, ...]:
+        mechanism = mechanisms[name]
+        subject = VariedMechanism(mechanism, study.amplified[name], fix_direction(project, mechanism), solids, alone)
+        return tuple(_surveyed_variables(subject, mechanism, tolerance=project.content.verdict.survey_tolerance))
+
+    return variables
+
+
+def _surveyed_variables(subject: VariedMechanism, mechanism: Mechanism, *, tolerance: float) -> Iterator[Variable]:
+    section = subject.section
+    if not isinstance(section, sections.Chained) or tolerance == 0.0:
+        return
+    found = [vary_thickness(subject, section, sections.Change(tolerance, "m"))]
+    found += [
+        vary_at_key(subject, number, sections.Change(LOAD_TOLERANCE)) for number in load_numbers(subject, section)
+    ]
+    yield from (each for each in found if isinstance(each, Variable))
+    yield from _hinge_variables(subject, section, tolerance)
+
+
+def _hinge_variables(subject: VariedMechanism, section: sections.Chained, tolerance: float) -> Iterator[Variable]:
+    """Yield each given hinge, moved along the direction of motion."""
+    for table in ("hinges", "hinges_negative"):
+        given = getattr(section, table, None)
+        if not isinstance(given, sections.Hinges):
+            continue
+        for letter, place in given.entries().items():
+            path: KeyPath = ("mechanisms", subject.name, table, letter)
+            move = partial(_study_with_moved_hinge, subject, path, place, definition_of(section).towards)
+            yield Variable(subject.name, "hinge", key_text(path), "m", 0.0, -tolerance, tolerance, move)
+
+
+def _study_with_moved_hinge(
+    subject: VariedMechanism, path: KeyPath, place: tuple[float, ...], direction: Sequence[float], shift: float
+) -> Study:
+    """Return the study with a hinge moved by `shift` [m] along the direction."""
+    length = sum(each**2 for each in direction) ** 0.5
+    way = (1.0, 0.0) if len(place) == 2 else tuple(each / length for each in direction)
+    project, moved = subject.project, [at + shift * each for at, each in zip(place, way, strict=True)]
+    raw = with_value(project.raw, path, moved, project.content)
+    content = sections.Content.model_validate(raw, context={"folder": project.folder})
+    return subject.alone(subject.name, content, {})
+
+
+THICKNESS_GROUP = "thickness"
+"""The group of the sizes that [analysis.uncertainty] thickness varies."""
+UNCERTAINTY_KEY = "analysis.uncertainty"
+
+
+class Cases(NamedTuple):
+    """The bodies of a case by name, and what builds the study of one mechanism with some of them replaced."""
+
+    solids: Solids
+    build: Callable[[str, Mapping[str, Solid]], Study]
+
+
+CasesOf = Callable[[sections.Content], Cases]
+
+
+@dataclass(frozen=True)
+class SampledThickness:
+    """The blocks of a mechanism whose thickness is sampled: the table, and the base that they are scaled about."""
+
+    section: sections.Chained
+    foot: BlockBase
+
+
+def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesOf) -> Sampling | None:
+    """Return how the uncertain numbers of a project are sampled; None if it does not ask for that.
+
+    Raises ProjectError if it asks and has none.
+    """
+    asked = project.content.analysis.uncertainty
+    if asked is None:
+        return None
+    varied = {name for each in project.variations for name in dependents(project.content, each.path)}
+    swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in varied]
+    faced = reduce(fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
+    beside = {mechanism.name: mechanism.beside for mechanism in study.mechanisms}
+    numbers = [
+        SampledNumber(
+            value.given,
+            value.least,
+            value.most,
+            tuple(name for name in dependents(faced.content, value.path, beside=beside) if name not in swept),
+        )
+        for value in project.uncertain
+    ]
+    thick: dict[str, SampledThickness] = {}
+
+    def study_alone(name: str, content: sections.Content, replaced: Mapping[str, Solid]) -> Study:
+        return cases_of(content).build(name, replaced)
+
+    notes = [note("uncertainty-left-out", f"mechanisms.{name}", why=Term(SWEPT)) for name in swept]
+    if asked.thickness is not None:
+        found = dict(_sampled_thicknesses(faced, study, solids, study_alone, swept))
+        thick = {name: each for name, each in found.items() if isinstance(each, SampledThickness)}
+        for name, each in found.items():
+            if isinstance(each, str):
+                notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(each)))
+            else:
+                key, mean = key_of_thickness(each.section), each.foot.width
+                given = UncertainInput(key, "m", mean, asked.thickness, "lognormal", THICKNESS_GROUP)
+                numbers.append(SampledNumber(given, 0.0, float("inf"), (name,)))
+    if not numbers:
+        remedy = "write numbers as { mean, cov }, or thickness = 0.05 here"
+        raise ProjectError(f"{UNCERTAINTY_KEY}: no number of the project is uncertain; {remedy}")
+    study_at = partial(_study_at_samples, faced, project.uncertain, thick, cases_of)
+    return Sampling(asked.samples, asked.seed, tuple(numbers), study_at, tuple(notes))
+
+
+def _sampled_thicknesses(
+    project: Project, study: Study, solids: Solids, study_alone: StudyOfMechanism, swept: Sequence[str]
+) -> Iterator[tuple[str, SampledThickness | str]]:
+    """Yield the mechanisms whose thickness no number of the file varies, or why it cannot be varied."""
+    own = {value.path[1] for value in project.uncertain if value.path[0] == "bodies"}
+    for mechanism in study.mechanisms:
+        section = project.content.mechanisms[mechanism.name]
+        if mechanism.name in swept or not isinstance(section, sections.Chained):
+            continue
+        if own & {name for block in section.blocks for name in block}:
+            continue
+        subject = VariedMechanism(mechanism, study.amplified[mechanism.name], project, solids, study_alone)
+        foot = block_base(subject, section)
+        yield mechanism.name, foot if isinstance(foot, str) else SampledThickness(section, foot)
+
+
+def _study_at_samples(
+    project: Project,
+    uncertain: Sequence[UncertainValue],
+    thick: Mapping[str, SampledThickness],
+    cases_of: CasesOf,
+    values: Sequence[float],
+) -> Callable[[str], Study]:
+    """Return what builds the study of each mechanism at values of the numbers; those of `thick` come last.
+
+    Raises ProjectError if the schema refuses the values.
+    """
+    at_keys, widths = values[: len(uncertain)], dict(zip(thick, values[len(uncertain) :], strict=True))
+    raw = project.raw
+    for number, value in zip(uncertain, at_keys, strict=True):
+        raw = with_value(raw, number.path, value, project.content)
+    try:
+        content = sections.Content.model_validate(raw, context={"folder": project.folder})
+    except ValidationError as error:
+        raise ProjectError(error_line(error, raw=raw)) from None
+    cases = cases_of(content)
+
+    def build(name: str) -> Study:
+        if name not in thick:
+            return cases.build(name, {})
+        section, foot = thick[name].section, thick[name].foot
+        factor = widths[name] / foot.width
+        return cases.build(name, thick_blocks(section, cases.solids, factor=factor, middle=foot.middle))
+
+    return build
+
+
+def uncertainty_messages(project: Project) -> Iterator[Message]:
+    """Report uncertain numbers that are used at their means, and hinges that stay while faces move."""
+    content = project.content
+    if project.uncertain and content.analysis.uncertainty is None:
+        keys = ", ".join(value.given.key for value in project.uncertain)
+        yield note("uncertainty-means", UNCERTAINTY_KEY, keys=keys)
+        return
+    for value in project.uncertain:
+        if value.path[0] == "bodies" and value.path[-1] == "thickness":
+            yield from (
+                warning("uncertainty-hinges-stay", key_text(path), key=value.given.key)
+                for path in _given_hinges(content, str(value.path[1]))
+            )
+
+
+def _given_hinges(content: sections.Content, body: str) -> Iterator[KeyPath]:
+    """Yield the keys of hinges given as points of mechanisms that a body is a block of."""
+    for name, section in content.mechanisms.items():
+        if isinstance(section, sections.Chained) and any(body in block for block in section.blocks):
+            yield from (("mechanisms", name, key) for key, points in section.points().items() if points is not None)

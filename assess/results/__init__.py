@@ -4,25 +4,39 @@ Names of fields end in their units. The tree is pure data, without clock or numb
 same bytes.
 """
 
-from assess.results.amplification import AmplificationResult, CarriedMotion, Factor
-from assess.results.comparison import ComparisonRow
-from assess.results.controls import Control, ControlKind
-from assess.results.directions import DirectionCandidate, DirectionSweep
-from assess.results.drawing import Displaced, Drawing, DrawnLoad, NamedPoint
-from assess.results.envelopes import CriticalBand, CriticalResult, EnvelopeResult
 from assess.results.ground_motion import (
     EquivalentPeriods,
     GroundMotionResult,
-    Remaining,
+    PrimaryPulseResult,
+    RecordResult,
+    RecordSpectrum,
+    RemainingCandidates,
     RequirementResult,
     SelectionResult,
+    SpectrumResult,
 )
-from assess.results.histories import HistoryResult, SuiteResult, Trace
-from assess.results.inputs import Input, Program, Resolved
-from assess.results.joints import BranchMoment, ContactSheet, HingeForceResult, InterfaceCurves
-from assess.results.loads import Lasting, LoadResult
-from assess.results.mechanism import MechanismResult
-from assess.results.oscillator import BranchCurve, Curve, LinearisedResult, OscillatorResult
+from assess.results.inputs import Input, Program, ResolvedValue
+from assess.results.mechanism import (
+    BranchCurve,
+    BranchMoment,
+    CapacityCurve,
+    ContactSheet,
+    DirectionCandidate,
+    DirectionSweep,
+    DisplacedDrawing,
+    Drawing,
+    DrawnLoad,
+    HingeAxis,
+    HingeForceResult,
+    InterfaceCurves,
+    Lasting,
+    LinearisedResult,
+    LoadResult,
+    MechanismResult,
+    NamedPoint,
+    OscillatorResult,
+    View,
+)
 from assess.results.report_matter import (
     NO_MATTER,
     ChecklistItem,
@@ -32,20 +46,29 @@ from assess.results.report_matter import (
     ReportMatter,
     Revision,
 )
-from assess.results.run import SCHEMA_VERSION, Results
-from assess.results.sensitivity import SensitivityResult
-from assess.results.site import PrimaryPulse, RecordResult, RecordSpectrum, SpectrumResult
-from assess.results.sweeps import SweepResult
+from assess.results.response import (
+    AmplificationFactor,
+    AmplificationResult,
+    CarriedMotion,
+    CriticalBand,
+    CriticalResult,
+    EnvelopeResult,
+    HistoryResult,
+    HistoryTrace,
+    SuiteResult,
+)
+from assess.results.run import SCHEMA_VERSION, ComparisonRow, Control, ControlKind, Results
 from assess.results.values import Floats, Place, Point, Ring
-from assess.results.view import Axis, View
+from assess.results.variations import SensitivityResult, SweepResult
 
 __all__ = [
     "NO_MATTER",
     "SCHEMA_VERSION",
+    "AmplificationFactor",
     "AmplificationResult",
-    "Axis",
     "BranchCurve",
     "BranchMoment",
+    "CapacityCurve",
     "CarriedMotion",
     "ChecklistItem",
     "ChecklistOutcome",
@@ -55,19 +78,19 @@ __all__ = [
     "ControlKind",
     "CriticalBand",
     "CriticalResult",
-    "Curve",
     "DirectionCandidate",
     "DirectionSweep",
-    "Displaced",
+    "DisplacedDrawing",
     "Drawing",
     "DrawnLoad",
     "EnvelopeResult",
     "EquivalentPeriods",
-    "Factor",
     "Floats",
     "GroundMotionResult",
+    "HingeAxis",
     "HingeForceResult",
     "HistoryResult",
+    "HistoryTrace",
     "Input",
     "InterfaceCurves",
     "Lasting",
@@ -80,14 +103,14 @@ __all__ = [
     "Picture",
     "Place",
     "Point",
-    "PrimaryPulse",
+    "PrimaryPulseResult",
     "Program",
     "RecordResult",
     "RecordSpectrum",
-    "Remaining",
+    "RemainingCandidates",
     "ReportMatter",
     "RequirementResult",
-    "Resolved",
+    "ResolvedValue",
     "Results",
     "Revision",
     "Ring",
@@ -96,6 +119,5 @@ __all__ = [
     "SpectrumResult",
     "SuiteResult",
     "SweepResult",
-    "Trace",
     "View",
 ]

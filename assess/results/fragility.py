@@ -11,13 +11,13 @@ from statistics import NormalDist
 from typing import Literal
 
 from assess.messages.message import Message
-from assess.results.inputs import Input, Program, Resolved
+from assess.results.inputs import Input, Program, ResolvedValue
 from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.results.values import Floats
 from assess.short_repr import ShortRepr
 
 FRAGILITY_VERSION = 1
-Method = Literal["ida", "stripes", "cloud"]
+FragilityMethod = Literal["ida", "stripes", "cloud"]
 StateName = Literal["rocking", "rotation", "overturning"]
 CurveName = Literal["empirical", "lognormal", "first"]
 Gap = Literal["motion", "runs", "hazard", "epistemic"]
@@ -113,7 +113,7 @@ class FragilityCurve(ShortRepr):
 
     measure: MeasureResult
     state: StateResult
-    method: Method
+    method: FragilityMethod
     records: int
     events: int
     censored: int
@@ -293,11 +293,11 @@ class FragilityResults(ShortRepr):
     inputs: tuple[Input, ...]
     warnings: tuple[Message, ...]
     title: str
-    method: Method
+    method: FragilityMethod
     seed: int
     draws: int
     mechanisms: tuple[MechanismFragility, ...]
     hazard: tuple[HazardResult, ...] = ()
     stamp: str = ""
     report: ReportMatter = NO_MATTER
-    project: dict[str, Resolved] = field(default_factory=dict)
+    project: dict[str, ResolvedValue] = field(default_factory=dict)

@@ -1,4 +1,4 @@
-"""The suite of records compared with its target, how it was chosen, and what codes require of it."""
+"""The site's elastic spectrum, the records scaled to it, and their suite beside its target and the rules of codes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class EquivalentPeriods(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class Remaining(ShortRepr):
+class RemainingCandidates(ShortRepr):
     """The number of candidates left after a step of the selection."""
 
     step: str
@@ -36,7 +36,7 @@ class SelectionResult(ShortRepr):
     one_per_event: bool
     least_factor: float
     largest_factor: float
-    remaining: tuple[Remaining, ...]
+    remaining: tuple[RemainingCandidates, ...]
     misfit: float
     greedy_misfit: float | None
 
@@ -88,3 +88,69 @@ class GroundMotionResult(ShortRepr):
     requirements: tuple[RequirementResult, ...]
     lock: str = ""
     made_for: str = ""
+
+
+@dataclass(frozen=True, repr=False)
+class SpectrumResult(ShortRepr):
+    """The site's elastic spectrum."""
+
+    code: str
+    parameters: dict[str, float | str]
+    damping: float
+    damping_rule: str
+    clause: str
+    pga_g: float
+    period_s: Floats
+    acceleration_g: Floats
+
+
+@dataclass(frozen=True, repr=False)
+class RecordSpectrum(ShortRepr):
+    """The elastic response spectrum of a record after scaling, 5 % damping."""
+
+    period_s: Floats
+    acceleration_g: Floats
+
+
+@dataclass(frozen=True, repr=False)
+class PrimaryPulseResult(ShortRepr):
+    """A pulse within a record, scaled as the record: the one that matches it best, or another local optimum.
+
+    polarity: 1 or -1; energy_share: share of the integral of squared acceleration that the pulse explains [-].
+    """
+
+    shape: str
+    frequency_hz: float
+    amplitude_g: float
+    start_s: float
+    polarity: int
+    energy_share: float
+
+
+@dataclass(frozen=True, repr=False)
+class RecordResult(ShortRepr):
+    """A record as used: after scaling to the site's spectrum, before the factor of a level.
+
+    mse: mean squared natural-log misfit to the target after scaling [-]; processing: its processing history, in
+    order, where a str is a line of its file; trail: the English of it.
+    """
+
+    id: str
+    path: str
+    event: str
+    station: str
+    component: str
+    dt_s: float
+    npts: int
+    pga_g: float
+    scale_factor: float
+    mse: float
+    trail: tuple[str, ...]
+    spectrum: RecordSpectrum
+    primary_pulses: tuple[PrimaryPulseResult, ...] = ()
+    date: str = ""
+    magnitude: float | None = None
+    distance_km: float | None = None
+    vs30_m_per_s: float | None = None
+    nga: int | None = None
+    processing: tuple[Message | str, ...] = ()

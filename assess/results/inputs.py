@@ -1,8 +1,14 @@
-"""What a run was made from: the program, the files read, and the resolved values of the project."""
+"""What results were made from: the program, the files read, the resolved values, and the stamp of all these."""
 
 from __future__ import annotations
 
+import hashlib
+import json
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache, lru_cache
+from importlib.metadata import PackageMetadata, metadata, version
+from pathlib import Path
 from typing import Any
 
 from assess.short_repr import ShortRepr
@@ -33,7 +39,7 @@ class Input(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class Resolved(ShortRepr):
+class ResolvedValue(ShortRepr):
     """A value of the project as used, in SI; given: whether by the user, or by default.
 
     dimensions : what its numbers measure, by the way to them from the key: "" for the value itself, "2.mass" for a key
@@ -45,3 +51,152 @@ class Resolved(ShortRepr):
     given: bool
     dimensions: dict[str, str] = field(default_factory=dict)
     cov: dict[str, float] = field(default_factory=dict)
+
+
+PACKAGES = ("assess", "records", "reports", "spectra")
+
+
+@cache
+def describe_program() -> Program:
+    """Return the program that runs, with its licence, origin and sources; read once in a process."""
+    about = metadata(NAME)
+    return Program(NAME, about["Version"], licence_of(about), origin_of(about), sources_digest(package_folder()))
+
+
+def licence_of(about: PackageMetadata) -> str:
+    """Return the licence that a package declares, such as "MIT"; "" if it declares none."""
+    return _field(about, "License-Expression") or _field(about, "License")
+
+
+def origin_of(about: PackageMetadata) -> str:
+    """Return who publishes a package and where its sources are, as far as it says so; else its name and summary."""
+    author = _field(about, "Author") or _field(about, "Author-email") or _field(about, "Maintainer")
+    urls = [entry.partition(",")[2].strip() for entry in about.get_all("Project-URL") or []]
+    named = [text for text in (author, *urls[:1]) if text]
+    return ", ".join(named) or f"{about['Name']}: {about['Summary']}"
+
+
+def package_folder() -> Path:
+    """Return the folder that holds the packages of the program."""
+    return Path(__file__).parents[2]
+
+
+def sources_digest(folder: Path) -> str:
+    """Return the SHA-256 of the files of the program: paths relative to `folder`, in order, and contents.
+
+    Solved cases and examples are among them; what Python and numba keep for themselves is not.
+
+    Parameters
+    ----------
+    folder : Path
+        Holds the packages.
+    """
+    digest = hashlib.sha256()
+    files = sorted(
+        (path.relative_to(folder).as_posix(), path)
+        for name in PACKAGES
+        for path in (folder / name).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and not path.name.startswith(".")
+    )
+    for name, path in files:
+        content = path.read_bytes()
+        digest.update(f"{name}\0{len(content)}\0".encode())
+        digest.update(content)
+    return digest.hexdigest()
+
+
+def _field(about: PackageMetadata, key: str) -> str:
+    """Return a field of metadata; "" if it is missing."""
+    return about[key] if key in about else ""  # noqa: SIM401 - metadata has no typed get
+
+
+NAME = "rocking-assess"
+GROUPS, DIGITS = 4, 4  # in groups: no spreadsheet takes it for a number or a date
+
+
+def this_program() -> Program:
+    """Return the program that runs."""
+    return Program(NAME, version(NAME))
+
+
+def stamp(command: str, program: Program, inputs: Sequence[Input]) -> str:
+    """Return a short hash of the command with its options, the program, and every file read.
+
+    Clock, number of jobs, and place of the output are ignored.
+
+    Parameters
+    ----------
+    command : str
+        The command with its options.
+    program : Program
+        The program that made the results.
+    inputs : sequence of Input
+        The files that were read.
+
+    Returns
+    -------
+    str
+        Sixteen hexadecimal digits in groups of four.
+    """
+    files = [[each.path, each.sha256] for each in inputs]
+    text = json.dumps([command, program.name, program.version, files], ensure_ascii=True)
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    return "-".join(digest[DIGITS * place : DIGITS * (place + 1)] for place in range(GROUPS))
+
+
+def stamp_of_files(command: str, files: Sequence[Path], *options: object) -> str:
+    """Return the stamp of what a command makes of files.
+
+    Parameters
+    ----------
+    command : str
+        The command.
+    files : sequence of Path
+        The files that it reads.
+    *options
+        Its options.
+
+    Returns
+    -------
+    str
+        The stamp.
+    """
+    read = [Input(file.name, hashlib.sha256(file.read_bytes()).hexdigest()) for file in files]
+    return stamp(f"{command} {options!r}", this_program(), read)
+
+
+def origin(command: str, shown: str) -> str:
+    """Return the origin of a single figure: the program, and a stamp of its content.
+
+    Parameters
+    ----------
+    command : str
+        The command that draws it.
+    shown : str
+        The numbers it shows, as text.
+
+    Returns
+    -------
+    str
+        Name and version of the program, and the stamp.
+    """
+    program = this_program()
+    return f"{program.name} {program.version}, stamp {stamp(f'{command} {shown}', program, ())}"
+
+
+def file_sha256(path: Path) -> str:
+    """Return the SHA-256 of a file.
+
+    Raises
+    ------
+    OSError : there is no such file, or it cannot be read
+    """
+    status = path.stat()
+    return _sha256(path.absolute(), status.st_size, status.st_mtime_ns, status.st_ino)
+
+
+@lru_cache(maxsize=4096)
+def _sha256(path: Path, size: int, mtime: int, number: int) -> str:
+    """Return the SHA-256 of a file of this size, time of change [ns] and number on its disk."""
+    with path.open("rb") as opened:
+        return hashlib.file_digest(opened, "sha256").hexdigest()

@@ -1,21 +1,15 @@
-"""Everything about one mechanism."""
+"""One mechanism as results.json has it: rocking parameters, drawing, loads, joints, directions, histories."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import Check
+from assess.codes.calculation_sheet import Step
+from assess.codes.check import BranchName, Check
 from assess.messages.message import Message, Term
-from assess.results.amplification import AmplificationResult
-from assess.results.directions import DirectionCandidate, DirectionSweep
-from assess.results.drawing import Drawing
-from assess.results.envelopes import EnvelopeResult
-from assess.results.histories import HistoryResult, SuiteResult
-from assess.results.joints import ContactSheet, HingeForceResult, InterfaceCurves
-from assess.results.loads import LoadResult
-from assess.results.oscillator import Curve, OscillatorResult
-from assess.results.view import View
+from assess.results.response import AmplificationResult, EnvelopeResult, HistoryResult, SuiteResult
+from assess.results.values import Floats, Place, Point, Ring
 from assess.short_repr import ShortRepr
 
 
@@ -43,7 +37,7 @@ class MechanismResult(ShortRepr):
     view: View | None
     oscillator: OscillatorResult
     oscillator_negative: OscillatorResult | None
-    curve: Curve
+    curve: CapacityCurve
     interfaces: tuple[dict[str, Any], ...]
     amplification: AmplificationResult
     checks: tuple[Check, ...]
@@ -55,7 +49,7 @@ class MechanismResult(ShortRepr):
     direction_sweep: DirectionSweep | None
     interface_curves: InterfaceCurves | None = None
     hinge_forces: tuple[HingeForceResult, ...] = ()
-    deciding_curve: Curve | None = None
+    deciding_curve: CapacityCurve | None = None
     deciding_overturning_rad: tuple[float, float | None] | None = None
     direction: tuple[float, float, float] | None = None
     candidates: tuple[DirectionCandidate, ...] = ()
@@ -65,3 +59,256 @@ class MechanismResult(ShortRepr):
     ground_known_from: str = ""
     restitution_said: tuple[Term | Message, ...] = ()
     contact_sheets: tuple[ContactSheet, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class LinearisedResult(ShortRepr):
+    """Kinematic constants of a branch linearised at critical_rad (thesis 3.4-3.12): I, K, B, M, phi_cr, phi_ov.
+
+    uplift_multiplier: lambda of 3.11, to which thesis tables refer; the exact one is that of the oscillator.
+    """
+
+    inertia_kg_m2: float
+    stiffness_n_m_per_rad: float
+    excitation_kg_m: float
+    moment_n_m: float
+    critical_rad: float
+    overturning_rad: float
+    uplift_multiplier: float
+
+
+@dataclass(frozen=True, repr=False)
+class OscillatorResult(ShortRepr):
+    """The rocking parameters of one branch."""
+
+    mass_kg: float
+    inertia_kg_m2: float
+    radius_m: float
+    slenderness_rad: float
+    p_eq_per_s: float
+    uplift_multiplier: float | None
+    overturning_rad: float
+    overturning_flexible_rad: float | None
+    critical_rad: float
+    equilibrium_rad: float
+    elastic_frequency_hz: float | None
+    restitution: float
+    linearised: LinearisedResult
+
+
+@dataclass(frozen=True, repr=False)
+class BranchCurve(ShortRepr):
+    """The capacity curve of one branch, all positive."""
+
+    rotation_rad: Floats
+    inertia_kg_m2: Floats
+    restoring_n_m: Floats
+    excitation_kg_m: Floats
+    participating_mass_kg: Floats
+    displacement_m: Floats
+
+
+@dataclass(frozen=True, repr=False)
+class CapacityCurve(ShortRepr):
+    """Both branches of the capacity curve."""
+
+    positive: BranchCurve
+    negative: BranchCurve | None
+
+
+@dataclass(frozen=True, repr=False)
+class NamedPoint(ShortRepr):
+    """A hinge or another named point in the plane of motion: distance along the direction, elevation [m]."""
+
+    name: str
+    at: Point
+
+
+@dataclass(frozen=True, repr=False)
+class DrawnLoad(ShortRepr):
+    """A load in the plane of motion: where it acts [m], and the unit vector of its force.
+
+    towards: None for a non-bearing mass, which has no force at rest.
+    """
+
+    name: str
+    at: Point
+    kind: Literal["mass", "force", "tie"]
+    towards: Point | None
+
+
+@dataclass(frozen=True, repr=False)
+class DisplacedDrawing(ShortRepr):
+    """The mechanism after a rotation of its leading block, in the plane of motion, not mirrored [m].
+
+    blocks, loads and centroids are in the order of the drawing at rest; hinges and block_of are of the branch that
+    turns.
+    """
+
+    rotation_rad: float
+    blocks: tuple[Ring, ...]
+    block_of: tuple[int, ...]
+    hinges: tuple[NamedPoint, ...]
+    loads: tuple[DrawnLoad, ...]
+    centroids: tuple[Point, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class Drawing(ShortRepr):
+    """The mechanism in its plane of motion, to scale [m]: closed outlines of the blocks, hinges, loads, centroid.
+
+    block_of: block of the positive branch that each outline belongs to, from 0 at the base, -1 if it does not move (an
+    arch may divide into other blocks each way); centroids: of each block; displaced, displaced_negative: turned to
+    either side, far enough to be seen but not beyond overturning; fixed: outlines of masonry that does not move, as
+    below a cut.
+    """
+
+    blocks: tuple[Ring, ...]
+    hinges: tuple[NamedPoint, ...]
+    loads: tuple[DrawnLoad, ...]
+    centroid: Point
+    block_of: tuple[int, ...]
+    centroids: tuple[Point, ...]
+    displaced: DisplacedDrawing
+    displaced_negative: DisplacedDrawing | None
+    fixed: tuple[Ring, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class HingeAxis(ShortRepr):
+    """The axis of rotation at a hinge: its two ends [m]."""
+
+    name: str
+    ends: tuple[Place, Place]
+
+
+@dataclass(frozen=True, repr=False)
+class View(ShortRepr):
+    """The bodies of a mechanism in space [m], simplified and rounded for drawing; not for calculation.
+
+    triangles: indices into vertices, anticlockwise seen from outside; block_of: the block that each triangle belongs
+    to, from 0 at the base, -1 if it does not move. sections: closed rings where cuts pass through the masonry.
+    size: of the bounding box along x, y, z. given: number of triangles of the bodies before simplification.
+    """
+
+    vertices: tuple[Place, ...]
+    triangles: tuple[tuple[int, int, int], ...]
+    block_of: tuple[int, ...]
+    axes: tuple[HingeAxis, ...]
+    sections: tuple[tuple[Place, ...], ...]
+    direction: Place
+    size: Place
+    given: int
+
+
+Lasting = Literal["to collapse", "to its end", "not shown"]
+
+
+@dataclass(frozen=True, repr=False)
+class LoadResult(ShortRepr):
+    """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
+
+    at: distance along the direction, elevation [m]; source: how it was found, or "given", the English of `found`.
+    lasting: how long a force or tie that resists on some branch is shown to last: to collapse, to an earlier end
+    (at end_rad, where its point has moved by end_m), or not at all, because the keys `missing` are not given; None
+    if it only drives. A tie that lasts also has an end if its fracture strain is reached beyond collapse. seat_m:
+    length of seat of a bearing mass.
+    """
+
+    name: str
+    kind: Literal["mass", "force", "tie"]
+    block: int
+    at: Point
+    mass_kg: float | None
+    bearing: bool | None
+    force_n: Point | None
+    source: str
+    lasting: Lasting | None = None
+    missing: tuple[str, ...] = ()
+    end_rad: float | None = None
+    end_m: float | None = None
+    seat_m: float | None = None
+    found: tuple[Term | Message, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class BranchMoment(ShortRepr):
+    """A moment-rotation curve."""
+
+    rotation_rad: Floats
+    restoring_n_m: Floats
+
+
+@dataclass(frozen=True, repr=False)
+class InterfaceCurves(ShortRepr):
+    """Moments of the positive branch by simpler interfaces, for comparison: rigid, and hinges fixed at a_SF."""
+
+    rigid: BranchMoment
+    fixed_hinges: BranchMoment
+
+
+@dataclass(frozen=True, repr=False)
+class ContactSheet(ShortRepr):
+    """The contact of a joint that yields or crushes, as the lines of a calculation sheet. hinge: with ' if negative."""
+
+    hinge: str
+    steps: tuple[Step, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class HingeForceResult(ShortRepr):
+    """The force through a hinge when its mechanism starts to rock, at the ground acceleration activation_g.
+
+    horizontal_n, vertical_n: on the block that presses, along the branch's own direction and up; normal_n, shear_n:
+    normal to its faces (compression positive) and along them; face: unit normal of the faces (along, up), towards that
+    block; face_found: False if the geometry has no faces there and they are taken as level. needed_friction: |shear_n|
+    / normal_n, None without compression; friction: of the joint, None if not known. sliding_g: ground acceleration at
+    which it slides before it rocks, None if it rocks first or friction is not known. held: whether a support holds it
+    besides friction, as at the top of a wall.
+    """
+
+    hinge: str
+    branch: BranchName
+    horizontal_n: float
+    vertical_n: float
+    needed_friction: float | None
+    friction: float | None
+    normal_n: float
+    shear_n: float
+    face: Point
+    face_found: bool
+    activation_g: float
+    sliding_g: float | None
+    held: bool
+
+
+@dataclass(frozen=True, repr=False)
+class DirectionSweep(ShortRepr):
+    """The resistance to rotation towards each direction, where the weakest was sought.
+
+    angle_deg [n]: from +x towards +y, rising; uplift_multiplier [n]: at rest; weakest_deg: the angle chosen, of several
+    with the least multiplier the smallest; variation: 1 - least / largest multiplier; flat_deg: part of the circle
+    within one percent of the least.
+    """
+
+    angle_deg: Floats
+    uplift_multiplier: Floats
+    p_eq_per_s: Floats
+    overturning_rad: Floats
+    weakest_deg: float
+    variation: float
+    flat_deg: float
+
+
+@dataclass(frozen=True, repr=False)
+class DirectionCandidate(ShortRepr):
+    """A direction towards which a mechanism may topple.
+
+    angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
+    the control point at overturning, of the weakest only; touching: the bodies that stop it.
+    """
+
+    angle_deg: float
+    uplift_multiplier: float | None
+    d0_m: float | None
+    touching: tuple[str, ...]

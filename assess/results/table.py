@@ -11,15 +11,11 @@ from assess.codes.check import Check
 from assess.codes.verdict import Answer
 from assess.errors import AssessError
 from assess.messages.message import Message
-from assess.results.comparison import ComparisonRow
-from assess.results.envelopes import EnvelopeResult
-from assess.results.histories import HistoryResult, SuiteResult
-from assess.results.oscillator import LinearisedResult, OscillatorResult
-from assess.results.run import Results
-from assess.results.sensitivity import SensitivityResult
-from assess.results.site import RecordResult
-from assess.results.sweeps import SweepResult
-from assess.results.uncertainty import QUANTILES, UncertainAnswer
+from assess.results.ground_motion import RecordResult
+from assess.results.mechanism import LinearisedResult, OscillatorResult
+from assess.results.response import EnvelopeResult, HistoryResult, SuiteResult
+from assess.results.run import ComparisonRow, Results
+from assess.results.variations import QUANTILES, SensitivityResult, SweepResult, UncertainAnswer
 
 if TYPE_CHECKING:
     from pandas import DataFrame

@@ -11,7 +11,7 @@ from functools import cached_property
 from statistics import median
 from typing import Literal
 
-from assess.results.inputs import Input, Program, Resolved
+from assess.results.inputs import Input, Program, ResolvedValue
 from assess.results.report_matter import NO_MATTER, ReportMatter
 from assess.short_repr import ShortRepr
 
@@ -126,7 +126,7 @@ class CaseResult(ShortRepr):
 
     key : its place among the cases, such as "housner_1963/free_rocking"
     theory : the equations it shows; field : where they hold
-    uses : mechanisms, joints, procedures and spectra that it exercises, in the words of `assess.results.uses`
+    uses : mechanisms, joints, procedures and spectra that it exercises, in the words of `assess.results.solved_cases`
     inputs : the files that a user runs again, relative to the folder of cases
     fault : why it could not be run; "" if it was
     departures : what the source prints and the program does not give, a sentence each; none of it is among the values
@@ -196,7 +196,7 @@ class VerificationResults(ShortRepr):
     cases: tuple[CaseResult, ...]
     coverage: tuple[Coverage, ...] = ()
     inputs: tuple[Input, ...] = ()
-    project: dict[str, Resolved] = field(default_factory=dict)
+    project: dict[str, ResolvedValue] = field(default_factory=dict)
     report: ReportMatter = NO_MATTER
     left_out: tuple[str, ...] = ()
     foreign: tuple[str, ...] = ()
@@ -253,8 +253,8 @@ class AnnexResult(ShortRepr):
     path : of verification.json, relative to the project file; sha256 : of it; pdf_sha256 : of the PDF beside it, "" if
         there is none
     program : that made it; cases, failures : their numbers; quick : whether only the quick cases were run
-    uncovered : what the project uses, in the words of `assess.results.uses`, and no case that passes exercises; cases
-        that are only indicative are not counted
+    uncovered : what the project uses, in the words of `assess.results.solved_cases`, and no case that passes exercises;
+        cases that are only indicative are not counted
     left_out, foreign : numbers of cases, as in `VerificationResults`
     pdf_as_written : whether the PDF is there and the one that was written with the results
     """

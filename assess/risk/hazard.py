@@ -1,29 +1,38 @@
-"""The hazard of a site and the annual rate of a state, hazard and fragility together.
+"""The hazard of a site, read from files, and the annual rate of a state, hazard and fragility together.
 
 The rate is the integral of the fragility over the hazard, lambda = int P(state | im) |d lambda(im)|: Cornell and
 Krawinkler 2000, PEER Center News 3(2); Jalayer and Cornell 2003, PEER 2003/08, eq. 2.5. The hazard is straight between
 its rows in logarithms of intensity and rate.
+
+Hazard curves are read from the CSV that the OpenQuake engine exports, and from plain text of two columns. OpenQuake
+writes a comment with `investigation_time` and `imt`, then `lon,lat,depth,poe-0.005,...` and a row for each site; `poe`
+are probabilities of exceedance in the investigation time T of Poisson's process, so that the annual rate is
+-ln(1 - poe) / T. PGA and SA are in g there, PGV in cm/s (OpenQuake manual, "Intensity measure types").
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import csv
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.constants import g
 
 from assess.errors import HazardError
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
+from spectra.columns import ACCELERATION_UNITS, ColumnError, decode, factor_of, read_columns
 
 Probability = Callable[[FloatArray], FloatArray]
 ACCURACY = 1e-6  # relative change of the rate at which panels are halved no more
 HALVINGS = 10
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(6)
 DEPTH = 30  # powers of e below the first row
-
-
 LARGEST_LOGARITHM = 600.0  # of a rate: a steep first interval, extended far below, is more than floats hold
 
 
@@ -42,7 +51,7 @@ class HazardCurve(ShortRepr):
             values = np.array(getattr(self, name), dtype=np.float64)
             values.flags.writeable = False
             object.__setattr__(self, name, values)
-        _check(self.intensity, self.annual_rate)
+        _check_rows(self.intensity, self.annual_rate)
 
     def rate_at(self, intensity: ArrayLike) -> FloatArray:
         """Return annual rates of exceedance at intensities, any shape; beyond the rows those of the first and last."""
@@ -96,7 +105,7 @@ def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (
         float(contribution.sum()),
         contribution,
         float(hazard.annual_rate[-1]),
-        _below(probability, u[0], v[0], slopes[0], kinks),
+        _rate_below_first_row(probability, u[0], v[0], slopes[0], kinks),
     )
 
 
@@ -111,7 +120,7 @@ def probability_of(annual_rate: float, *, years: float = 50.0) -> float:
     return float(-np.expm1(-annual_rate * years))
 
 
-def _check(intensity: FloatArray, annual_rate: FloatArray) -> None:
+def _check_rows(intensity: FloatArray, annual_rate: FloatArray) -> None:
     if intensity.ndim != 1 or intensity.shape != annual_rate.shape or intensity.size < 2:
         raise HazardError("hazard: give at least two rows of intensity and annual rate of exceedance")
     for name, values in (("intensity", intensity), ("annual rate", annual_rate)):
@@ -156,9 +165,175 @@ def _gauss(
     return np.asarray((inside @ WEIGHTS).sum(axis=1) * 0.5 * width[:, 0])
 
 
-def _below(probability: Probability, u: float, v: float, k: float, kinks: FloatArray) -> float:
+def _rate_below_first_row(probability: Probability, u: float, v: float, k: float, kinks: FloatArray) -> float:
     """Return the rate below the first row, the first slope going on; inf where it does not converge."""
     corners = np.unique(np.concatenate([u - np.arange(DEPTH + 1.0), kinks[(kinks < u) & (kinks > u - DEPTH)]]))
     same = np.ones(corners.size - 1)
     parts = _integrate(probability, corners, u * same, v * same, k * same)
     return float("inf") if parts[0] > ACCURACY * parts.sum() else float(parts.sum())
+
+
+VELOCITY_UNITS = {"m/s": 1.0, "cm/s": 0.01, "mm/s": 1e-3}
+IN_G = {name: factor / g for name, factor in ACCELERATION_UNITS.items()}
+Measure = Literal["pga", "sa", "pgv"]
+
+OPENQUAKE_MEASURES: Mapping[str, tuple[Measure, float]] = {"PGA": ("pga", 1.0), "SA": ("sa", 1.0), "PGV": ("pgv", 0.01)}
+"""Measure of OpenQuake's names, and what converts its unit to g or m/s."""
+
+PLAIN_MEASURES: Mapping[str, tuple[Measure, Mapping[str, float]]] = {
+    "pga": ("pga", IN_G),
+    "pgv": ("pgv", VELOCITY_UNITS),
+}
+"""Measure and units of the first column of a plain file, by how its label begins."""
+YEARS = {"1/year", "1/yr", "1/y", "1/a", "year^-1"}
+PERIODS = {"year", "years", "yr", "a"}
+EARTH_RADIUS = 6371.0  # km
+SITE_COLUMNS = ("lon", "lat", "depth", "custom_site_id", "site_id", "sid")
+FARTHEST = 50.0  # km from the nearest site of a file to the one asked for
+EXAMPLE = "pga [g], annual_rate [1/year]"
+IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
+
+
+@dataclass(frozen=True, repr=False)
+class HazardFile(ShortRepr):
+    """A hazard curve with what its file says of it.
+
+    curve : PGA and SA in g, PGV in m/s
+    measure : "pga", "sa", "pgv"; period : of "sa" [s]
+    distance : of the site of the file from the one asked for [km]; None where none is asked for
+    """
+
+    curve: HazardCurve
+    measure: Measure
+    period: float | None = None
+    distance: float | None = None
+
+
+def read_hazard(path: Path, *, longitude: float | None = None, latitude: float | None = None) -> HazardFile:
+    """Read a hazard curve, of OpenQuake or of two columns; what cannot be read raises HazardError, one line.
+
+    Parameters
+    ----------
+    path : CSV file of OpenQuake, or text of two columns like `pga [g], annual_rate [1/year]` or
+        `pgv [cm/s]; return_period [years]`
+    longitude : of the site [deg]; needed where a file of OpenQuake has several sites
+    latitude : of the site [deg]
+    """
+    try:
+        text = decode(path.read_bytes(), where=str(path))
+        lines = [line for line in text.splitlines() if line.strip()]
+        if any("poe-" in line for line in lines if not line.lstrip().startswith("#")):
+            return _read_openquake(path, lines, longitude, latitude)
+        return _read_two_columns(path)
+    except OSError as error:
+        raise HazardError(f"{path}: the file cannot be read: {error.strerror}") from None
+    except (ColumnError, HazardError) as error:
+        raise HazardError(str(error) if str(error).startswith(str(path)) else f"{path}: {error}") from None
+
+
+def _read_two_columns(path: Path) -> HazardFile:
+    columns = read_columns(path)
+    label, unit = columns.header[0], columns.units[0]
+    if unit is None:
+        raise HazardError(f"the header gives no unit for the intensity; write it like: {EXAMPLE}")
+    start = label.strip().lower()[:3]
+    if start not in PLAIN_MEASURES:
+        raise HazardError(
+            f'its first column is "{label.strip()}", neither pga nor pgv; write the header like: {EXAMPLE}; give '
+            "spectral accelerations as OpenQuake does"
+        )
+    measure, units = PLAIN_MEASURES[start]
+    values, rates = factor_of(unit, known=units) * columns.values[:, 0], columns.values[:, 1]
+    if (columns.units[1] or "").replace(" ", "").lower() in PERIODS:
+        with np.errstate(divide="ignore"):
+            rates = 1.0 / rates
+    elif (columns.units[1] or "1/year").replace(" ", "").lower() not in YEARS:
+        raise HazardError(f'unit "{columns.units[1]}" of the second column is not known; write it like: {EXAMPLE}')
+    order = np.argsort(values, kind="stable")
+    return HazardFile(HazardCurve(values[order], rates[order]), measure)
+
+
+def _read_openquake(path: Path, lines: list[str], longitude: float | None, latitude: float | None) -> HazardFile:
+    comment = " ".join(line for line in lines if line.lstrip().startswith("#"))
+    rows = list(csv.reader(line for line in lines if not line.lstrip().startswith("#")))
+    header = [field.split(":")[0].strip() for field in rows[0]]
+    measure, factor, period = _measure(path, comment)
+    years = _years(comment)
+    row, distance = _nearest_site(header, rows[1:], longitude, latitude)
+    levels = [(at, _number(name[4:], name)) for at, name in enumerate(header) if name.startswith("poe-")]
+    if alien := [name for name in header if not name.startswith("poe-") and name not in SITE_COLUMNS]:
+        raise HazardError(f'column "{alien[0]}" is none of {", ".join(SITE_COLUMNS)}, poe-…; is the header damaged?')
+    im = factor * np.array([level for _, level in levels])
+    poe = np.array([_number(row[at], header[at]) for at, _ in levels])
+    if ((poe < 0.0) | (poe > 1.0) | np.isnan(poe)).any():
+        raise HazardError("a probability of exceedance is not between 0 and 1; is this a hazard curve?")
+    known = (poe > 0.0) & (poe < 1.0)
+    if known.sum() < 2:
+        raise HazardError("fewer than two probabilities of exceedance lie between 0 and 1; compute more levels")
+    return HazardFile(HazardCurve(im[known], -np.log1p(-poe[known]) / years), measure, period, distance)
+
+
+def _measure(path: Path, comment: str) -> tuple[Measure, float, float | None]:
+    """Return measure, factor of its unit and period from the comment, else from the file's name."""
+    found = re.search(r"\bimt=[\\\"' ]*" + IMT, comment) or re.search(rf"-{IMT}(?:_\d+)?\.csv$", path.name)
+    if found is None:
+        raise HazardError(
+            "neither its comment nor its name tells the intensity measure; keep the name that OpenQuake gave it, like "
+            "hazard_curve-mean-PGA_23.csv"
+        )
+    name, _, inside = found[1].partition("(")
+    if name not in OPENQUAKE_MEASURES or (name == "SA") != bool(inside):
+        raise HazardError(f'intensity measure "{found[1]}" cannot be used; export one of PGA, PGV, SA(period)')
+    measure, factor = OPENQUAKE_MEASURES[name]
+    return measure, factor, _number(inside.rstrip(")"), found[1]) if inside else None
+
+
+def _years(comment: str) -> float:
+    found = re.search(r"investigation_time=[\\\"' ]*([0-9.eE+-]+)", comment)
+    years = 0.0 if found is None else _number(found[1], "investigation_time")
+    if not years > 0.0:
+        raise HazardError(
+            "its first line gives no investigation_time, without which probabilities are no rates; export it again "
+            "with OpenQuake, or write intensity and annual rate in two columns"
+        )
+    return years
+
+
+def _nearest_site(
+    header: list[str], rows: list[list[str]], longitude: float | None, latitude: float | None
+) -> tuple[list[str], float | None]:
+    """Return the row of the site, and its distance to the one asked for [km]."""
+    wrong = next((at for at, row in enumerate(rows, start=1) if len(row) != len(header)), None)
+    if wrong is not None or not rows:
+        raise HazardError(f"site {wrong} has another number of columns than the header" if rows else "it has no site")
+    if not {"lon", "lat"} <= set(header):
+        if len(rows) > 1:
+            raise HazardError(f"it has {len(rows)} sites and no columns lon and lat to choose from")
+        return rows[0], None
+    lon, lat = ([_number(row[header.index(name)], name) for row in rows] for name in ("lon", "lat"))
+    if longitude is None or latitude is None:
+        if len(rows) > 1:
+            raise HazardError(f"it has {len(rows)} sites; give longitude and latitude of yours as site")
+        return rows[0], None
+    distances = _distance(np.array(lon), np.array(lat), longitude, latitude)
+    at = int(np.argmin(distances))
+    if not distances[at] <= FARTHEST:
+        raise HazardError(
+            f"its nearest site is {distances[at]:.0f} km from longitude {longitude:g}, latitude {latitude:g}; give the "
+            "hazard of the site"
+        )
+    return rows[at], float(distances[at])
+
+
+def _distance(lon: FloatArray, lat: FloatArray, longitude: float, latitude: float) -> FloatArray:
+    """Return great-circle distances of sites [n] from a place [km], by the haversine formula."""
+    a, b, da, db = np.radians(lat), np.radians(latitude), np.radians(lat - latitude), np.radians(lon - longitude)
+    h = np.sin(0.5 * da) ** 2 + np.cos(a) * np.cos(b) * np.sin(0.5 * db) ** 2
+    return np.asarray(2.0 * EARTH_RADIUS * np.arcsin(np.sqrt(np.minimum(h, 1.0))))
+
+
+def _number(text: str, where: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise HazardError(f'"{text}" in "{where}" is not a number') from None

@@ -1,4 +1,14 @@
-"""A lognormal fragility curve and its fit to counts at each intensity by maximum likelihood.
+"""A lognormal fragility curve and its fits by maximum likelihood: to counts at each intensity, and to first
+exceedances.
+
+Counts: a finite maximum of the likelihood exists where they overlap: neither do all that reach the state lie above all
+that do not, nor the other way round (Albert and Anderson 1984, Biometrika 71, 1-10; Silvapulle 1981).
+
+First exceedances: a record that is run at rising scales is known to reach the state first between two of them: above
+the last scale at which it had not reached it, at most at the first at which it does. One that stands at its largest
+scale is known to lie above it. The likelihood is that of a lognormal between the two bounds (Turnbull 1976, J. R.
+Stat. Soc. B 38, 290-295; Klein and Moeschberger 2003, section 3.5). As rocking is not monotone this bounds fragility
+from above: a record may stand again at a higher intensity.
 
 Sources: binomial likelihood of a lognormal, Baker 2015, "Efficient analytical fragility function fitting using dynamic
 structural analysis", Earthquake Spectra 31(1), eq. 8 to 11; moments of a lognormal, any textbook.
@@ -6,19 +16,20 @@ structural analysis", Earthquake Spectra 31(1), eq. 8 to 11; moments of a lognor
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import ndtr, ndtri
+from scipy.special import expit, log_expit, log_ndtr, ndtr, ndtri
 
-from assess.risk.binomial import counts_overlap, ends, fit_binomial
 from assess.short_repr import ShortRepr
-from spectra.arrays import FloatArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 
-class Unbounded(StrEnum):
+class UnboundedReason(StrEnum):
     """Why data do not bound a lognormal curve."""
 
     NONE_REACH = "none-reach"
@@ -100,7 +111,7 @@ def fit_lognormals(intensity: FloatArray, reached: FloatArray, records: FloatArr
     return np.where(bounded, median, np.nan), np.where(bounded, dispersion, np.nan)
 
 
-def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLike) -> Unbounded | None:
+def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLike) -> UnboundedReason | None:
     """Return why counts do not bound a lognormal; None where they do.
 
     Parameters
@@ -112,12 +123,253 @@ def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLik
     x = np.log(np.asarray(intensity, dtype=np.float64))
     yes, n = (np.atleast_2d(np.asarray(each, dtype=np.float64)) for each in (reached, records))
     if not yes.any():
-        return Unbounded.NONE_REACH
+        return UnboundedReason.NONE_REACH
     if np.array_equal(yes, n):
-        return Unbounded.ALL_REACH
+        return UnboundedReason.ALL_REACH
     if np.unique(x[n[0] > 0]).size < 2:
-        return Unbounded.ONE_INTENSITY
+        return UnboundedReason.ONE_INTENSITY
     if not counts_overlap(x, yes, n)[0]:
-        (first_reached, _), (_, last_not) = ends(x, yes > 0), ends(x, n > yes)
-        return Unbounded.SEPARATED if first_reached[0] >= last_not[0] else Unbounded.FALLING
-    return Unbounded.FALLING if fit_lognormal(intensity, reached, records) is None else None
+        (first_reached, _), (_, last_not) = least_and_largest(x, yes > 0), least_and_largest(x, n > yes)
+        return UnboundedReason.SEPARATED if first_reached[0] >= last_not[0] else UnboundedReason.FALLING
+    return UnboundedReason.FALLING if fit_lognormal(intensity, reached, records) is None else None
+
+
+Link = Literal["probit", "logit"]
+
+
+def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: Link) -> FloatArray:
+    """Return intercepts and slopes [draws, 2] by maximum likelihood; nan where the counts do not overlap.
+
+    Parameters
+    ----------
+    x : variable of each group [k]
+    reached : how many reach the state in each group [draws, k]
+    records : how many there are in each group [draws, k]
+    link : "probit" or "logit"
+    """
+    theta = np.full((len(reached), 2), np.nan)
+    overlap = counts_overlap(x, reached, records)
+    if overlap.any():
+        middle, spread = float(np.mean(x)), float(np.std(x))
+        u, yes, n = (x - middle) / spread, reached[overlap], records[overlap]
+        pooled = _BinomialLikelihood(u, yes.sum(axis=0, keepdims=True), n.sum(axis=0, keepdims=True), link)
+        near = maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
+        start = np.tile(np.nan_to_num(near), (len(yes), 1))
+        a, b = maximise_likelihood(_BinomialLikelihood(u, yes, n, link), start).T
+        theta[overlap] = np.stack([a - b * middle / spread, b / spread], axis=1)
+    return theta
+
+
+def counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> BoolArray:
+    """Tell of each draw whether its likelihood has a finite maximum [draws].
+
+    Parameters
+    ----------
+    x : variable of each group [k]
+    reached : how many reach the state in each group [draws, k]
+    records : how many there are in each group [draws, k]
+    """
+    first_reached, last_reached = least_and_largest(x, reached > 0)
+    first_not, last_not = least_and_largest(x, records > reached)
+    return np.asarray((first_reached < last_not) & (first_not < last_reached))
+
+
+def least_and_largest(x: FloatArray, there: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Return the least and largest variable of groups that are there [draws]; inf and -inf where none is.
+
+    Parameters
+    ----------
+    x : variable of each group [k]
+    there : which groups count [draws, k]
+    """
+    least = np.where(there, x, np.inf).min(axis=1, initial=np.inf)
+    return least, np.where(there, x, -np.inf).max(axis=1, initial=-np.inf)
+
+
+class _BinomialLikelihood:
+    """The likelihood of counts: called with parameters and draws, as `maximise_likelihood` does."""
+
+    def __init__(self, x: FloatArray, reached: FloatArray, records: FloatArray, link: Link) -> None:
+        self.x, self.reached, self.others, self.link = x, reached, records - reached, link
+
+    def __call__(self, theta: FloatArray, draws: IntArray) -> Likelihood:
+        z = theta[:, :1] + theta[:, 1:] * self.x
+        yes, no = self.reached[draws], self.others[draws]
+        value, slope, bend = (_probit if self.link == "probit" else _logit)(z, yes, no)
+        gradient = np.stack([slope.sum(axis=1), slope @ self.x], axis=1)
+        curvature = np.stack([bend.sum(axis=1), bend @ self.x, bend @ self.x**2], axis=1)
+        return Likelihood(value.sum(axis=1), gradient, curvature)
+
+
+def _probit(z: FloatArray, yes: FloatArray, no: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
+    above, below = log_ndtr(z), log_ndtr(-z)
+    log_density = -0.5 * z**2 - 0.5 * np.log(2.0 * np.pi)
+    u, v = np.exp(log_density - above), np.exp(log_density - below)
+    return yes * above + no * below, yes * u - no * v, -yes * u * (z + u) - no * v * (v - z)
+
+
+def _logit(z: FloatArray, yes: FloatArray, no: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
+    p, records = expit(z), yes + no
+    return yes * log_expit(z) + no * log_expit(-z), yes - records * p, -records * p * (1.0 - p)
+
+
+def fit_first_exceedances(stands: FloatArray, reaches: FloatArray, counts: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return medians and dispersions [draws] with each record counted several times; nan where they are not bounded.
+
+    Parameters
+    ----------
+    stands : largest intensity below the first exceedance at which each record was run; 0 where it reaches the state at
+        its least one [records]
+    reaches : intensity of the first exceedance; inf where it stands at its largest scale; equal to `stands` where it is
+        known exactly [records]
+    counts : how often each record is drawn [draws, records]
+    """
+    with np.errstate(divide="ignore"):
+        lower, upper = np.log(stands), np.log(reaches)
+    drawn = counts > 0
+    bounded = np.where(drawn, lower, -np.inf).max(axis=1) > np.where(drawn, upper, np.inf).min(axis=1)
+    median, dispersion = np.full(len(counts), np.nan), np.full(len(counts), np.nan)
+    if bounded.any():
+        known = np.concatenate([lower[np.isfinite(lower)], upper[np.isfinite(upper)]])
+        middle, spread = float(known.mean()), float(known.std())
+        low, high, n = (lower - middle) / spread, (upper - middle) / spread, counts[bounded]
+        plain = np.array([[0.0, 1.0]])
+        near = maximise_likelihood(_IntervalLikelihood(low, high, n.sum(axis=0, keepdims=True)), plain)
+        start = np.tile(near if np.isfinite(near).all() else plain, (len(n), 1))
+        a, b = maximise_likelihood(_IntervalLikelihood(low, high, n), start).T
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            m, beta = np.exp(middle - a / b * spread), spread / b
+        good = (b > 0.0) & np.isfinite(m) & (m > 0.0) & np.isfinite(beta)
+        median[bounded], dispersion[bounded] = np.where(good, m, np.nan), np.where(good, beta, np.nan)
+    return median, dispersion
+
+
+class _IntervalLikelihood:
+    """The likelihood of normal variables known to lie between bounds, in a + b x: called as `maximise_likelihood` does.
+
+    It is concave in a and b (Burridge 1981, J. R. Stat. Soc. B 43, 41-45).
+    """
+
+    def __init__(self, lower: FloatArray, upper: FloatArray, counts: FloatArray) -> None:
+        self.exact = lower == upper
+        self.lower, self.upper, self.counts = lower, upper, counts
+
+    def __call__(self, theta: FloatArray, draws: IntArray) -> Likelihood:
+        between, exact = ~self.exact, self.exact
+        n, m = self.counts[draws][:, between], self.counts[draws][:, exact]
+        first, second = self._between(theta, self.lower[between], self.upper[between], n), self._exact(theta, m)
+        return Likelihood(*(one + other for one, other in zip(first, second, strict=True)))
+
+    def _exact(self, theta: FloatArray, n: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        x, b = self.lower[self.exact], theta[:, 1]
+        z = theta[:, :1] + theta[:, 1:] * x
+        total = n.sum(axis=1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            value = np.where(total > 0.0, total * np.log(b), 0.0) - 0.5 * (n * z**2).sum(axis=1)
+            gradient = np.stack([-(n * z).sum(axis=1), total / b - (n * z) @ x], axis=1)
+            curvature = np.stack([-total, -(n @ x), -total / b**2 - n @ x**2], axis=1)
+        return value, gradient, curvature
+
+    @staticmethod
+    def _between(
+        theta: FloatArray, lower: FloatArray, upper: FloatArray, n: FloatArray
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        a, b = theta[:, :1], theta[:, 1:]
+        # an infinite bound has no density: any finite place does in the derivatives
+        x_l, x_u = np.where(np.isinf(lower), 0.0, lower), np.where(np.isinf(upper), 0.0, upper)
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            z_l, z_u = (np.where(np.isinf(x), x, a + b * y) for x, y in ((lower, x_l), (upper, x_u)))
+            log_p = _log_probability_between(z_l, z_u)
+            w_l, w_u = (np.exp(-0.5 * z**2 - 0.5 * np.log(2.0 * np.pi) - log_p) for z in (z_l, z_u))
+        q_l, q_u = (np.where(w > 0.0, w * np.where(np.isinf(z), 0.0, z), 0.0) for w, z in ((w_l, z_l), (w_u, z_u)))
+        s_a, s_b = w_u - w_l, w_u * x_u - w_l * x_l
+        aa = -(q_u - q_l) - s_a**2
+        ab = -(q_u * x_u - q_l * x_l) - s_a * s_b
+        bb = -(q_u * x_u**2 - q_l * x_l**2) - s_b**2
+        value = np.where(n > 0.0, n * log_p, 0.0).sum(axis=1)
+        gradient = np.stack([(n * s_a).sum(axis=1), (n * s_b).sum(axis=1)], axis=1)
+        return value, gradient, np.stack([(n * each).sum(axis=1) for each in (aa, ab, bb)], axis=1)
+
+
+def _log_probability_between(lower: FloatArray, upper: FloatArray) -> FloatArray:
+    """Return the logarithm of the normal probability between bounds, taken in the tail where it is accurate."""
+    flip = lower > 0.0
+    low, high = np.where(flip, -upper, lower), np.where(flip, -lower, upper)
+    big, small = log_ndtr(high), log_ndtr(low)
+    return np.asarray(big + np.log1p(-np.exp(small - big)))
+
+
+ITERATIONS = 60
+HALVINGS = 30
+STEP = 1e-10  # relative step at which a draw has converged
+
+
+@dataclass(frozen=True, repr=False)
+class Likelihood(ShortRepr):
+    """Log-likelihoods at one point each: value [n], gradient [n, 2], curvature [n, 3] as (aa, ab, bb)."""
+
+    value: FloatArray
+    gradient: FloatArray
+    curvature: FloatArray
+
+
+Terms = Callable[[FloatArray, IntArray], Likelihood]
+
+
+def maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
+    """Return the parameters [draws, 2] at which each likelihood is largest; nan where the search does not converge.
+
+    Parameters
+    ----------
+    terms : takes parameters [n, 2] and the draws [n] that they belong to
+    start : parameters to begin at, of finite likelihood [draws, 2]
+    """
+    theta = np.array(start, dtype=np.float64)
+    active = np.arange(len(theta))
+    now = terms(theta, active)
+    for _ in range(ITERATIONS):
+        step = _newton_step(now)
+        theta[active], now = _halve_steps(terms, theta[active], step, now, active)
+        moving = ~(np.abs(step).max(axis=1) <= STEP * (1.0 + np.abs(theta[active]).max(axis=1)))
+        active, now = active[moving], _select_draws(now, moving)
+        if not active.size:
+            break
+    theta[active] = np.nan
+    return theta
+
+
+def _newton_step(at: Likelihood) -> FloatArray:
+    """Return Newton's steps [n, 2]; zero curvature gives a step that is not finite."""
+    (g_a, g_b), (aa, ab, bb) = at.gradient.T, at.curvature.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        step = np.stack([ab * g_b - bb * g_a, ab * g_a - aa * g_b], axis=1) / (aa * bb - ab**2)[:, None]
+    return np.asarray(step)
+
+
+def _halve_steps(
+    terms: Terms, theta: FloatArray, step: FloatArray, now: Likelihood, draws: IntArray
+) -> tuple[FloatArray, Likelihood]:
+    """Return the parameters after steps halved until no likelihood falls, and the likelihoods there."""
+    step = np.where(np.isfinite(step), step, 0.0)
+    tried = theta + step
+    there = terms(tried, draws)
+    for _ in range(HALVINGS):
+        worse = ~(there.value >= now.value - 1e-12 * np.abs(now.value))
+        if not worse.any():
+            break
+        step[worse] *= 0.5
+        tried[worse] = theta[worse] + step[worse]
+        again = terms(tried[worse], draws[worse])
+        for whole, part in zip(_arrays(there), _arrays(again), strict=True):
+            whole[worse] = part
+    return tried, there
+
+
+def _select_draws(at: Likelihood, rows: BoolArray) -> Likelihood:
+    return Likelihood(*(each[rows] for each in _arrays(at)))
+
+
+def _arrays(at: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:
+    return at.value, at.gradient, at.curvature

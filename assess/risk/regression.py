@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from scipy.special import expit, ndtr
 from scipy.stats import t as student
 
-from assess.risk.binomial import counts_overlap, ends, fit_binomial
+from assess.risk.lognormal import counts_overlap, fit_binomial, least_and_largest
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
@@ -28,7 +28,7 @@ LEAST = 3  # records, or groups, that a slope with its spread needs
 
 
 @dataclass(frozen=True, repr=False)
-class Slope(ShortRepr):
+class TrendSlope(ShortRepr):
     """The slope of a straight line through points, with the two-sided p-value of a slope of zero; n : points."""
 
     slope: float
@@ -55,7 +55,7 @@ def equivalent_lognormals(
     return _equivalents(fit_clouds(intensity, demand, counts), np.log(intensity), threshold)
 
 
-def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = None) -> Slope | None:
+def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = None) -> TrendSlope | None:
     """Return the slope of residuals on a property; None with fewer than three points or events, or without spread.
 
     With events the p-value is that of the cluster-robust variance (CR1) with Student's t of events less one degrees of
@@ -83,7 +83,7 @@ def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = N
         factor = number / (number - 1) * (x.size - 1) / (x.size - 2)
         variance, freedom = factor * float(scores @ scores) / spread**2, number - 1
     error = float(np.sqrt(variance))
-    return Slope(slope, float(2.0 * student.sf(abs(slope) / error, freedom)) if error > 0.0 else 0.0, int(x.size))
+    return TrendSlope(slope, float(2.0 * student.sf(abs(slope) / error, freedom)) if error > 0.0 else 0.0, int(x.size))
 
 
 def fit_clouds(intensity: FloatArray, demand: FloatArray, counts: FloatArray) -> FloatArray:
@@ -122,7 +122,7 @@ def _lines(x: FloatArray, y: FloatArray, n: FloatArray) -> FloatArray:
 def _logistic(x: FloatArray, reached: FloatArray, records: FloatArray) -> FloatArray:
     """Return logistic curves [draws, 2]; a step half way where data are separated, a constant where all are alike."""
     theta = fit_binomial(x, reached, records, link="logit")
-    (first, last), (first_not, last_not) = ends(x, reached > 0), ends(x, records > reached)
+    (first, last), (first_not, last_not) = least_and_largest(x, reached > 0), least_and_largest(x, records > reached)
     apart = ~counts_overlap(x, reached, records)
     rises = first >= last_not
     with np.errstate(invalid="ignore"):

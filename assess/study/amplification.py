@@ -1,41 +1,79 @@
-"""The amplification of the ground motion up to the base of a mechanism; Rayleigh's method for values not given."""
+"""The ground motion at the base of a mechanism: its height above the ground, and the amplification up to there.
+
+Rayleigh's method gives the first mode of a mechanism on the ground where frequency and effective height are not given.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from assess.amplification.floor_motion import (
+from assess.amplification import (
+    ASSUMPTIONS,
+    SLICES,
+    Amplification,
     FirstMode,
     FloorFactor,
     ModalFilter,
+    RayleighMode,
     Srss,
     SrssRelative,
     Unamplified,
     first_mode,
+    rayleigh_mode,
+    slice_cantilever,
 )
-from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
+from assess.codes.check import Reason, reason_message
+from assess.codes.context import is_above_ground
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.limits import height_of_support
+from assess.geometry.solid import Solids
+from assess.loads.definitions import bodies_of
+from assess.mechanisms.mechanism import Mechanism, height_of_support
 from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
 from assess.model.assembly import Built
 from assess.model.body import Bodies
-from assess.model.definitions import Definition, SingleBlock
-from assess.study.grounding import Ground
-from assess.study.study import Amplified
+from assess.model.definitions import BlockMechanism, Definition, SingleBlock
 from spectra.errors import SpectrumError
-from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_resonance, nzs1170_5
+from spectra.floor import (
+    ec8_resonant_part_factor,
+    ec8_resonant_part_factor_with_soil,
+    ec8_rigid_part_factor,
+    nzs1170_5_height_coefficient,
+)
 
 NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
-DAMPING = 0.05  # of the first mode where there is no [building]
+FIRST_MODE_DAMPING = 0.05  # of the first mode where there is no [building]
 RAYLEIGH = "Rayleigh's method"
-PRINTED = "ec8-printed"
-AS_IT_IS = Amplified("none", None, Unamplified(), ())
+EC8_AS_PRINTED = "ec8-printed"
 
-FLOORS: dict[str, tuple[Callable[..., float], str]] = {
-    "ec8": (ec8, "EN 1998-1, 4.3.5.2, rigid part (T_a = 0): 1.5 (1 + z/H) - 0.5 on the motion of the surface"),
-    "ec8-resonance": (ec8_resonance, "EN 1998-1, 4.3.5.2, at resonance (T_a = T_1): 3 (1 + z/H) - 0.5"),
-    "nzs1170.5": (nzs1170_5, "NZS 1170.5, 8.3: the least that applies of 1 + h/6, 1 + 10 h/H and 3"),
+
+@dataclass(frozen=True)
+class MechanismAmplification:
+    """How the ground's motion reaches the base of a mechanism.
+
+    method : as in the project; height : of the base above the ground [m], None where nothing is amplified
+    description : what is done, with which numbers and their sources
+    assumptions : on values that are not given
+    by_stiffness : whether the amplification follows from the stiffness of the bodies
+    """
+
+    method: str
+    height: float | None
+    amplification: Amplification
+    description: tuple[Message | str, ...]
+    assumptions: tuple[Message, ...] = ()
+    by_stiffness: bool = False
+
+
+NOT_AMPLIFIED = MechanismAmplification("none", None, Unamplified(), ())
+
+FLOOR_FACTORS: dict[str, tuple[Callable[..., float], str]] = {
+    "ec8": (
+        ec8_rigid_part_factor,
+        "EN 1998-1, 4.3.5.2, rigid part (T_a = 0): 1.5 (1 + z/H) - 0.5 on the motion of the surface",
+    ),
+    "ec8-resonance": (ec8_resonant_part_factor, "EN 1998-1, 4.3.5.2, at resonance (T_a = T_1): 3 (1 + z/H) - 0.5"),
+    "nzs1170.5": (nzs1170_5_height_coefficient, "NZS 1170.5, 8.3: the least that applies of 1 + h/6, 1 + 10 h/H and 3"),
 }
 
 FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | ModalFilter], str]] = {
@@ -79,7 +117,7 @@ class Structure:
     natural_frequency: float | None = None
     effective_height: float | None = None
     period: float | None = None
-    damping: float = DAMPING
+    damping: float = FIRST_MODE_DAMPING
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,7 +131,7 @@ class MechanismInPlace:
     definition: Definition
     built: Built
     bodies: Bodies
-    ground: Ground
+    ground: GroundLevel
     structure: Structure
     base_elevation: float | None = None
 
@@ -103,7 +141,7 @@ class MechanismInPlace:
         return f"mechanisms.{self.name}.amplification"
 
 
-def amplify(asked: AmplificationChoice | None, standing: MechanismInPlace) -> Amplified:
+def amplify(asked: AmplificationChoice | None, standing: MechanismInPlace) -> MechanismAmplification:
     """Find how the ground motion reaches the base of a mechanism.
 
     Parameters
@@ -124,14 +162,14 @@ def amplify(asked: AmplificationChoice | None, standing: MechanismInPlace) -> Am
         If a value is missing, or a height is outside the clause.
     """
     if asked is None:
-        return AS_IT_IS
-    height = height_of(asked, standing)
+        return NOT_AMPLIFIED
+    height = support_height(asked, standing)
     if asked.method in FIRST_MODES:
         return by_first_mode(asked, standing, height=height)
     return by_floor_factor(asked, standing, height=height)
 
 
-def height_of(asked: AmplificationChoice, standing: MechanismInPlace) -> float:
+def support_height(asked: AmplificationChoice, standing: MechanismInPlace) -> float:
     """Return the height of the support above the ground [m]: given, the base, or the mean of base and far support."""
     if asked.height is not None:
         return asked.height
@@ -145,7 +183,7 @@ def height_of(asked: AmplificationChoice, standing: MechanismInPlace) -> float:
     return max(base, 0.0) + height_of_support(mechanism) / 2.0
 
 
-def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> Amplified:
+def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> MechanismAmplification:
     """Return the amplification by the factor of a code for the height [m]."""
     building = standing.structure.height
     if building is None:
@@ -153,11 +191,11 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
             f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
         )
     try:
-        if asked.method == PRINTED:
-            factor = ec8_at_resonance_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
+        if asked.method == EC8_AS_PRINTED:
+            factor = ec8_resonant_part_factor_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
             said_clause: Term | Message = message("clause-3-49", {"soil": Quantity(asked.soil_factor)})
         else:
-            rule, clause = FLOORS[asked.method]
+            rule, clause = FLOOR_FACTORS[asked.method]
             said_clause = Term(clause)
             factor = rule(height, building_height=building)
     except SpectrumError as error:
@@ -170,12 +208,12 @@ def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, h
         building=Quantity(building, "length"),
         clause=said_clause,
     )
-    return Amplified(
+    return MechanismAmplification(
         asked.method, height, FloorFactor(factor, str(said_clause)), (said, "not checked against the printed standard")
     )
 
 
-def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> Amplified:
+def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> MechanismAmplification:
     """Return the amplification by the first mode, with values given or by Rayleigh's method."""
     structure = standing.structure
     frequency, effective = given_frequency(asked, structure), given_effective_height(asked, structure)
@@ -200,7 +238,9 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
         shape=Quantity(mode.shape(height)),
     )
     make, how = FIRST_MODES[asked.method]
-    return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))
+    return MechanismAmplification(
+        asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed)
+    )
 
 
 def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
@@ -223,18 +263,20 @@ def given_effective_height(asked: AmplificationChoice, structure: Structure) -> 
     return None
 
 
-def rayleigh_mode_of(standing: MechanismInPlace) -> Rayleigh:
+def rayleigh_mode_of(standing: MechanismInPlace) -> RayleighMode:
     """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
     definition, scene = standing.definition, standing.built.scene
     if not isinstance(definition, SingleBlock) or scene is None:
-        raise _missing(standing, "only a single-block of bodies that stand on the ground has a first mode of its own")
+        raise _missing_mode(
+            standing, "only a single-block of bodies that stand on the ground has a first mode of its own"
+        )
     names = definition.blocks[0]
     moduli = [young_modulus(name, standing) for name in names]
     solids = [solid for name in names if (solid := standing.bodies[name].solid) is not None]
     foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
     ground = standing.ground.elevation or 0.0
     if abs(foot - ground) > NEAR_GROUND:
-        raise _missing(standing, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
+        raise _missing_mode(standing, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
     try:
         return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
     except GeometryError as error:
@@ -245,15 +287,130 @@ def young_modulus(name: str, standing: MechanismInPlace) -> float:
     """Return Young's modulus of a body [Pa]; raise ProjectError if it is not given."""
     material = standing.bodies[name].material
     if material is None:
-        raise _missing(standing, f'body "{name}" has no geometry')
+        raise _missing_mode(standing, f'body "{name}" has no geometry')
     modulus = material.young_modulus
     if modulus is None:
-        raise _missing(standing, f"materials.{material.name} has no young_modulus for Rayleigh's method")
+        raise _missing_mode(standing, f"materials.{material.name} has no young_modulus for Rayleigh's method")
     return modulus
 
 
-def _missing(standing: MechanismInPlace, why: str) -> ProjectError:
+def _missing_mode(standing: MechanismInPlace, why: str) -> ProjectError:
     return ProjectError(
         f"{standing.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
         "[building]"
     )
+
+
+NEAR_ZERO = 0.5  # m: a lowest body farther from elevation 0 does not show where the ground is
+BY_BUILDING = "by building.ground_elevation"
+BY_MECHANISM = "by its base_elevation"
+BY_TABLE = "by its elevation, the ground at 0"
+BY_BODIES = "by the lowest body, which stands near elevation 0"
+UNKNOWN = "not known where the ground is: give building.ground_elevation, or its base_elevation"
+
+
+@dataclass(frozen=True)
+class HeightAboveGround:
+    """The height of a mechanism above the ground.
+
+    base : height of its base [m]; support : height of its support, the mean of base and far support if it has both [m]
+    above : whether that counts as above the ground; source : of the level of the ground, in words
+    unknown : why no check can be answered, if that level is not known
+    """
+
+    base: float
+    support: float
+    above: bool
+    source: str
+    unknown: tuple[Message, ...] = ()
+
+
+@dataclass(frozen=True)
+class GroundLevel:
+    """The level of the ground, as far as given.
+
+    elevation : of the ground [m], None if not given; lowest : elevation of the lowest body [m], None without bodies
+    building_height : height of the building above the ground [m], 0 if not given
+    """
+
+    elevation: float | None = None
+    lowest: float | None = None
+    building_height: float = 0.0
+
+    def below(self, mechanism: Mechanism, base_elevation: float | None) -> float:
+        """Return how high the base of a mechanism is above the ground [m]: given for it alone, or by its elevation."""
+        return mechanism.elevation - (self.elevation or 0.0) if base_elevation is None else base_elevation
+
+
+def find_height(
+    ground: GroundLevel, mechanism: Mechanism, *, base_elevation: float | None = None, by_table: bool = False
+) -> HeightAboveGround:
+    """Find the height of a mechanism above the ground.
+
+    Parameters
+    ----------
+    ground : Ground
+        The level of the ground.
+    mechanism : Mechanism
+        The mechanism.
+    base_elevation : float, optional
+        Height of its base above the ground, if it is not drawn in its place [m].
+    by_table : bool
+        Whether the mechanism gives its own elevation, as one of published parameters does.
+
+    Returns
+    -------
+    Grounded
+        With the source of the level of the ground.
+    """
+    base = ground.below(mechanism, base_elevation)
+    support = max(base, 0.0) + height_of_support(mechanism) / 2.0
+    source = _source_of_level(ground, base_elevation, by_table=by_table)
+    lowest = mechanism.elevation if ground.lowest is None else ground.lowest
+    if not source:
+        source = BY_BODIES if abs(lowest) <= NEAR_ZERO else UNKNOWN
+    unknown: tuple[Message, ...] = (
+        (reason_message(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
+    )
+    if source == BY_MECHANISM and not unknown:
+        unknown = _contradicted_level(base, ground.below(mechanism, None), lowest, mechanism, ground)
+    return HeightAboveGround(base, support, is_above_ground(support, ground.building_height), source, unknown)
+
+
+def _contradicted_level(
+    base: float, drawn: float, lowest: float, mechanism: Mechanism, ground: GroundLevel
+) -> tuple[Message, ...]:
+    """Return why a base_elevation below the drawn base cannot be right: the project defines the level of the ground.
+
+    It does so by ground_elevation, or by bodies under the mechanism, which is then not drawn alone.
+    """
+    alone = lowest > mechanism.elevation - NEAR_ZERO
+    if base >= drawn - NEAR_ZERO or (alone and ground.elevation is None):
+        return ()
+    return (
+        reason_message(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),
+    )
+
+
+def _source_of_level(ground: GroundLevel, base_elevation: float | None, *, by_table: bool) -> str:
+    """Return which key defines the level of the ground, in words; empty if none does."""
+    if base_elevation is not None:
+        return BY_MECHANISM
+    if ground.elevation is not None:
+        return BY_BUILDING
+    return BY_TABLE if by_table else ""
+
+
+def lowest_body(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
+    """Return the elevation of the lowest body [m] that is more than a load; None where there is none.
+
+    Parameters
+    ----------
+    definitions : the mechanisms by name
+    solids : of the building's bodies by name
+    """
+    chained = [each for each in definitions.values() if isinstance(each, BlockMechanism)]
+    used = {body for each in chained for body in each.bodies}
+    loads = {body for each in chained for load in each.loads for body in bodies_of(load)}
+    bodies = [solid for name, solid in solids.items() if solid is not None and (name in used or name not in loads)]
+    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

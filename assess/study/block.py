@@ -1,30 +1,41 @@
-"""A mechanism made of plain data, as a Python session has it, with its rocking parameters."""
+"""A mechanism made of plain data in a Python session: its kinds, made from bodies, and its rocking parameters."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, Literal
 
 from assess.errors import MechanismError
-from assess.geometry.scene import Scene
-from assess.mechanisms.mechanism import Mechanism
+from assess.geometry.cut import Scene
+from assess.interfaces.contact import Interface
+from assess.loads.definitions import LoadDefinition, Place
+from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message, locate
-from assess.model.as_floats import with_floats
+from assess.model.blocks import gaps_of
 from assess.model.body import Bodies, Body, solids_of
-from assess.model.check import check_definition
+from assess.model.check import check_definition, with_floats
 from assess.model.definitions import (
+    CutAngle,
+    CutPlane,
     Definition,
     EquivalentBlock,
+    FourHinge,
+    RadialJoints,
+    Restitution,
+    SingleBlock,
+    TwoBlock,
+    Vector,
 )
-from assess.model.gaps import gaps_of
+from assess.model.directions import mechanism_in_direction
 from assess.model.overlaps import overlaps_of
-from assess.model.weakest import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
-from assess.study.grounding import lowest_of
-from assess.study.oscillator_results import oscillator_result, rigid_branches
-from assess.study.study import Equation
+from assess.study.amplification import lowest_body
+from assess.study.mechanism_results import oscillator_result, rigid_branches
+from assess.study.study import EquationOfMotion
 
 
 @dataclass(frozen=True)
@@ -109,14 +120,14 @@ class Block:
         return found
 
     @property
-    def equation(self) -> Equation:
+    def equation(self) -> EquationOfMotion:
         """The equation of motion of its histories: linearised for published parameters, else exact."""
         return "linearised" if isinstance(self.definition, EquivalentBlock) else "exact"
 
     @cached_property
     def lowest(self) -> float | None:
         """The elevation of the lowest body that is more than a load [m]; None without bodies."""
-        return lowest_of({self.name: self.definition}, solids_of(self.bodies))
+        return lowest_body({self.name: self.definition}, solids_of(self.bodies))
 
     @cached_property
     def messages(self) -> tuple[Message, ...]:
@@ -159,3 +170,230 @@ def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Blo
     check_definition(name, definition, by_name)
     built = mechanism_in_direction(name, definition, by_name)
     return Block(name, definition, by_name, built.mechanism, built.scene)
+
+
+BodyOrBodies = Body | Sequence[Body]
+Direction = Vector | Literal["weakest", "sweep"]
+
+
+def single_block(
+    body: BodyOrBodies,
+    *,
+    name: str = "block",
+    direction: Direction = "weakest",
+    cut: float | CutPlane | CutAngle | None = None,
+    sides: Sides | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+    hinge: Place | None = None,
+    hinge_negative: Place | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return a block that rocks about the edges of its base.
+
+    Parameters
+    ----------
+    body : the body that rocks, or several that move as one
+    name : of the mechanism
+    direction : horizontal (x, y, 0) in which positive rotation topples; "weakest" for that of least resistance, looked
+        for among the normals of the base's edges; "sweep" for the weakest all around
+    cut : only what lies above moves: an elevation [m], or an inclined crack
+    sides : "one" where something behind stops negative rotation; as the bodies touch where None
+    loads : point masses, forces, ties, and bodies among `around`
+    interface : what the hinges press on; rigid without limit of strength where None
+    restitution : velocity after over before the impact [-], or a rule: "thesis", "housner", "sorrentino", "momentum"
+    hinge, hinge_negative : given hinges, in space or in the plane of motion; as the geometry shows where None
+    around : other bodies of the building: floors that load it, walls that stop it
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
+    """
+    moving = _one_or_several(body)
+    definition = SingleBlock(
+        blocks=(tuple(each.name for each in moving),),
+        cut=cut,
+        hinges=None if hinge is None else (hinge,),
+        hinges_negative=None if hinge_negative is None else (hinge_negative,),
+        **_shared_fields(direction, sides, loads, interface, restitution),
+    )
+    return make_block(name, definition, (*moving, *_bodies("around", around)))
+
+
+def two_block(
+    body: BodyOrBodies,
+    *,
+    name: str = "wall",
+    direction: Direction = "weakest",
+    crack: float | Literal["sorrentino", "minimum"] | None = None,
+    cut: float | CutPlane | CutAngle | None = None,
+    sides: Sides | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    interfaces: Mapping[str, Interface] | None = None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+    hinges: tuple[Place, ...] | None = None,
+    hinges_negative: tuple[Place, ...] | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return a wall held at its base and its top that opens at a crack between.
+
+    Parameters
+    ----------
+    body : one body, cut at the crack, or two, the lower first
+    crack : an elevation [m], "sorrentino" (thesis eq. 3.27) or "minimum" (least uplift multiplier)
+    hinges, hinges_negative : A, B and C, where they are given
+    interfaces : what single hinges press on, by letter, in place of `interface`
+    others : as for `single_block`
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
+    """
+    moving = _one_or_several(body)
+    definition = TwoBlock(
+        blocks=tuple((each.name,) for each in moving),
+        crack=crack,
+        cut=cut,
+        hinges=hinges,
+        hinges_negative=hinges_negative,
+        interfaces={} if interfaces is None else interfaces,
+        **_shared_fields(direction, sides, loads, interface, restitution),
+    )
+    return make_block(name, definition, (*moving, *_bodies("around", around)))
+
+
+def four_hinge(
+    body: BodyOrBodies,
+    *,
+    hinges: tuple[Place, ...] | Literal["minimum"],
+    hinges_negative: tuple[Place, ...] | None = None,
+    joints: RadialJoints | tuple[tuple[tuple[float, float], tuple[float, float]], ...] | None = None,
+    name: str = "frame",
+    direction: Vector = (1.0, 0.0, 0.0),
+    sides: Sides | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    interfaces: Mapping[str, Interface] | None = None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return three blocks between two fixed hinges, or an arch that opens where it resists least.
+
+    Parameters
+    ----------
+    body : the bodies A-B, B-C and C-D, or one arch
+    hinges, hinges_negative : A, B, C and D of each rotation, or "minimum" for an arch with `joints`
+    sides : "one" where something stops negative rotation, which then has no hinges
+    joints : where an arch may open, in order
+    interfaces : what single hinges press on, by letter, in place of `interface`
+    others : as for `single_block`
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
+    """
+    moving = _one_or_several(body)
+    definition = FourHinge(
+        blocks=tuple((each.name,) for each in moving),
+        hinges=hinges,
+        hinges_negative=hinges_negative,
+        interfaces={} if interfaces is None else interfaces,
+        joints=joints,
+        **_shared_fields(direction, sides, loads, interface, restitution),
+    )
+    return make_block(name, definition, (*moving, *_bodies("around", around)))
+
+
+def equivalent_block(
+    *,
+    p: float,
+    uplift: float,
+    radius: float,
+    mass: float = 1.0,
+    name: str = "block",
+    sides: Sides = "two",
+    elevation: float = 0.0,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+) -> Block:
+    """Return a mechanism by its rocking parameters, as published tables give them.
+
+    Parameters
+    ----------
+    p : frequency parameter [1/s]
+    uplift : multiplier that starts rocking, taken as the slenderness [rad]
+    radius : distance from the hinge to the centre of mass [m]
+    mass : [kg]
+    name : of the mechanism
+    sides : "one" where something behind stops negative rotation
+    elevation : of its base above the ground [m]
+    restitution : as for `single_block`
+    """
+    definition = EquivalentBlock(
+        p=p,
+        uplift=uplift,
+        radius=radius,
+        mass=mass,
+        sides=sides,
+        elevation=elevation,
+        restitution=_restitution(restitution),
+    )
+    return make_block(name, definition, ())
+
+
+def _one_or_several(body: BodyOrBodies) -> tuple[Body, ...]:
+    """One body or several, at least one; raise MechanismError for anything else."""
+    several = (body,) if isinstance(body, Body) else _bodies("body", body)
+    if not several:
+        raise MechanismError("body = (): give one body or more, as box, profile and mesh return them")
+    return several
+
+
+def _bodies(key: str, given: Any) -> tuple[Body, ...]:
+    """Return a row of bodies; raise MechanismError for anything else."""
+    if not isinstance(given, tuple | list) or not all(isinstance(each, Body) for each in given):
+        raise MechanismError(f"{key} = {given!r:.60}: give a list of bodies, as box, profile and mesh return them")
+    return tuple(given)
+
+
+def _shared_fields(
+    direction: Direction,
+    sides: Sides | None,
+    loads: Sequence[LoadDefinition],
+    interface: Interface | None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None,
+) -> dict[str, Any]:
+    """What all mechanisms of blocks share."""
+    return {
+        "direction": _direction(direction),
+        "sides": sides,
+        "loads": _loads(loads),
+        "interface": Interface() if interface is None else interface,
+        "restitution": _restitution(restitution),
+    }
+
+
+def _loads(given: Any) -> tuple[LoadDefinition, ...]:
+    """Return a row of loads, whose kinds are checked with the mechanism; raise MechanismError for what is no row."""
+    if not isinstance(given, tuple | list):
+        raise MechanismError(f"loads = {given!r:.60}: give a list of loads")
+    return tuple(given)
+
+
+def _direction(given: Any) -> Any:
+    """The direction as definitions have it: a tuple of floats, a word, or None for the weakest."""
+    if given is None or isinstance(given, str):
+        return None if given == "weakest" else given
+    try:
+        return tuple(map(float, given))
+    except (TypeError, ValueError):
+        raise MechanismError(f'direction = {given!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
+
+
+def _restitution(given: Any) -> Restitution:
+    """One choice for both impacts, or one for each."""
+    pair = isinstance(given, tuple | list)
+    if pair and len(given) != 2:
+        raise MechanismError(f"restitution = {given}: give one value, or one for each of two impacts")
+    return Restitution(*given) if pair else Restitution(given, given)

@@ -1,27 +1,45 @@
-"""What the procedures of codes may know of one mechanism: site, motions, building, and the mechanism itself."""
+"""What the procedures of codes may know of one mechanism: site, motions, building, and the wall that it is part of.
+
+Above the ground the floor spectrum belongs to it, for the method that has no clause on floor spectra. If the suite is
+filtered by the first mode, it is the envelope of the response spectra at the base, with peaks broadened by 15 % to both
+sides for the uncertainty of the building's period. The mean would be lower; the clause that allows it could not be
+read, and one record that is low at the building's period would reduce it, so the envelope is taken. Otherwise it is
+C7.2.5 of Circolare 7/2019, if the building's height and storeys are known, its period varied by 15 % too. Neither is
+taken below the spectrum of the ground: a suite is finite, and one mode neglects the others.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
 
-from assess.amplification.floor_motion import BaseMotion, ModalFilter
-from assess.codes.check import Reason, reason_message
-from assess.codes.context import Context, LocalLimit, OpenSeat, Transfer
-from assess.loads.load import PointMass
+import numpy as np
+from scipy.constants import g
+
+from assess.amplification import BaseMotion, FirstMode, ModalFilter
+from assess.codes.check import BranchName, Reason, reason_message
+from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Support, Transfer, Wall
+from assess.geometry.planar import Outline
+from assess.loads.load import Force, Load, PointMass, upward
+from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.limits import height_of_support, limits, open_seats
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
+from assess.mechanisms.virtual_work import virtual_work
 from assess.messages.message import Message, Quantity
-from assess.study.endurance import unsupported_messages
-from assess.study.floor_input import floor_spectrum
-from assess.study.motions import ScaledRecord
-from assess.study.rocking_case import RockingHistories
-from assess.study.study import Amplified, Study
-from assess.study.wall_size import SUPPORTS, carries_floors, wall_of
+from assess.study.amplification import MechanismAmplification
+from assess.study.histories import RockingHistories
+from assess.study.mechanism_results import unsupported_messages
+from assess.study.study import ScaledRecord, Study
+from records.record import Record, scale
+from records.response import response_spectrum
+from spectra.arrays import FloatArray
+from spectra.floor import Mode, circolare2019_floor_spectrum, first_mode_factor
 from spectra.spectrum import Spectrum
 
 ASCE43 = "asce43-05"  # whose rules for suites apply to a floor spectrum made of one
-NEARLY = 0.9  # of the height of the supports: motion amplified only below it counts as that of the ground
+NEAR_SUPPORT = 0.9  # of the height of the supports: motion amplified only below it counts as that of the ground
 
 
 def context_of(
@@ -54,7 +72,7 @@ def context_of(
     Context
         With a floor spectrum where the mechanism is above the ground.
     """
-    context = _without_floor_spectrum(study, spectrum, mechanism, rocked, base)
+    context = _context_without_floor_spectrum(study, spectrum, mechanism, rocked, base)
     if not context.above_ground:
         return context
     amplification = study.amplified[mechanism.name].amplification
@@ -70,7 +88,7 @@ def context_of(
     return replace(context, floor_spectrum=floor)
 
 
-def _without_floor_spectrum(
+def _context_without_floor_spectrum(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
     grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
@@ -110,12 +128,12 @@ def _without_floor_spectrum(
     )
 
 
-def transfer_to_support(amplified: Amplified, *, support: float) -> Transfer:
+def transfer_to_support(amplified: MechanismAmplification, *, support: float) -> Transfer:
     """Return how the motion of the histories is amplified up to the `support` of a mechanism [m above the ground].
 
     Motion that is amplified only part of the way counts as that of the ground.
     """
-    if amplified.height is None or amplified.height < NEARLY * support:
+    if amplified.height is None or amplified.height < NEAR_SUPPORT * support:
         return "not"
     return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"
 
@@ -125,3 +143,202 @@ def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     if mechanism.stopped is None:
         return ()
     return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
+
+
+SUPPORTS: Mapping[str, Support] = {
+    "single-block": "free",
+    "equivalent-block": "free",
+    "two-block": "spanning",
+    "four-hinge": "hinged",
+}
+JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
+
+
+def wall_of(mechanism: Mechanism) -> Wall | None:
+    """Return the wall across its plane; None for mechanisms that are not walls, or without geometry.
+
+    The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
+    the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
+    to one side only, the width of its outline just above.
+    """
+    hinges = mechanism.positive.hinges
+    if mechanism.kind == "two-block":
+        size = _wall_across(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
+        return None if size is None else replace(size, gravity=gravity_of(mechanism))
+    if mechanism.kind != "single-block" or not mechanism.outlines[0]:
+        return None
+    top = max(z for ring in mechanism.outlines[0] for _, z in ring)
+    return _wall_across(mechanism, height=top - hinges[0][1], at=0)
+
+
+def carries_floors(mechanism: Mechanism) -> bool:
+    """Return whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
+    return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
+
+
+def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
+    """Return the gravity moments of a wall and of the loads that press on it, by branch."""
+    rocker = mechanism.variants.deciding
+    found: dict[BranchName, Gravity] = {"positive": _gravity_of_branch(mechanism.positive, rocker.positive.unstable)}
+    if mechanism.negative is not None and rocker.negative is not None:
+        found["negative"] = _gravity_of_branch(mechanism.negative, rocker.negative.unstable)
+    return found
+
+
+def _gravity_of_branch(chain: Chain, instability: float) -> Gravity:
+    """Return the gravity moments of one branch, whose restoring moment falls to zero at `instability` [rad].
+
+    Bearing masses and the vertical part of applied forces press; ties and horizontal forces are ignored.
+    """
+    pressing = tuple(pressed for load in chain.loads if (pressed := _pressing_part(load)) is not None)
+    at = np.array([0.0, instability])
+    own = virtual_work(replace(chain, loads=(), joints=()), at)
+    both = virtual_work(replace(chain, loads=pressing, joints=()), at)
+    weight = g * sum(block.mass for block in chain.blocks)
+    return Gravity(
+        overburden_ratio=sum(-upward(load) for load in pressing) / weight,
+        own_moment=float(own.restoring[0]),
+        moment=float(both.restoring[0] - own.restoring[0]),
+        own_slope=float(own.restoring[0] - own.restoring[1]) / instability,
+        own_inertia=float(own.inertia[0]),
+        inertia=float(both.inertia[0] - own.inertia[0]),
+        own_excitation=float(own.excitation[0]),
+    )
+
+
+def _pressing_part(load: Load) -> Load | None:
+    """Return the part of a load that presses on the wall; None if there is none."""
+    if upward(load) >= 0.0 or not isinstance(load, PointMass | Force):
+        return None
+    return load if isinstance(load, PointMass) else replace(load, force=(0.0, load.force[1]))
+
+
+def _wall_across(mechanism: Mechanism, *, height: float, at: int) -> Wall | None:
+    hinge = mechanism.positive.hinges[at]
+    if mechanism.negative is not None:
+        thickness = abs(hinge[0] + mechanism.negative.hinges[at][0])  # the negative chain is mirrored
+    else:
+        thickness = _width_at(mechanism.outlines[at], hinge[1] + JUST_ABOVE * height)
+    return Wall(height, thickness) if height > 0.0 and thickness > 0.0 else None
+
+
+def _width_at(rings: Outline, level: float) -> float:
+    """Return the extent along x of closed rings at an elevation [m]; 0 if they do not reach it."""
+    crossed = [x for ring in rings for a, b in pairwise(ring) for x in _crossing_of_edge(a, b, level)]
+    return max(crossed) - min(crossed) if crossed else 0.0
+
+
+def _crossing_of_edge(a: Point, b: Point, level: float) -> list[float]:
+    if (a[1] - level) * (b[1] - level) > 0.0 or a[1] == b[1]:
+        return []
+    return [a[0] + (b[0] - a[0]) * (level - a[1]) / (b[1] - a[1])]
+
+
+LEAST_RECORDS = 5  # of the response-history method of the same standard
+BROADENING = 0.15  # of the period, to both sides
+SHORTEST_PERIOD, LONGEST_PERIOD, PERIOD_RATIO = (
+    0.02,
+    15.0,
+    1.03,
+)  # s, s, and the ratio of two periods at which the motions are asked
+NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
+PERIOD_VARIATION = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
+MOST_DAMPING = 0.99  # of an oscillator that still swings
+OF_SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
+OF_CIRCOLARE = "Circolare 7/2019, C7.2.5, first mode"
+DAMPING_OF_SUITE = "response of the motions themselves at that damping"
+DAMPING_OF_CIRCOLARE = "Circolare 7/2019, C7.2.6, with the rule for damping of the spectrum of the ground"
+
+
+def floor_spectrum(
+    ground: Spectrum,
+    *,
+    height: float,
+    filtered: ModalFilter | None,
+    base: Sequence[BaseMotion],
+    motions: Sequence[ScaledRecord],
+    building: Building | None,
+) -> Spectrum | None:
+    """Return the floor spectrum at a height, at the PGA of the ground's spectrum.
+
+    Parameters
+    ----------
+    ground : Spectrum
+        The spectrum of the ground.
+    height : float
+        Height above the ground [m].
+    filtered : ModalFilter, optional
+        The filter through which the motions reached the base, if they did and the suite meets the rules.
+    base, motions : sequence
+        The motions at the base, and their factors.
+    building : Building, optional
+        The building, with its height and storeys.
+
+    Returns
+    -------
+    Spectrum or None
+        None if neither the suite nor the building gives one.
+    """
+    if filtered is not None and len(motions) >= LEAST_RECORDS:
+        records = [scale(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
+        return suite_spectrum(ground, records, mode=filtered.mode)
+    if building is not None and building.storeys is not None and height <= building.height:
+        return circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
+    return None
+
+
+def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
+    """Return the envelope of the response spectra at the base, with its peaks broadened.
+
+    The response is computed once for each damping that a procedure uses.
+    """
+    periods = np.unique(np.concatenate(([0.0], _sample_periods(), NEAR_MODE / mode.frequency)))
+
+    @lru_cache(maxsize=8)
+    def broadened(damping: float) -> FloatArray:
+        at = min(damping, MOST_DAMPING)
+        return broaden(periods, np.max([response_spectrum(record, periods, damping=at) for record in records], axis=0))
+
+    def ordinates(period: FloatArray, damping: float) -> FloatArray:
+        T = np.asarray(period, dtype=np.float64)
+        return np.maximum(np.interp(T, periods, broadened(damping)), ground.acceleration(T, damping=damping))
+
+    parameters = {"records": float(len(records)), "first mode": 1.0 / mode.frequency}
+    return Spectrum(
+        "floor", parameters, ground.damping, DAMPING_OF_SUITE, ordinates, OF_SUITE, longest_period=ground.longest_period
+    )
+
+
+def circolare_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
+    """Return the spectrum of C7.2.5 at a height [m]: first mode linear over the height, envelope within 15 % of T_1."""
+    share = first_mode_factor(storeys) * height / building.height
+    modes = [Mode(building.period * factor, building.damping, share) for factor in PERIOD_VARIATION]
+
+    def ordinates(period: FloatArray, damping: float) -> FloatArray:
+        T = np.asarray(period, dtype=np.float64)
+        above = [circolare2019_floor_spectrum(T, spectrum=ground, modes=(mode,), damping=damping) for mode in modes]
+        largest: FloatArray = np.maximum(np.max(above, axis=0), ground.acceleration(T, damping=damping))
+        return largest
+
+    parameters = {"T_1": building.period, "share of the mode": share}
+    return Spectrum(
+        "floor",
+        parameters,
+        ground.damping,
+        DAMPING_OF_CIRCOLARE,
+        ordinates,
+        OF_CIRCOLARE,
+        longest_period=ground.longest_period,
+    )
+
+
+def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
+    """Return the largest ordinate within 15 % of each period, to both sides [n]."""
+    low = np.searchsorted(period, period * (1.0 - BROADENING), side="left")
+    high = np.searchsorted(period, period / (1.0 - BROADENING), side="right")
+    return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
+
+
+def _sample_periods() -> FloatArray:
+    count = int(np.ceil(np.log(LONGEST_PERIOD / SHORTEST_PERIOD) / np.log(PERIOD_RATIO))) + 1
+    return np.geomspace(SHORTEST_PERIOD, LONGEST_PERIOD, count)

@@ -1,4 +1,7 @@
-"""A mechanism drawn to scale in its plane of motion: at rest, and turned far enough to be seen."""
+"""A mechanism drawn to scale: in its plane of motion at rest and turned far enough to be seen, and in space.
+
+Bodies in space are simplified for the results and for drawing.
+"""
 
 from __future__ import annotations
 
@@ -7,21 +10,21 @@ from math import floor, log10
 
 import numpy as np
 
-from assess.geometry.outline import Outline, outline
-from assess.geometry.scene import Scene
-from assess.geometry.simplify import simplify
+from assess.geometry.cut import Scene
+from assess.geometry.planar import Outline, projected_outline
+from assess.geometry.solid import Solid
+from assess.geometry.surface import simplify
 from assess.loads.load import Force, Load, PointMass
 from assess.mechanisms.chain import Chain, Point, hinge_names, mirror_point
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.motion import move, trace_point
+from assess.mechanisms.virtual_work import move, trace_point
 from assess.oscillator import Branch, Oscillator
-from assess.results import Displaced, Drawing, DrawnLoad, NamedPoint, Ring
-from spectra.arrays import FloatArray
+from assess.results import DisplacedDrawing, Drawing, DrawnLoad, HingeAxis, NamedPoint, Place, Ring, View
+from spectra.arrays import FloatArray, IntArray
 
 Piece = tuple[Ring, int]  # an outline and its block
-
-SEEN = 0.12  # of the drawing's size: how far the farthest point of a displaced mechanism has moved, at most
-LIMIT = 4000  # triangles of a body that stays, for its outline
+LARGEST_MOVE = 0.12  # of the drawing's size: how far the farthest point of a displaced mechanism has moved, at most
+OUTLINE_TRIANGLES = 4000  # triangles of a body that stays, for its outline
 FIXED = -1  # the block of what does not move
 DOWN = (0.0, -1.0)
 
@@ -61,13 +64,13 @@ def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
     """Return the outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
-        vertices, triangles = simplify(solid.vertices, solid.triangles, limit=LIMIT)
+        vertices, triangles = simplify(solid.vertices, solid.triangles, limit=OUTLINE_TRIANGLES)
         points = np.column_stack([vertices @ scene.direction, vertices[:, 2]])
-        rings += outline(points, triangles[:, ::-1])
+        rings += projected_outline(points, triangles[:, ::-1])
     return tuple(rings)
 
 
-def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displaced | None:
+def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> DisplacedDrawing | None:
     """Draw the mechanism turned to its negative side; None if it rocks to one side only."""
     chain, branch = mechanism.negative, oscillator.negative
     if chain is None or branch is None:
@@ -76,7 +79,7 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
         tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
     ]
     seen = draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
-    return Displaced(
+    return DisplacedDrawing(
         rotation_rad=seen.rotation_rad,
         blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in seen.blocks),
         block_of=seen.block_of,
@@ -106,14 +109,14 @@ def hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
     return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
 
 
-def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
+def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> DisplacedDrawing:
     """Draw the chain after the rotation at which it is shown, in its own sign."""
     rotation = display_rotation(chain, branch.overturning, pieces)
 
     def at(points: Sequence[Point], block: int) -> Ring:
         return as_points(move_points(chain, np.array(points), block=block, rotation=rotation))
 
-    return Displaced(
+    return DisplacedDrawing(
         rotation_rad=rotation,
         blocks=tuple(at(ring, block) for ring, block in pieces),
         block_of=tuple(block for _, block in pieces),
@@ -135,7 +138,7 @@ def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) 
         float(np.linalg.norm(move_points(chain, points, block=block, rotation=overturning) - points, axis=1).max())
         for points, block in sets
     )
-    wanted = overturning * min(1.0, SEEN * size / way)
+    wanted = overturning * min(1.0, LARGEST_MOVE * size / way)
     step = 10.0 ** (floor(log10(wanted)) - 1)
     return round(floor(wanted / step + 1e-9) * step, 12)
 
@@ -171,3 +174,88 @@ def unit_vector(vector: Point) -> Point | None:
 def as_points(array: FloatArray) -> tuple[Point, ...]:
     """Return points [k, 2] as plain numbers."""
     return tuple((float(x), float(z)) for x, z in array)
+
+
+VIEW_TRIANGLES = 4000  # triangles of a view
+COORDINATE_FIGURES = 5  # of a coordinate, counted from the first of the bodies' size
+RING_CORNERS = 300  # of a section's ring
+
+
+def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
+    """Return the bodies with their axes of rotation, at rest."""
+    members = [*zip(scene.members, block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
+    surfaces = [(*join_surfaces(solids), owner) for solids, owner in members if solids]
+    corners = np.concatenate([vertices for vertices, _, _ in surfaces])
+    size = np.ptp(corners, axis=0)
+    decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
+    drawn = simplify_surfaces(surfaces)
+    starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in drawn)])
+    return View(
+        vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in drawn]), decimals),
+        triangles=tuple(
+            (a, b, c)
+            for start, (_, triangles, _) in zip(starts, drawn, strict=False)
+            for a, b, c in (triangles + start).tolist()
+        ),
+        block_of=tuple(owner for _, triangles, owner in drawn for _ in range(len(triangles))),
+        axes=hinge_axes(mechanism, scene, decimals),
+        sections=tuple(rounded_points(thin_ring(ring), decimals) for ring in scene.sections),
+        direction=as_point(scene.direction),
+        size=rounded_points(size[None], decimals)[0],
+        given=sum(len(triangles) for _, triangles, _ in surfaces),
+    )
+
+
+def join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
+    """Return the surfaces of several solids as one."""
+    starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
+    triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
+    return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
+
+
+def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
+    """Simplify surfaces to no more than LIMIT triangles in all, shared by area."""
+    if sum(len(triangles) for _, triangles, _ in surfaces) <= VIEW_TRIANGLES:
+        return list(surfaces)
+    areas = np.array([surface_area(vertices[triangles]) for vertices, triangles, _ in surfaces])
+    shares = np.maximum(12, (VIEW_TRIANGLES * areas / areas.sum()).astype(np.int64))
+    return [
+        (*simplify(vertices, triangles, limit=int(share)), owner)
+        for (vertices, triangles, owner), share in zip(surfaces, shares, strict=True)
+    ]
+
+
+def surface_area(corners: FloatArray) -> float:
+    """Return the total area of triangles [m, 3, 3] [m2]."""
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return float(np.linalg.norm(normals, axis=1).sum()) / 2.0
+
+
+def hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[HingeAxis, ...]:
+    """Return the axis of each hinge, across the direction, over the width of the moving bodies."""
+    along, up = scene.direction, np.array([0.0, 0.0, 1.0])
+    across = np.array([-along[1], along[0], 0.0])
+    reach = np.concatenate([solid.vertices for member in scene.members for solid in member]) @ across
+    made = []
+    for hinge in hinges_of(mechanism):
+        middle = hinge.at[0] * along + hinge.at[1] * up
+        first, last = rounded_points(np.array([middle + reach.min() * across, middle + reach.max() * across]), decimals)
+        made.append(HingeAxis(hinge.name, (first, last)))
+    return tuple(made)
+
+
+def thin_ring(ring: FloatArray) -> FloatArray:
+    """Thin a closed ring [k, 3] evenly to no more than CORNERS corners."""
+    step = -(-(len(ring) - 1) // RING_CORNERS)
+    return np.concatenate([ring[:-1:step], ring[:1]])
+
+
+def rounded_points(points: FloatArray, decimals: int) -> tuple[Place, ...]:
+    """Return points [k, 3] as plain numbers, rounded."""
+    return tuple(as_point(point) for point in np.round(points, decimals) + 0.0)
+
+
+def as_point(point: FloatArray) -> Place:
+    """Return a point [3] as plain numbers."""
+    x, y, z = point.tolist()
+    return (x, y, z)

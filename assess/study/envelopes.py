@@ -1,25 +1,106 @@
-"""The overturning envelopes of a study's mechanisms, and the critical mechanism at each frequency."""
+"""Overturning envelopes under pulses, of one oscillator and of the mechanisms of a study, and the critical
+mechanism.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.dynamics.critical import Critical, find_critical
-from assess.dynamics.envelope import Envelope, envelope
+from assess.amplification import pulse_factor
+from assess.dynamics import pulses
+from assess.dynamics.packing import Equation
+from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_critical
+from assess.messages.message import Message, warning
 from assess.oscillator import Oscillator
-from assess.results import CriticalBand, CriticalResult, EnvelopeResult
+from assess.results import SCHEMA_VERSION, CriticalBand, CriticalResult, EnvelopeResult, Results
+from assess.results.inputs import describe_program, stamp
 from assess.short_repr import ShortRepr
-from assess.study.progress import Progress
-from assess.study.study import Equation, PulseGrid
-from records.pulses import SHAPES
+from assess.study.ground_motion import record_result, spectrum_result, with_primary_pulses
+from assess.study.mechanism_results import parameters
+from assess.study.record_set import motions_of
+from assess.study.study import (
+    EquationOfMotion,
+    Progress,
+    PulseGrid,
+    Study,
+    case_text,
+    report_nothing,
+)
+from assess.study.sweeps import MechanismSweep
+from records.errors import RecordError
+from records.pulses import PULSE_SHAPES, PulseShape, pulse_shape
 from spectra.arrays import FloatArray
 
-DEFAULT_GRID = PulseGrid(SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))
+
+def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = report_nothing) -> Results:
+    """Find the overturning envelopes of a study, without spectrum, records or checks.
+
+    Mechanisms are those of the project file, without the cases of its sweeps.
+
+    Parameters
+    ----------
+    study : Study
+        The study; its own pulses are used, or the default ones.
+    jobs : int
+        Number of threads; 0 for all cores. The results do not depend on it.
+    progress : Progress
+        Called with the stage, the number of its parts done, and their total.
+
+    Returns
+    -------
+    Results
+        Parameters and envelope of each mechanism, and the critical mechanism at each frequency.
+    """
+    grid = study.pulses or DEFAULT_GRID
+    envelopes = map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
+    progress("primary pulses", 0, 1)
+    recorded = tuple(record for record in study.records if not record.artificial)
+    given = replace(study, artificial=None, records=recorded)
+    motions = () if study.spectrum is None else motions_of(given, study.spectrum)
+    records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
+    program = describe_program()
+    return Results(
+        schema_version=SCHEMA_VERSION,
+        program=program,
+        inputs=study.inputs,
+        warnings=envelope_messages(study),
+        project=study.resolved,
+        spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
+        records=with_primary_pulses(records, motions, grid),
+        mechanisms=tuple(replace(each, envelope=envelopes.get(each.name)) for each in parameters(study)),
+        critical=critical_result(envelopes),
+        comparison=(),
+        sweeps=(),
+        stamp=stamp("envelope", program, study.inputs),
+    )
+
+
+def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[EnvelopeCase, ...]:
+    """Return the mechanisms whose envelopes are sought, swept ones in their controlling case.
+
+    Mechanisms that fall at rest without actions that are not shown to last are left out.
+    """
+    found = []
+    for mechanism in study.mechanisms:
+        sweep = controlling.get(mechanism.name)
+        of = study if sweep is None else sweep.case.study
+        case = "" if sweep is None else case_text(sweep.sweep, sweep.case, sweep.mechanism)
+        used = next(each for each in of.mechanisms if each.name == mechanism.name)
+        oscillator = used.variants.collapse
+        if oscillator is None:
+            continue
+        factor = partial(pulse_factor, of.amplified[used.name].amplification)
+        found.append(EnvelopeCase(used.name, oscillator, of.equations[used.name], factor, case))
+    return tuple(found)
+
+
+DEFAULT_GRID = PulseGrid(PULSE_SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))
 
 
 @dataclass(frozen=True, repr=False)
@@ -32,7 +113,7 @@ class EnvelopeCase(ShortRepr):
 
     name: str
     oscillator: Oscillator
-    equation: Equation
+    equation: EquationOfMotion
     factor: Callable[[FloatArray], FloatArray]
     case: str = ""
 
@@ -102,7 +183,7 @@ def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
     )
 
 
-def _bands(order: Critical, names: Sequence[str]) -> tuple[CriticalBand, ...]:
+def _bands(order: CriticalMechanism, names: Sequence[str]) -> tuple[CriticalBand, ...]:
     return tuple(
         CriticalBand(None if band.mechanism is None else names[band.mechanism], band.start, band.end)
         for band in order.bands
@@ -117,3 +198,80 @@ def _names(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, 
 def none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
     """Return numbers [n], None in place of nan."""
     return tuple(None if np.isnan(value) else float(value) for value in values)
+
+
+LEAST_ABOVE_ZERO = 5e-324  # the least number above 0
+
+
+def find_envelope(
+    oscillator: Oscillator,
+    pulse: str | PulseShape,
+    *,
+    frequency: Sequence[float] | FloatArray,
+    amplitude: Sequence[float] | FloatArray,
+    equation: Equation = "exact",
+    threads: int = 0,
+) -> Envelope:
+    """Find which pulses of a grid overturn an oscillator, in the worse polarity, and the least that does.
+
+    Parameters
+    ----------
+    oscillator : Oscillator
+        The branches of the mechanism, or of a rigid block.
+    pulse : str or Shape
+        Name of a pulse of `records.pulses.PULSE_SHAPES`, or a shape made by `records.pulses.pulse_shape`.
+    frequency : array
+        Rising frequencies of the pulse [n] [Hz].
+    amplitude : array
+        Rising peak accelerations [m] [m/s2].
+    equation : {"exact", "linearised"}
+        The equation of motion.
+    threads : int
+        Number of threads; 0 for all cores. The results do not depend on it.
+
+    Returns
+    -------
+    Envelope
+        Outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2].
+
+    Raises
+    ------
+    RecordError
+        If no pulse has that name, or frequencies or amplitudes are not finite, positive and rising.
+    MechanismError
+        If a branch cannot rock.
+        If frequencies or amplitudes are not finite, positive and rising.
+    """
+    made = pulse_shape(pulse) if isinstance(pulse, str) else pulse
+    if not isinstance(made, PulseShape):
+        raise RecordError(f'pulse = {pulse!r:.60}: give the name of a pulse, such as "sine"')
+    return pulses.envelope(
+        oscillator,
+        made,
+        _rising_axis("frequency", frequency, least=LEAST_ABOVE_ZERO),
+        _rising_axis("amplitude", amplitude, least=0.0),
+        equation=equation,
+        threads=threads,
+    )
+
+
+def _rising_axis(name: str, given: Sequence[float] | FloatArray, *, least: float) -> FloatArray:
+    """Return an axis of the grid; raise RecordError where it is not finite, rising, or within its bounds."""
+    try:
+        values = np.atleast_1d(np.array(given, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise RecordError(f"{name} = {given!r:.60}: give rising numbers above 0") from None
+    if values.ndim != 1 or not values.size or not np.isfinite(values).all():
+        raise RecordError(f"{name}: give one finite number or more")
+    if values[0] < least or values[-1] <= 0.0 or (np.diff(values) <= 0.0).any():
+        raise RecordError(f"{name}: {values[0]:g} to {values[-1]:g}: give rising numbers above 0")
+    return values
+
+
+def envelope_messages(study: Study) -> tuple[Message, ...]:
+    """Return the messages on envelopes, where no procedure of a code is used."""
+    kept = tuple(message for message in study.messages if message.key != "confidence-factor")
+    if not study.sweeps:
+        return kept
+    keys = ", ".join(sweep.key for sweep in study.sweeps)
+    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))

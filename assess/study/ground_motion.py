@@ -1,29 +1,41 @@
-"""The suite of records compared with its target: means, misfit, and the requirements of codes."""
+"""The ground motion in the results: the site's spectrum, each record with its primary pulses, and the suite.
+
+The suite is compared with its target: means, misfit, and the requirements of codes.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
 from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, Term, message
-from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
-from assess.study.motions import ScaledRecord
-from assess.study.oscillator_results import floats
-from assess.study.periods import ABOVE, BELOW, FITTED_OVER, equivalent_periods, extreme_periods
-from assess.study.site_results import display_periods
-from assess.study.study import Fitting, Study
-from assess.study.suite_rules import RULES
-from records.band import Band, truncate_band
-from records.compliance.making import MAKING
-from records.compliance.registry import all_requirements
-from records.compliance.requirement import Requirement
-from records.compliance.suite import DAMPING, suite_of
+from assess.results import (
+    EquivalentPeriods,
+    GroundMotionResult,
+    PrimaryPulseResult,
+    RecordResult,
+    RecordSpectrum,
+    RemainingCandidates,
+    RequirementResult,
+    SelectionResult,
+    SpectrumResult,
+)
+from assess.study.mechanism_results import floats
+from assess.study.study import Fitting, PulseGrid, ScaledRecord, Study
+from assess.study.suite_rules import ABOVE, BELOW, FITTED_OVER, RULES, equivalent_periods, extreme_periods
+from records.candidates import sequence_number
+from records.compliance import SELECTION_RULES, all_requirements
+from records.compliance.suite import DAMPING, Requirement, suite_of
+from records.pulses import primary_pulses
+from records.record import scale
 from records.response import response_spectrum
-from records.scaling import log_ratio, mean_square
+from records.scaling import Band, log_ratio, mean_square, truncate_band
 from records.selection import Selection
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
 
@@ -106,7 +118,7 @@ def ground_motion_result(
         selection=None if fitting.selection is None else selection_result(fitting.selection),
         requirements=requirements_of(motions, spectrum, shortest, longest, own),
         lock="" if given is None else given.lock,
-        made_for=MAKING[given.code].code if given is not None and given.code else "",
+        made_for=SELECTION_RULES[given.code].code if given is not None and given.code else "",
     )
 
 
@@ -186,7 +198,132 @@ def selection_result(found: Selection) -> SelectionResult:
         one_per_event=of.one_per_event,
         least_factor=of.scale_limits[0],
         largest_factor=of.scale_limits[1],
-        remaining=tuple(Remaining(step, number) for step, number in found.counted),
+        remaining=tuple(RemainingCandidates(step, number) for step, number in found.counted),
         misfit=found.misfit,
         greedy_misfit=found.greedy,
+    )
+
+
+SHORTEST_SHOWN = 0.01  # [s]
+LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
+ROUND_PERIODS = (
+    0.02,
+    0.05,
+    0.1,
+    0.15,
+    0.2,
+    0.3,
+    0.4,
+    0.5,
+    0.6,
+    0.75,
+    1.0,
+    1.5,
+    2.0,
+    2.5,
+    3.0,
+    4.0,
+    5.0,
+    6.0,
+    7.5,
+)  # [s]
+SAME_PERIOD = 1e-9  # relative difference of periods that are one
+
+
+def display_periods(spectrum: Spectrum) -> FloatArray:
+    """Return the periods [s] at which spectra are shown: 0, even in the logarithm, round and corner periods."""
+    longest = min(LONGEST_PERIOD, spectrum.longest_period)
+    corners = [float(value) for key, value in spectrum.parameters.items() if key.startswith("t_") and value != "none"]
+    extra = [period for period in (*ROUND_PERIODS, *corners) if SHORTEST_SHOWN < period < longest]
+    even = np.geomspace(SHORTEST_SHOWN, longest, 160)
+    apart = [period for period in extra if np.abs(even / period - 1.0).min() > SAME_PERIOD]
+    return np.concatenate(([0.0], np.unique(np.concatenate([even, apart]))))
+
+
+def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
+    """Return the site's spectrum at the periods shown."""
+    period = display_periods(spectrum)
+    scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
+    return SpectrumResult(
+        code=spectrum.code,
+        parameters={**spectrum.parameters, **scale},
+        damping=spectrum.damping,
+        damping_rule=spectrum.damping_rule,
+        clause=spectrum.clause,
+        pga_g=spectrum.pga / g,
+        period_s=floats(period),
+        acceleration_g=floats(spectrum.acceleration(period) / g),
+    )
+
+
+def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
+    """Return a record as used.
+
+    Parameters
+    ----------
+    motion : ScaledRecord
+        The record with its factor.
+    spectrum : Spectrum
+        The site's spectrum, at whose periods that of the record is given.
+    nga : int, optional
+        Its number in the NGA database; by default the one in its file name.
+
+    Returns
+    -------
+    RecordResult
+        The record scaled to the site.
+    """
+    used = scale(motion.record, motion.scaling.factor)
+    period = display_periods(spectrum)
+    return RecordResult(
+        id=used.id,
+        path=used.path,
+        event=used.event,
+        station=used.station,
+        component=used.component,
+        dt_s=used.dt,
+        npts=used.npts,
+        pga_g=used.pga / g,
+        scale_factor=motion.scaling.factor,
+        mse=motion.scaling.mse,
+        trail=tuple(map(str, used.processing_history)),
+        processing=used.processing_history,
+        spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
+        date=used.earthquake.time,
+        magnitude=used.earthquake.magnitude,
+        distance_km=None if used.distance is None else used.distance / 1000.0,
+        vs30_m_per_s=used.site.vs30,
+        nga=sequence_number(used.path) if nga is None else nga,
+    )
+
+
+MOST_PULSES = 3  # of a record: the best, and the next ones, which may be longer and match worse
+LEAST_ENERGY_SHARE = 0.1  # of the energy that the best pulse explains: pulses that explain less are dropped
+
+
+def with_primary_pulses(
+    records: Sequence[RecordResult], motions: Sequence[ScaledRecord], grid: PulseGrid | None
+) -> tuple[RecordResult, ...]:
+    """Return the records with the pulses of the grid's shape found in them, scaled as they are."""
+    if grid is None:
+        return tuple(records)
+    return tuple(
+        replace(record, primary_pulses=pulses_of(motion, grid)) for record, motion in zip(records, motions, strict=True)
+    )
+
+
+def pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulseResult, ...]:
+    """Return the pulses that match one motion best, each as the motion is scaled."""
+    found = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
+    return tuple(
+        PrimaryPulseResult(
+            shape=pulse.shape.name,
+            frequency_hz=pulse.frequency,
+            amplitude_g=pulse.amplitude * motion.scaling.factor / g,
+            start_s=pulse.start,
+            polarity=pulse.polarity,
+            energy_share=pulse.energy_share,
+        )
+        for pulse in found
+        if pulse.energy_share >= LEAST_ENERGY_SHARE * found[0].energy_share
     )

@@ -1,22 +1,97 @@
-"""The time histories of one mechanism: at the levels of the study, at further levels, and on a scan over rising PGA."""
+"""Time histories: of one oscillator under one record, and of a mechanism under every record of a study.
+
+Those of a mechanism are run in the worse polarity at the levels of the study, at further levels that procedures need,
+and on a scan over rising PGA.
+
+The scan: the PGA of the target rises in steps of SCAN_STEP until records overturn the mechanism in more than 84 % of
+the draws among their runs. It gives the curve of the response-history method and its PGA at collapse. On joints that
+vibrate about rest a history takes ten times as many steps of integration, so there the scan has half as many levels.
+
+The twins of a record: the same motion with the PGA times 1 + 10^-u and 1 - 10^-u, u = 3, 4, 5, 6, at every level. They
+differ by less than any accelerograph resolves. Where a history is not chaotic they give the same digits; where it is,
+they say how far its maximum can be trusted. That a record hardly rocks does not keep its twins small: of one that
+reached 0.05 of the rotation that overturns, twins have reached 0.01 and 0.33.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-from math import inf
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields, replace
+from math import inf, isclose, isfinite, isinf, log
+from typing import Literal, TypeVar
 
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import BaseMotion
-from assess.dynamics.history import Peaks, trace
-from assess.results import HistoryResult, Trace
-from assess.study.history_levels import LevelPeaks, branch_of, level_solver, suites_of, with_restitution_factor
-from assess.study.history_scan import scan_levels
-from assess.study.motions import ScaledRecord
-from assess.study.rocking_case import RockingCase, RockingHistories
-from spectra.arrays import FloatArray, IntArray
+from assess.amplification import BaseMotion, base_motion
+from assess.codes.check import BranchName
+from assess.codes.families import uses_histories
+from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_upright
+from assess.codes.italian_histories import required_pga
+from assess.codes.italian_limit_states import confidence_factors
+from assess.codes.registry import history_rules
+from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
+from assess.dynamics.packing import Equation
+from assess.mechanisms.mechanism import Mechanism
+from assess.oscillator import Oscillator, elastic_frequency, linear_multiplier
+from assess.results import HistoryResult, HistoryTrace
+from assess.short_repr import ShortRepr
+from assess.study.amplification import MechanismAmplification
+from assess.study.study import EquationOfMotion, ScaledRecord, Study
+from records.errors import RecordError
+from records.record import STRONGEST, Record
+from spectra.arrays import BoolArray, FloatArray, IntArray, is_number
+from spectra.spectrum import Spectrum
+
+
+def mechanism_histories(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    case: RockingCase,
+    *,
+    threads: int,
+) -> RockingHistories:
+    """Run the time histories of a mechanism at all levels of the study, with the scan where a procedure uses it."""
+    return run_histories(
+        case,
+        motions,
+        levels=study.levels,
+        besides=further_levels(study, spectrum, mechanism),
+        site_pga=spectrum.pga,
+        with_scan=study.scan and any(map(uses_histories, study.procedures)),
+        threads=threads,
+    )
+
+
+def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
+    """Return what the histories of a mechanism are run for."""
+    base, name = motions_at_base(study.amplified[mechanism.name], motions), mechanism.name
+    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
+
+
+def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
+    """Return the PGA [m/s2] of suites needed besides the levels of the study: limit states of their own, FC."""
+    wanted = rule_levels(study, spectrum, mechanism)
+    return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in study.levels))
+
+
+def rule_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
+    """Return the PGA [m/s2] at which procedures with a rule of their own need suites, each once."""
+    wanted: list[float] = []
+    known = study.knowledge.get(mechanism.name, {})
+    for name, (rule, options) in history_rules(study.options).items():
+        if name in study.procedures:
+            level = known.get(rule.edition.code)
+            factors = [each.factor for each in confidence_factors(options, crushing=mechanism.crushing, level=level)]
+            wanted += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
+    return tuple(dict.fromkeys(wanted))
+
+
+def motions_at_base(amplified: MechanismAmplification, motions: tuple[ScaledRecord, ...]) -> tuple[BaseMotion, ...]:
+    """Return every motion as it acts at the base of a mechanism."""
+    return tuple(base_motion(amplified.amplification, motion.record) for motion in motions)
 
 
 def run_histories(
@@ -97,13 +172,13 @@ def _history(peaks: LevelPeaks, runs: IntArray, carried: BaseMotion, level: floa
         trace=None,
         branch=branch_of(float(found.max_rotation[job])),
         rebound=float(peaks.rebound[job]),
-        twin_ratios=_standing(found.max_ratio, found, runs),
-        twin_times_s=_standing(found.time_of_max, found, runs),
+        twin_ratios=_values_of_runs(found.max_ratio, found, runs),
+        twin_times_s=_values_of_runs(found.time_of_max, found, runs),
         twin_impacts=tuple(found.impacts[runs].tolist()) if runs.size > 1 else (),
     )
 
 
-def _standing(values: FloatArray, found: Peaks, runs: IntArray) -> tuple[float | None, ...]:
+def _values_of_runs(values: FloatArray, found: Peaks, runs: IntArray) -> tuple[float | None, ...]:
     """Return values of the runs of a record, None where the body overturned; none where it was run alone."""
     if runs.size == 1:
         return ()
@@ -121,7 +196,7 @@ def with_governing_trace(
     return (*lower, tuple(replace(history, trace=drawn) if history is worst else history for history in highest))
 
 
-def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRecord]) -> Trace:
+def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRecord]) -> HistoryTrace:
     """Run one history again, sample by sample."""
     place = next(place for place, motion in enumerate(motions) if motion.record.id == history.record)
     ground, base = motions[place].record, case.base[place].record
@@ -129,9 +204,329 @@ def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRe
     path = trace(with_restitution_factor(case.oscillator, history.rebound), base, scale=scale, equation=case.equation)
     below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
     same, above = base is ground, base.acceleration[: path.time.size]
-    return Trace(
+    return HistoryTrace(
         time_s=tuple(path.time.tolist()),
         rotation_rad=tuple(path.rotation.tolist()),
         ground_acceleration_g=tuple((scale / g * below).tolist()),
         base_acceleration_g=None if same else tuple((scale / g * above).tolist()),
     )
+
+
+@dataclass(frozen=True, repr=False)
+class RockingCase(ShortRepr):
+    """One oscillator, the equation its histories solve, and every ground motion as it acts at its base.
+
+    rebounds : factors on its restitution, its own value (1) first; the worst of them counts
+    """
+
+    name: str
+    oscillator: Oscillator
+    equation: EquationOfMotion
+    base: tuple[BaseMotion, ...]
+    rebounds: tuple[float, ...] = (1.0,)
+
+
+@dataclass(frozen=True, repr=False)
+class RockingHistories(ShortRepr):
+    """The histories of one mechanism.
+
+    histories : in the worse polarity [level][record]; suites : their maxima, by level
+    besides : suites at further levels; scan : suites at rising PGA, up to overturning
+    """
+
+    histories: tuple[tuple[HistoryResult, ...], ...]
+    suites: tuple[SuiteResponse, ...]
+    besides: tuple[SuiteResponse, ...] = ()
+    scan: tuple[SuiteResponse, ...] = ()
+
+
+def vibrates(oscillator: Oscillator) -> bool:
+    """Return whether the oscillator vibrates about rest, on joints without a threshold of uplift."""
+    return any(elastic_frequency(branch) is not None for branch in oscillator.branches)
+
+
+Columns = TypeVar("Columns", Jobs, Peaks)
+Twins = Literal["none", "all", "where they matter"]
+
+
+@dataclass(frozen=True, repr=False)
+class LevelPeaks(ShortRepr):
+    """Largest responses of one mechanism under every record and its twins, in both polarities and with every rebound.
+
+    levels : PGA of the target [levels] [m/s2]
+    found : the largest response of every job
+    scale, rebound : factors of each job on the motion and on the restitution [-]
+    worse : the job that counts, of a record as it is and of its twins; of several that overturn or stay at rest, the
+        first [levels, records, runs]
+    """
+
+    levels: tuple[float, ...]
+    found: Peaks
+    scale: FloatArray
+    rebound: FloatArray
+    worse: IntArray
+
+
+def level_solver(
+    case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
+) -> Callable[[Sequence[float], Twins], LevelPeaks]:
+    """Return a solver for the histories of one mechanism; call it with levels of PGA [m/s2] and which twins to run.
+
+    "where they matter" is of histories that rock, and the inner twins of those only which the outer ones do not follow
+    to CALM; a history stands for its twins that are not run. A symmetric body is run in one polarity only: the other
+    one mirrors it.
+    """
+    factors = np.array([motion.scaling.factor for motion in motions])
+    records = [carried.record for carried in case.base]
+    oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
+    run = make_solver(oscillators, records, equation=case.equation, threads=threads)
+    signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
+    ways = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
+    which = np.repeat(np.arange(len(oscillators)), signs.size)
+
+    def jobs(levels: FloatArray, records: IntArray, way: IntArray, runs: FloatArray) -> Jobs:
+        """Return the jobs of records at levels in one way each [n], in every run [n, runs]."""
+        scale = (levels / site_pga * factors[records] * ways[way])[:, None] * runs
+        motion, oscillator = (np.repeat(each, runs.size) for each in (records, which[way]))
+        return Jobs(oscillator, motion, scale.ravel())
+
+    def solve(levels: Sequence[float], twins: Twins) -> LevelPeaks:
+        shape = (len(levels), len(motions), ways.size)
+        level, record, way = (each.ravel() for each in np.indices(shape))
+        pga = np.asarray(levels)[level]
+        own = jobs(pga, record, way, TWIN_FACTORS[:1])
+        found = run(own)
+        job = np.repeat(np.arange(way.size), 1 if twins == "none" else TWIN_FACTORS.size).reshape(way.size, -1)
+
+        def add(here: IntArray, runs: slice) -> None:
+            nonlocal own, found
+            more = jobs(pga[here], record[here], way[here], TWIN_FACTORS[runs])
+            job[here, runs] = own.scale.size + np.arange(more.scale.size).reshape(here.size, TWIN_FACTORS[runs].size)
+            own, found = _join_columns(own, more), _join_columns(found, run(more))
+
+        if twins == "all":
+            add(np.arange(way.size), ALL_TWINS)
+        elif twins == "where they matter":
+            rocking = np.flatnonzero(_severity(found) > 0.0)
+            add(rocking, OUTER_TWINS)
+            add(rocking[~_twins_agree(_severity(found)[job[rocking, : OUTER_TWINS.stop]])], INNER_TWINS)
+        each = np.moveaxis(job.reshape(*shape, -1), 2, 3)  # [levels, records, runs, ways]
+        worst = _severity(found)[each].argmax(axis=3)
+        worse = np.take_along_axis(each, worst[..., None], axis=3)[..., 0]
+        return LevelPeaks(tuple(levels), found, own.scale, np.array(case.rebounds)[own.oscillator], worse)
+
+    return solve
+
+
+def _twins_agree(ratio: FloatArray) -> BoolArray:
+    """Return which histories have outer twins that follow them [n], of the ratios of all three [n, 3]."""
+    own = np.where(np.isinf(ratio[:, :1]), np.nan, ratio[:, :1])  # one that overturns is never calm
+    calm: BoolArray = np.all(np.abs(ratio[:, 1:] - own) <= AGREEMENT * own, axis=1)
+    return calm
+
+
+def _join_columns(first: Columns, second: Columns) -> Columns:
+    """Return the columns of two sets of jobs, or of their peaks, end to end."""
+    each = ((getattr(first, name), getattr(second, name)) for name in (field.name for field in fields(first)))
+    return type(first)(*map(np.concatenate, each))
+
+
+def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator:
+    """Return the oscillator with its restitution multiplied by a factor, at most 1."""
+    if factor == 1.0:
+        return oscillator
+    restitution = min(1.0, factor * oscillator.positive.restitution)
+    return replace(oscillator, positive=replace(oscillator.positive, restitution=restitution))
+
+
+def suites_of(peaks: LevelPeaks) -> tuple[SuiteResponse, ...]:
+    """Return the maxima of all records at each level; the branch is that of the worst record as it is."""
+    ratio, negative = _severity(peaks.found)[peaks.worse], peaks.found.max_rotation[peaks.worse] < 0.0
+    worst, with_twins = ratio[:, :, 0].argmax(axis=1).tolist(), peaks.worse.shape[2] > 1
+    suites = []
+    for level, own, below, place in zip(peaks.levels, ratio, negative, worst, strict=True):
+        standing = tuple(None if isinf(each) else each for each in own[:, 0].tolist())
+        branches = tuple(branch_of(-1.0 if each else 1.0) for each in below[:, 0].tolist())
+        twins = RecordRuns(own.T.copy(), below.T.copy()) if with_twins else None
+        suites.append(SuiteResponse(level, standing, branches[place], branches, twins))
+    return tuple(suites)
+
+
+def branch_of(rotation: float) -> BranchName:
+    """Return the branch of a signed rotation [rad]."""
+    return "negative" if rotation < 0 else "positive"
+
+
+def _severity(found: Peaks) -> FloatArray:
+    """Return max|rotation| / overturning rotation of each job, inf where it overturned."""
+    return np.where(found.overturned, inf, found.max_ratio)
+
+
+SCAN_STEP, SCAN_STEP_ON_JOINTS = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
+SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most
+MOST_LEVELS, MOST_LEVELS_ON_JOINTS = 204, 102
+
+
+def scan_levels(
+    case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
+) -> tuple[SuiteResponse, ...]:
+    """Run suites at rising PGA, up to the first one in which so many draws overturn that no rule can hold in 16 %.
+
+    Parameters
+    ----------
+    case : RockingCase
+        The oscillator and the motions at its base.
+    motions : sequence of ScaledRecord
+        The records with their factors, in the order of `case.base`.
+    site_pga : float
+        PGA of the target that the factors refer to [m/s2].
+    threads : int
+        Number of threads; 0 for all cores.
+
+    Returns
+    -------
+    tuple of Suite
+        At rising PGA, the last one that which ends the scan.
+    """
+    strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, case.base, strict=True)) / site_pga
+    uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
+    start = SCAN_START * uplift / max(1.0, strongest)
+    step, most = (SCAN_STEP_ON_JOINTS, MOST_LEVELS_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+    below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which do not overturn
+    suites = list(suites_of(solve([start * step**k for k in range(below)], "where they matter")))
+    for k in range(below, most):
+        suites += suites_of(solve([start * step**k], "where they matter"))
+        if share_upright(suites[-1]) < LOW_SHARE:
+            break
+    return tuple(suites)
+
+
+TWIN_EXPONENTS = (3, 4, 5, 6)
+
+TWIN_FACTORS = np.array([1.0, *(1.0 + sign * 10.0**-u for u in TWIN_EXPONENTS for sign in (1.0, -1.0))])
+"""On the PGA: of the record as it is, then of its eight twins [9]."""
+ALL_TWINS, OUTER_TWINS, INNER_TWINS = (
+    slice(1, 9),
+    slice(1, 3),
+    slice(3, 9),
+)  # of them: all twins, those with u = 3, the others
+AGREEMENT = 0.01  # of the ratio: where outer twins differ by no more, the inner ones are not run in a scan
+
+
+@dataclass(frozen=True, repr=False)
+class RockingResponse(ShortRepr):
+    """The rocking motion of one oscillator under one record.
+
+    Attributes
+    ----------
+    overturned : whether the body can no longer return
+    max_ratio : largest |rotation| / overturning rotation of its branch, with rigid interfaces [-]; inf if it overturned
+    max_rotation : rotation of that ratio, signed [rad]; None if it overturned
+    time_of_max : when it was reached [s]; None if it overturned, 0 if the body never moved
+    impacts : number of impacts, until overturning or until the free motion after the record has peaked on each side
+    overturning_time : last upward passage of the overturning rotation [s]; None if it did not overturn
+    record, scale, equation : what was run
+    rebound : factor on the restitution of one-sided rocking, of which the worst counts [-]; 1 for all other rocking
+    time : instants of the record's samples, up to overturning [n] [s]
+    rotation, velocity : at these instants, signed [n] [rad], [n] [rad/s]
+    """
+
+    overturned: bool
+    max_ratio: float
+    max_rotation: float | None
+    time_of_max: float | None
+    impacts: int
+    overturning_time: float | None
+    record: str
+    scale: float
+    equation: Equation
+    time: FloatArray
+    rotation: FloatArray
+    velocity: FloatArray
+    rebound: float = 1.0
+
+
+def respond(
+    oscillator: Oscillator, record: Record, *, scale: float = 1.0, equation: Equation = "exact"
+) -> RockingResponse:
+    """Solve the rocking motion of an oscillator from rest under a scaled record.
+
+    Parameters
+    ----------
+    oscillator : Oscillator
+        The branches of the mechanism, or of a rigid block.
+    record : Record
+        Acceleration of the ground at the base of the mechanism [m/s2].
+    scale : float
+        Factor on the record [-]; a negative one reverses its polarity.
+    equation : {"exact", "linearised"}
+        The equation of motion: of the branch tables, or linearised at small rotations.
+
+    Returns
+    -------
+    Motion
+        The largest response and the history at the record's samples.
+
+    Raises
+    ------
+    MechanismError
+        If a branch cannot rock.
+    RecordError
+        If it is not one record of finite samples, or the scale is not finite.
+    """
+    check_record(record)
+    if not (is_number(scale) and isfinite(scale)):
+        raise RecordError(f'record "{record.id}": scale = {scale}: give a finite number')
+    if abs(scale) * record.pga > STRONGEST:
+        raise RecordError(f'record "{record.id}": scale = {scale:g}: its peak is over {STRONGEST:g} m/s2; check it')
+    one = np.zeros(1, dtype=np.int64)
+    found = peaks([oscillator], [record], Jobs(one, one, np.array([scale])), equation=equation, threads=1)
+    path = trace(oscillator, record, scale=scale, equation=equation)
+    overturned = bool(found.overturned[0])
+    return RockingResponse(
+        overturned=overturned,
+        max_ratio=inf if overturned else float(found.max_ratio[0]),
+        max_rotation=None if overturned else float(found.max_rotation[0]),
+        time_of_max=None if overturned else float(found.time_of_max[0]),
+        impacts=int(found.impacts[0]),
+        overturning_time=float(found.overturning_time[0]) if overturned else None,
+        record=record.id,
+        scale=scale,
+        equation=equation,
+        time=path.time,
+        rotation=path.rotation,
+        velocity=path.velocity,
+    )
+
+
+def respond_at_worst_rebound(
+    oscillator: Oscillator, record: Record, *, rebounds: Sequence[float], scale: float, equation: Equation
+) -> RockingResponse:
+    """Solve the rocking motion with every rebound of a range, and return the worst.
+
+    Parameters
+    ----------
+    oscillator, record, scale, equation : as for `respond`
+    rebounds : factors on the restitution [-]; of several that overturn, the first counts
+    """
+    motions = [
+        replace(
+            respond(with_restitution_factor(oscillator, factor), record, scale=scale, equation=equation), rebound=factor
+        )
+        for factor in rebounds
+    ]
+    return max(motions, key=lambda motion: motion.max_ratio)
+
+
+def check_record(record: Record) -> None:
+    """Raise RecordError for what is no record of finite samples at a time step."""
+    if not isinstance(record, Record):
+        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
+    samples = record.acceleration
+    if not isinstance(samples, np.ndarray) or samples.ndim != 1 or samples.dtype.kind not in "iuf":
+        raise RecordError(f'record "{record.id}": give its accelerations [m/s2] as an array of numbers [n]')
+    if record.npts < 2 or not np.isfinite(samples).all():
+        raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
+    if not (is_number(record.dt) and isfinite(record.dt) and record.dt > 0.0):
+        raise RecordError(f'record "{record.id}": time step {record.dt} s; give one greater than 0')

@@ -1,53 +1,105 @@
-"""A mechanism in the results, with its checks and its histories."""
+"""A mechanism in the results: its rocking parameters and capacity curves, loads, hinge forces, histories and checks.
+
+Loads are listed with how long each lasts, and there are messages on those that are not shown to last.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import ceil
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import ceil, inf
+from typing import Literal
 
 import numpy as np
 from scipy.constants import g
 
+from assess.amplification import BaseMotion, ModalFilter
 from assess.codes.check import Check
-from assess.codes.standing_figures import FIGURES, standing_figures
-from assess.geometry.scene import Scene
+from assess.codes.histories import FIGURES, standing_figures
+from assess.errors import locate_errors
+from assess.geometry.cut import Scene
 from assess.hinge_forces import HingeForces
-from assess.mechanisms.directions import Directions
+from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_phrase
+from assess.mechanisms.branch_table import actions_of, load_displacement, rigid_branch
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Directions, Mechanism
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import (
+    Branch,
+    Linearised,
     Oscillator,
+    displacement,
+    elastic_frequency,
+    equivalent_block,
+    participating_mass,
+    threshold,
 )
 from assess.results import (
+    AmplificationFactor,
     AmplificationResult,
+    BranchCurve,
+    CapacityCurve,
+    CarriedMotion,
     ComparisonRow,
     DirectionCandidate,
     DirectionSweep,
     HingeForceResult,
     HistoryResult,
+    Lasting,
+    LinearisedResult,
+    LoadResult,
     MechanismResult,
+    OscillatorResult,
     SuiteResult,
 )
-from assess.study.amplification_results import UNAMPLIFIED
-from assess.study.drawing import draw
-from assess.study.endurance import load_results
-from assess.study.grounding import Grounded
+from assess.study.amplification import HeightAboveGround, MechanismAmplification
+from assess.study.drawing import draw, view_in_space
 from assess.study.joint_results import interface_curves, interface_results, sheets_of_joints
-from assess.study.oscillator_results import curve_of, oscillator_result, overturning_rotations, rigid_branches
-from assess.study.study import Equation
-from assess.study.view import view
+from assess.study.study import EquationOfMotion, ScaledRecord, Study, case_text
+from records.record import Record
+from records.response import response_spectrum
+from spectra.arrays import FloatArray
+
+
+def parameters(study: Study) -> tuple[MechanismResult, ...]:
+    """Return every mechanism with its rocking parameters and capacity curve."""
+    return tuple(
+        mechanism_result(
+            mechanism,
+            mechanism.variants.starting,
+            equation=study.equations[mechanism.name],
+            scene=study.scenes.get(mechanism.name),
+            amplification=amplification_result(study.amplified[mechanism.name]),
+            grounded=study.grounded[mechanism.name],
+        )
+        for mechanism in study.mechanisms
+    )
+
+
+def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
+    """Return the parameters of every case of every sweep; each mechanism is named with its case."""
+    found = []
+    for sweep in study.sweeps:
+        for case in sweep.cases:
+            with locate_errors(case.name):
+                each = parameters(case.study)
+            found += [replace(one, name=f"{one.name}, {case_text(sweep, case, one.name)}") for one in each]
+    return tuple(found)
+
+
+UNAMPLIFIED_RESULT = AmplificationResult("none", ())
 
 
 def mechanism_result(
     mechanism: Mechanism,
     oscillator: Oscillator,
     *,
-    equation: Equation,
+    equation: EquationOfMotion,
     scene: Scene | None = None,
     checks: Sequence[Check] = (),
     histories: Sequence[Sequence[HistoryResult]] = (),
-    amplification: AmplificationResult = UNAMPLIFIED,
-    grounded: Grounded | None = None,
+    amplification: AmplificationResult = UNAMPLIFIED_RESULT,
+    grounded: HeightAboveGround | None = None,
 ) -> MechanismResult:
     """Return one mechanism as results.
 
@@ -90,7 +142,7 @@ def mechanism_result(
         restitution_said=mechanism.restitution_said,
         direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
         drawing=drawn,
-        view=None if scene is None else view(mechanism, scene),
+        view=None if scene is None else view_in_space(mechanism, scene),
         oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
         oscillator_negative=None
         if negative is None
@@ -193,4 +245,215 @@ def comparison_rows(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRo
         )
         for mechanism in mechanisms
         for check in mechanism.checks
+    )
+
+
+def floats(values: FloatArray) -> tuple[float, ...]:
+    """Return an array as plain numbers."""
+    return tuple(values.tolist())
+
+
+def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium: float) -> OscillatorResult:
+    """Return the rocking parameters of one branch.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    mass : float
+        Total mass [kg].
+    rigid : Branch
+        The branch with rigid interfaces.
+    equilibrium : float
+        Rotation at rest phi_e, in the sign of the branch [rad].
+
+    Returns
+    -------
+    OscillatorResult
+        The parameters, some of the equivalent block of the rigid branch.
+    """
+    block, linear = equivalent_block(rigid, mass=mass), branch.linearised
+    return OscillatorResult(
+        mass_kg=mass,
+        inertia_kg_m2=block.inertia,
+        radius_m=block.radius,
+        slenderness_rad=block.slenderness,
+        p_eq_per_s=linear.p,
+        uplift_multiplier=threshold(branch),
+        overturning_rad=branch.overturning,
+        overturning_flexible_rad=branch.overturning_flexible,
+        critical_rad=branch.critical,
+        equilibrium_rad=equilibrium + 0.0,
+        elastic_frequency_hz=elastic_frequency(branch),
+        restitution=branch.restitution,
+        linearised=linearised_result(linear),
+    )
+
+
+def linearised_result(linear: Linearised) -> LinearisedResult:
+    """Return the kinematic constants of the linearised branch."""
+    rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
+    return LinearisedResult(
+        inertia_kg_m2=linear.inertia,
+        stiffness_n_m_per_rad=linear.stiffness,
+        excitation_kg_m=linear.excitation,
+        moment_n_m=0.0 if abs(linear.moment) <= rounding else linear.moment,
+        critical_rad=linear.critical,
+        overturning_rad=linear.overturning,
+        uplift_multiplier=linear.multiplier,
+    )
+
+
+def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
+    """Return the capacity curve of one branch."""
+    return BranchCurve(
+        rotation_rad=floats(branch.rotation),
+        inertia_kg_m2=floats(branch.inertia),
+        restoring_n_m=floats(branch.restoring),
+        excitation_kg_m=floats(branch.excitation),
+        participating_mass_kg=floats(participating_mass(branch)),
+        displacement_m=floats(displacement(branch, branch.rotation, mass=mass)),
+    )
+
+
+def curve_of(oscillator: Oscillator) -> CapacityCurve:
+    """Return the capacity curves of both branches."""
+    positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
+    return CapacityCurve(
+        branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)
+    )
+
+
+def overturning_rotations(oscillator: Oscillator) -> tuple[float, float | None]:
+    """Return the overturning rotations of both branches with rigid joints [rad]."""
+    return oscillator.positive.overturning, None if oscillator.negative is None else oscillator.negative.overturning
+
+
+def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch, ...]:
+    """Return the branches of the mechanism with rigid interfaces."""
+    if not mechanism.flexible:
+        return oscillator.branches
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    return tuple(rigid_branch(replace(chain, joints=()), restitution=1.0, name=mechanism.name) for chain in chains)
+
+
+WIDEST_SEAT = 2.0  # m: floors and roofs rest on less
+
+
+def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
+    """Return every load as used, with its source."""
+    number, found = 0, []
+    for load in mechanism.positive.loads:
+        one = load_result(load)
+        if not isinstance(load, PointMass):
+            one = with_duration(mechanism, number, one)
+            number += 1
+        found.append(one)
+    return tuple(found)
+
+
+def load_result(load: Load) -> LoadResult:
+    """Return a load as used, with its source."""
+    found = load.found or (Term("given"),)
+    source = source_phrase(found)
+    if isinstance(load, PointMass):
+        seat, mass = load.seat if load.bearing else None, load.mass
+        made = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
+        return replace(made, found=found)
+    at, missing = load.at, load.missing
+    kind: Literal["force", "tie"] = "force" if isinstance(load, Force) else "tie"
+    force = load.force if isinstance(load, Force) else pull_at_rest(load)
+    return LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, found=found)
+
+
+def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
+    """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
+    sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
+    resisting = [(one, kept[number]) for one, kept in sides if one.ever_resists(number)]
+    if not resisting:
+        return replace(load, missing=())
+    first = min((one for one, _ in resisting), key=lambda one: one.ends[number])
+    end, lasts = first.ends[number], all(kept > 0.0 for _, kept in resisting)
+    broken = 0.0 < end < inf
+    return replace(
+        load,
+        lasting=_duration_kind(lasts, broken),
+        missing=load.missing if end == 0.0 else (),
+        end_rad=end if broken else None,
+        end_m=load_displacement(first.chain, first.actions[number], end) if broken else None,
+    )
+
+
+def _duration_kind(lasts: bool, broken: bool) -> Lasting:
+    if lasts:
+        return "to collapse"
+    return "to its end" if broken else "not shown"
+
+
+def load_messages(mechanism: Mechanism) -> Iterator[Message]:
+    """Yield a warning for each tie or force that resists but is not shown to last, and if all depends on them.
+
+    A tie with a pretension above its strength gets one, too, and so does a seat wider than walls are thick.
+
+    A force that drives one way and resists the other is a thrust and gets no warning.
+    """
+    where = f"mechanisms.{mechanism.name}"
+    for mass in mechanism.positive.loads:
+        if isinstance(mass, PointMass) and mass.seat is not None and mass.seat > WIDEST_SEAT:
+            seat = Quantity(mass.seat, "length")
+            yield message("seat-wide", {"load": mass.name, "seat": seat}, severity=Severity.WARNING, where=where)
+    for tie in mechanism.positive.loads:
+        if isinstance(tie, Tie) and tie.tension < tie.pull:
+            forces = {"force": Quantity(tie.pull, "force"), "strength": Quantity(tie.tension, "force")}
+            yield message(
+                "pretension-above-strength", {"load": tie.name, **forces}, severity=Severity.WARNING, where=where
+            )
+    if not actions_of(mechanism.positive):
+        return
+    thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
+    for load in load_results(mechanism):
+        if load.lasting == "not shown" and load.name not in thrusts:
+            values = {"load": load.name, "missing": ", ".join(load.missing)}
+            yield message("not-lasting", values, severity=Severity.WARNING, where=where)
+    yield from unsupported_messages(mechanism, where=where)
+
+
+def unsupported_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
+    """Return why no displacement can be assessed: the mechanism stands only by loads that are not shown to last."""
+    loads = mechanism.variants.depends_on
+    if not loads:
+        return ()
+    return (message("unheld", {"loads": ", ".join(loads)}, severity=Severity.WARNING, where=where),)
+
+
+SHORTEST_PERIOD, LONGEST_SHOWN = 0.05, 4.0  # s, of the spectra of a filtered motion
+
+
+def amplification_result(
+    amplified: MechanismAmplification, motions: Sequence[ScaledRecord] = (), base: Sequence[BaseMotion] = ()
+) -> AmplificationResult:
+    """Return how the ground motions reach the base of a mechanism; `base`: the motions as they act there."""
+    filtered = isinstance(amplified.amplification, ModalFilter) and len(base) > 0
+    most = max(range(len(base)), key=lambda place: base[place].factor) if filtered else 0
+    return AmplificationResult(
+        method=amplified.method,
+        factors=tuple(AmplificationFactor(each.record.id, each.factor) for each in base),
+        height_m=amplified.height,
+        said=(*amplified.description, *amplified.assumptions),
+        motion=base_motion_result(motions[most], base[most].record) if filtered else None,
+    )
+
+
+def base_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
+    """Return a motion scaled to the target, at the ground and at the base, sampled as the latter."""
+    ground, scale = motion.record, motion.scaling.factor
+    period = np.geomspace(SHORTEST_PERIOD, LONGEST_SHOWN, 120)
+    return CarriedMotion(
+        record=ground.id,
+        time_s=floats(base.time),
+        ground_acceleration_g=floats(scale / g * np.interp(base.time, ground.time, ground.acceleration, right=0.0)),
+        base_acceleration_g=floats(scale / g * base.acceleration),
+        period_s=floats(period),
+        ground_spectrum_g=floats(scale / g * response_spectrum(ground, period)),
+        base_spectrum_g=floats(scale / g * response_spectrum(base, period)),
     )

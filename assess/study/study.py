@@ -1,38 +1,155 @@
-"""A study: site, motions, mechanisms and questions as plain data."""
+"""A study: site, motions, mechanisms and questions of one assessment, as plain data."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import isclose
 from typing import Literal
 
-from assess.amplification.floor_motion import Amplification
-from assess.codes.context import Building, FreePeriod, Hazard
+from assess.codes.check import Family
+from assess.codes.context import Building, FreePeriod, SiteHazard
+from assess.codes.families import FAMILIES
 from assess.codes.registry import CodeOptions
-from assess.codes.verdict import Missing, Question
-from assess.geometry.scene import Scene
+from assess.codes.verdict import (
+    Missing,
+    Question,
+    find_limit_states,
+    methods_of,
+)
+from assess.errors import ProjectError
+from assess.geometry.cut import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
-from assess.results import NO_MATTER, Input, ReportMatter, Resolved
-from assess.results.uncertainty import UncertainInput
+from assess.results import (
+    NO_MATTER,
+    Input,
+    ReportMatter,
+    ResolvedValue,
+)
+from assess.results.fragility import FragilityMethod, HazardResult, MeasureResult, StateResult
+from assess.results.variations import UncertainInput
 from assess.results.verification import AnnexResult
-from assess.study.fragility.question import FragilityQuestion
-from assess.study.grounding import Grounded
-from records.band import Band
-from records.compliance.making import CodeName
-from records.fingerprints import TargetMark
-from records.pulses import Shape
+from assess.study.amplification import HeightAboveGround, MechanismAmplification
+from records.compliance import CodeName
+from records.pulses import PulseShape
 from records.record import Record
-from records.selection import Selection
+from records.scaling import Band, Scaling
+from records.selection import Selection, TargetMark
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
-Equation = Literal["exact", "linearised"]
+EquationOfMotion = Literal["exact", "linearised"]
 ScaleTo = Literal["spectrum", "pga", "none"]
+FRAGILITY_STATES = (StateResult("rocking"), StateResult("rotation", 0.5), StateResult("overturning"))
+
+LARGEST_FACTOR = 10.0
+"""Scale factor beyond which no record is run, where the project does not say [-]."""
 
 
 @dataclass(frozen=True)
-class Artificial:
+class FragilityQuestion:
+    """What is asked of the fragility of every mechanism.
+
+    measures : at the ground, the primary one first; empty: all that apply
+    samples : intensities at which each record is run; None for that of the method
+    largest : intensity of the primary measure up to which records are run [unit of the measure]; None: until all that
+        may be scaled so far overturn
+    largest_factor : scale factor beyond which no record is run [-]
+    epistemic : dispersion of what is not known of mechanisms, by name [-]
+    hazard : of the site in one measure; None where it is not known
+    target_rate : annual rate that the risk is compared with [1/year]
+    """
+
+    measures: tuple[MeasureResult, ...] = ()
+    states: tuple[StateResult, ...] = FRAGILITY_STATES
+    method: FragilityMethod = "ida"
+    samples: int | None = None
+    largest: float | None = None
+    largest_factor: float = LARGEST_FACTOR
+    seed: int = 1
+    draws: int = 500
+    epistemic: Mapping[str, float] = field(default_factory=dict)
+    hazard: HazardResult | None = None
+    target_rate: float | None = None
+
+    @property
+    def levels(self) -> int:
+        """Intensities at which each record is run."""
+        return RUNS_PER_RECORD[self.method] if self.samples is None else self.samples
+
+
+@dataclass(frozen=True)
+class Study:
+    """Site, motions, mechanisms and questions of one assessment.
+
+    spectrum : the site's elastic spectrum at its own PGA; None without a site
+    hazard : of an Italian site over return periods; None if the site has a single spectrum
+    free_periods : of the mechanisms that vibrate before uplift, by name
+    knowledge : level of knowledge by mechanism and code, where given
+    limit_state : that a single spectrum of the site is declared for; None if not declared
+    levels : PGA at which demands are compared, rising [m/s2]
+    offered : procedures that are not requested; shown where they decide
+    equations : the equation of motion of each mechanism's histories, by name
+    amplified : how the motion of the histories reaches each mechanism, by name
+    fitting : how the records are scaled
+    scenes : the bodies in space of each mechanism that has geometry, by name
+    sweeps : parametric studies; a case has none
+    question : what decides
+    facts : what a pass of each mechanism needs and is not given, and its conditions, by name
+    grounded : the height of each mechanism above the ground, by name
+    record_factor : a further factor on every record [-]
+    suite_faults : rules for suites that the records do not meet, by code; known once the records are
+    survey : returns the surveyed numbers of a mechanism by its name
+    variables : numbers that the sensitivity of each mechanism varies
+    pulses : of the overturning envelopes; None if none are requested
+    fragility : what `assess fragility` asks
+    report : what the report states besides the analysis
+    scan : whether histories are run at rising PGA for the capacity
+    sampling : how its uncertain numbers are sampled; None if that is not requested
+    annex : of verification that the report names; None if there is none
+    """
+
+    spectrum: Spectrum | None
+    vertical_ratio: float
+    building: Building | None
+    records: tuple[Record, ...]
+    fitting: Fitting
+    artificial: ArtificialRecords | None
+    scale_to: ScaleTo
+    levels: tuple[float, ...]
+    procedures: tuple[str, ...]
+    offered: tuple[str, ...]
+    options: CodeOptions
+    mechanisms: tuple[Mechanism, ...]
+    equations: dict[str, EquationOfMotion]
+    amplified: dict[str, MechanismAmplification]
+    scenes: dict[str, Scene]
+    inputs: tuple[Input, ...]
+    resolved: dict[str, ResolvedValue]
+    messages: tuple[Message, ...]
+    sweeps: tuple[Sweep, ...]
+    pulses: PulseGrid | None
+    hazard: SiteHazard | None
+    free_periods: Mapping[str, FreePeriod]
+    knowledge: Mapping[str, Mapping[str, str]]
+    limit_state: str | None
+    question: Question
+    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
+    grounded: Mapping[str, HeightAboveGround] = field(default_factory=dict)
+    record_factor: float = 1.0
+    suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
+    survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
+    variables: tuple[Variable | UnvariedNumber, ...] = ()
+    fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
+    report: ReportMatter = NO_MATTER
+    scan: bool = True
+    sampling: Sampling | None = None
+    annex: AnnexResult | None = None
+
+
+@dataclass(frozen=True)
+class ArtificialRecords:
     """Artificial records to be made: their number, the seed, and their duration [s]."""
 
     count: int
@@ -76,100 +193,13 @@ class Fitting:
 class PulseGrid:
     """The pulses of overturning envelopes: shape, frequencies [n] [Hz], peak ground accelerations [m] [m/s2]."""
 
-    shape: Shape
+    shape: PulseShape
     frequency: FloatArray
     amplitude: FloatArray
 
 
 @dataclass(frozen=True)
-class Amplified:
-    """How the ground's motion reaches the base of a mechanism.
-
-    method : as in the project; height : of the base above the ground [m], None where nothing is amplified
-    description : what is done, with which numbers and their sources
-    assumptions : on values that are not given
-    by_stiffness : whether the amplification follows from the stiffness of the bodies
-    """
-
-    method: str
-    height: float | None
-    amplification: Amplification
-    description: tuple[Message | str, ...]
-    assumptions: tuple[Message, ...] = ()
-    by_stiffness: bool = False
-
-
-@dataclass(frozen=True)
-class Study:
-    """Site, motions, mechanisms and questions of one assessment.
-
-    spectrum : the site's elastic spectrum at its own PGA; None without a site
-    hazard : of an Italian site over return periods; None if the site has a single spectrum
-    free_periods : of the mechanisms that vibrate before uplift, by name
-    knowledge : level of knowledge by mechanism and code, where given
-    limit_state : that a single spectrum of the site is declared for; None if not declared
-    levels : PGA at which demands are compared, rising [m/s2]
-    offered : procedures that are not requested; shown where they decide
-    equations : the equation of motion of each mechanism's histories, by name
-    amplified : how the motion of the histories reaches each mechanism, by name
-    fitting : how the records are scaled
-    scenes : the bodies in space of each mechanism that has geometry, by name
-    sweeps : parametric studies; a case has none
-    question : what decides
-    facts : what a pass of each mechanism needs and is not given, and its conditions, by name
-    grounded : the height of each mechanism above the ground, by name
-    record_factor : a further factor on every record [-]
-    suite_faults : rules for suites that the records do not meet, by code; known once the records are
-    survey : returns the surveyed numbers of a mechanism by its name
-    variables : numbers that the sensitivity of each mechanism varies
-    pulses : of the overturning envelopes; None if none are requested
-    fragility : what `assess fragility` asks
-    report : what the report states besides the analysis
-    scan : whether histories are run at rising PGA for the capacity
-    sampling : how its uncertain numbers are sampled; None if that is not requested
-    annex : of verification that the report names; None if there is none
-    """
-
-    spectrum: Spectrum | None
-    vertical_ratio: float
-    building: Building | None
-    records: tuple[Record, ...]
-    fitting: Fitting
-    artificial: Artificial | None
-    scale_to: ScaleTo
-    levels: tuple[float, ...]
-    procedures: tuple[str, ...]
-    offered: tuple[str, ...]
-    options: CodeOptions
-    mechanisms: tuple[Mechanism, ...]
-    equations: dict[str, Equation]
-    amplified: dict[str, Amplified]
-    scenes: dict[str, Scene]
-    inputs: tuple[Input, ...]
-    resolved: dict[str, Resolved]
-    messages: tuple[Message, ...]
-    sweeps: tuple[Sweep, ...]
-    pulses: PulseGrid | None
-    hazard: Hazard | None
-    free_periods: Mapping[str, FreePeriod]
-    knowledge: Mapping[str, Mapping[str, str]]
-    limit_state: str | None
-    question: Question
-    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
-    grounded: Mapping[str, Grounded] = field(default_factory=dict)
-    record_factor: float = 1.0
-    suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
-    survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
-    variables: tuple[Variable | Unvaried, ...] = ()
-    fragility: FragilityQuestion = field(default_factory=FragilityQuestion)
-    report: ReportMatter = NO_MATTER
-    scan: bool = True
-    sampling: Sampling | None = None
-    annex: AnnexResult | None = None
-
-
-@dataclass(frozen=True)
-class Case:
+class SweepCase:
     """One value of a sweep, in the sweep's unit; its name by table, key and value; the study of what it changes."""
 
     value: float
@@ -187,7 +217,7 @@ class Sweep:
 
     key: str
     unit: str
-    cases: tuple[Case, ...]
+    cases: tuple[SweepCase, ...]
 
 
 @dataclass(frozen=True)
@@ -211,7 +241,7 @@ class Variable:
 
 
 @dataclass(frozen=True)
-class Sampled:
+class SampledNumber:
     """An uncertain number of the project.
 
     given : its mean, scatter and group; least, most : physical limits of its values over the mean [-]
@@ -235,7 +265,7 @@ class Sampling:
 
     samples: int
     seed: int
-    numbers: tuple[Sampled, ...]
+    numbers: tuple[SampledNumber, ...]
     study_at: Callable[[Sequence[float]], Callable[[str], Study]]
     notes: tuple[Message, ...] = ()
 
@@ -250,9 +280,82 @@ class Sampling:
 
 
 @dataclass(frozen=True)
-class Unvaried:
+class UnvariedNumber:
     """A number of a mechanism that its sensitivity does not vary, and why."""
 
     mechanism: str
     parameter: str
     why: str
+
+
+RUNS_PER_RECORD: Mapping[FragilityMethod, int] = {"ida": 50, "stripes": 10, "cloud": 1}
+"""Intensities at which each record is run, where the project does not say."""
+
+AVERAGE_PERIODS = tuple(round(0.1 * k, 1) for k in range(2, 21))
+"""Periods of "sa-average" where the project does not say [s]."""
+
+Progress = Callable[[str, int, int], None]
+"""Called with the stage of the work, the number of its parts done, and their total."""
+
+
+def report_nothing(stage: str, done: int, total: int) -> None:
+    """Report nothing."""
+
+
+@dataclass(frozen=True)
+class ScaledRecord:
+    """A record as read, with the factor that scales it to the target, and the remaining misfit (mean squared log)."""
+
+    record: Record
+    scaling: Scaling
+
+
+def case_text(sweep: Sweep, case: SweepCase, mechanism: str) -> str:
+    """Return a case in a few words: the key without its table, and the value."""
+    key = sweep.key
+    for table in (f"mechanisms.{mechanism}.", "bodies.", "materials."):
+        key = key.removeprefix(table)
+    return f"{key} = {value_text(sweep, case)}"
+
+
+def value_text(sweep: Sweep, case: SweepCase) -> str:
+    """Return the value of a case with its unit."""
+    return f"{case.value:.6g}" + ("" if sweep.unit == "-" else f" {sweep.unit}")
+
+
+def may_follow_motion(question: Question) -> bool:
+    """Return whether a method by histories or energy may decide, or no method is named."""
+    methods = methods_of(question)
+    return not methods or any(FAMILIES[name] in (Family.HISTORY, Family.ENERGY) for name in methods)
+
+
+def deciding_limit_states(question: Question) -> tuple[str, ...]:
+    """Return the limit states that decide, as checks name them."""
+    return tuple(state.checked_as for state in find_limit_states(question)[0])
+
+
+def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float, ...]:
+    """Return the levels of the study, including the site's own action, rising.
+
+    Parameters
+    ----------
+    levels : tuple of float
+        PGA of the levels [m/s2].
+    site_pga : float
+        PGA of the site [m/s2].
+
+    Returns
+    -------
+    tuple of float
+        Levels [m/s2]; one equal to the site's PGA but for rounding is replaced by it.
+    """
+    if any(isclose(level, site_pga, rel_tol=1e-9) for level in levels):
+        return tuple(site_pga if isclose(level, site_pga, rel_tol=1e-9) else level for level in levels)
+    return tuple(sorted((*levels, site_pga)))
+
+
+def require_spectrum(study: Study) -> Spectrum:
+    """Return the site's spectrum; raise ProjectError if the study has none."""
+    if study.spectrum is None:
+        raise ProjectError("site.spectrum: missing; an analysis needs the site's spectrum: add a table [site.spectrum]")
+    return study.spectrum

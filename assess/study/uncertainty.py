@@ -2,47 +2,43 @@
 
 One coordinate of a scrambled Sobol sequence (Owen 1995; scipy.stats.qmc) stands for each group; the numbers of a group
 are at the same probability. Every sample is each mechanism alone through its procedures, under the same scaled records,
-without the scan over rising PGA, as a sensitivity is.
+without the scan over rising PGA, as a sensitivity is. Of each sample only demand over capacity and outcome are kept.
+
+Numbers stay within what is physically possible: a distribution that reaches beyond a limit, as a lognormal restitution
+beyond 1, is cut there and the rest scaled up.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from math import inf, log1p, sqrt
+from typing import TypedDict
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtr, ndtri
 
+from assess.amplification import Amplification
 from assess.codes.check import Check, Outcome
 from assess.codes.families import uses_histories
 from assess.errors import AssessError
-from assess.messages.message import Message, Quantity, note
+from assess.messages.message import Message, Quantity, note, whole_number
 from assess.results import MechanismResult
-from assess.results.uncertainty import UncertainAnswer, UncertaintyResult
-from assess.study.distributions import mean_kept, share_cut_off, values_at
-from assess.study.motions import ScaledRecord
-from assess.study.progress import Progress
-from assess.study.sample_answers import (
-    OPEN,
-    Flags,
-    SampleAnswers,
-    Tally,
-    rocking_of,
-    same_answers,
-    sample_answers,
-    unbuilt,
-)
-from assess.study.sample_statistics import influences_of, statistics_of
-from assess.study.sensitivity import check_case
-from assess.study.sensitivity_rows import Answer, by_answer
-from assess.study.study import Sampled, Sampling, Study
+from assess.results.variations import QUANTILES, Distribution, Influence, UncertainAnswer, UncertaintyResult
+from assess.risk.empirical import wilson_interval
+from assess.study.checks import checks_without_scan
+from assess.study.sensitivity import CheckKey, checks_by_key
+from assess.study.study import Progress, SampledNumber, Sampling, ScaledRecord, Study
 from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 
-ENDS = (0.05, 0.95)
+END_PROBABILITIES = (0.05, 0.95)
 """Probabilities at which each group is varied alone, to see what it changes."""
-TOLD = 1e-6  # of a distribution beyond what is possible
-Questions = Mapping[str, Mapping[Answer, Check]]
+LEAST_SHARE_REPORTED = 1e-6  # of a distribution beyond what is possible
+
+Questions = Mapping[str, Mapping[CheckKey, Check]]
 """The checks of each mechanism at the means, by what they answer."""
 
 
@@ -88,7 +84,7 @@ def uncertainty(
         progress("samples", sample, len(points))
         for name, each in sampler.at(point).items():
             tallies[name].put(sample, each)
-    changed = changes(sampler, points)
+    changed = find_changed_answers(sampler, points)
     answers = tuple(
         answer
         for name, tally in tallies.items()
@@ -99,13 +95,13 @@ def uncertainty(
         seed=sampling.seed,
         inputs=tuple(number.given for number in sampling.numbers),
         answers=answers,
-        notes=(*sampling.notes, *cut_off(sampling.numbers), *idle(sampling, questions, changed)),
+        notes=(*sampling.notes, *cut_off_messages(sampling.numbers), *no_effect_messages(sampling, questions, changed)),
     )
 
 
-def questions_of(mechanism: MechanismResult) -> Mapping[Answer, Check]:
+def questions_of(mechanism: MechanismResult) -> Mapping[CheckKey, Check]:
     """Return the checks of a mechanism whose spread is of use: by the letter of a clause that covers it."""
-    return by_answer(
+    return checks_by_key(
         tuple(
             check
             for check in mechanism.checks
@@ -151,16 +147,16 @@ class Sampler:
         try:
             build = self.sampling.study_at(self.values(point))
         except (AssessError, SpectrumError) as error:
-            return {name: unbuilt(asked[name], str(error)) for name in names}
+            return {name: unbuilt_sample(asked[name], str(error)) for name in names}
         found = {}
         for name in names:
             procedures = tuple(dict.fromkeys(procedure for procedure, _, _ in asked[name]))
             try:
                 case = replace(build(name), procedures=procedures, suite_faults=self.study.suite_faults)
-                checks = by_answer(check_case(case, self.spectrum, self.motions, jobs=self.jobs))
-                found[name] = sample_answers(asked[name], checks, rocking_of(case))
+                checks = checks_by_key(checks_without_scan(case, self.spectrum, self.motions, jobs=self.jobs))
+                found[name] = sample_answers(asked[name], checks, rocking_tables(case))
             except (AssessError, SpectrumError) as error:
-                found[name] = unbuilt(asked[name], str(error))
+                found[name] = unbuilt_sample(asked[name], str(error))
         return found
 
     def values(self, point: FloatArray) -> tuple[float, ...]:
@@ -170,7 +166,7 @@ class Sampler:
         return tuple(number.given.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
 
 
-def changes(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
+def find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
     """Return by mechanism and group which answers change when the group alone goes to both `ENDS`.
 
     The others are at their means, then at their values in the first sample.
@@ -183,7 +179,7 @@ def changes(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags
     changed: dict[tuple[str, str], Flags] = {}
     for base in (np.full(len(groups), np.nan), points[0]):
         names = [[each for each in sampler.questions if group in sampler.sampling.groups_of(each)] for group in groups]
-        asked = [(place, end) for place in range(len(groups)) for end in ENDS if names[place]]
+        asked = [(place, end) for place in range(len(groups)) for end in END_PROBABILITIES if names[place]]
         moved = [np.where(np.arange(len(groups)) == place, end, base) for place, end in asked]
         at_base = sampler.at(base)
         for (place, _), point in zip(asked, moved, strict=True):
@@ -197,7 +193,7 @@ def changes(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags
 def answers_of(
     name: str,
     tally: Tally,
-    asked: Mapping[Answer, Check],
+    asked: Mapping[CheckKey, Check],
     points: FloatArray,
     sampling: Sampling,
     changed: Mapping[tuple[str, str], Flags],
@@ -224,19 +220,285 @@ def answers_of(
         )
 
 
-def cut_off(numbers: Sequence[Sampled]) -> Iterator[Message]:
+def cut_off_messages(numbers: Sequence[SampledNumber]) -> Iterator[Message]:
     """Report distributions that reach beyond what is possible."""
     for number in numbers:
         share = share_cut_off(number)
-        if share > TOLD:
+        if share > LEAST_SHARE_REPORTED:
             mean = Quantity(mean_kept(number), "ratio", 3)
             yield note("uncertainty-cut-off", number.given.key, share=Quantity(share, "ratio", 2), mean=mean)
 
 
-def idle(sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]) -> Iterator[Message]:
+def no_effect_messages(
+    sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]
+) -> Iterator[Message]:
     """Report the groups that change no answer at all."""
     for group in sampling.groups:
         touched = [name for name in questions if group in sampling.groups_of(name)]
         if not any(changed[name, group].any() for name in touched):
             keys = ", ".join(number.given.key for number in sampling.numbers if number.given.group == group)
             yield note("uncertainty-idle", "analysis.uncertainty", keys=keys)
+
+
+PASSED, FAILED, OPEN = 0, 1, -1
+"""Outcomes of a sample; open: not answered."""
+SAME = 1e-9  # two ratios that differ by less are one
+Flags = NDArray[np.bool_]
+SampleOutcomes = NDArray[np.int8]
+
+
+@dataclass(frozen=True)
+class SampleAnswers:
+    """The answers of one sample, in the order of the questions.
+
+    ratio : demand over capacity [k]; inf where it fails without a finite one, nan where it is not answered
+    outcome : of `PASSED`, `FAILED`, `OPEN` [k]; rocking : the equation of its histories, None if it was not built
+    reasons : why not answered, by the place of the question
+    error : why the mechanism could not be built; then nothing is answered
+    """
+
+    ratio: FloatArray
+    outcome: SampleOutcomes
+    rocking: RockingTables | None = None
+    reasons: Mapping[int, Message] = field(default_factory=dict)
+    error: str = ""
+
+
+@dataclass(frozen=True)
+class RockingTables:
+    """The equation of motion of a mechanism over its inertia at rest, and how the ground's motion reaches its base."""
+
+    numbers: tuple[FloatArray, ...]
+    amplification: Amplification
+
+    def same(self, other: RockingTables) -> bool:
+        """Return whether two mechanisms rock alike, but for rounding."""
+        pairs = list(zip(self.numbers, other.numbers, strict=False))
+        alike = all(a.shape == b.shape and np.allclose(a, b, rtol=SAME, atol=SAME) for a, b in pairs)
+        return alike and len(self.numbers) == len(other.numbers) and self.amplification == other.amplification
+
+
+def rocking_tables(study: Study) -> RockingTables:
+    """Return how the one mechanism of a study rocks."""
+    (mechanism,) = study.mechanisms
+    numbers: list[FloatArray] = []
+    for branch in mechanism.variants.deciding.branches:
+        tables = (branch.inertia, branch.restoring, branch.excitation, branch.lift)
+        numbers += [branch.rotation, *(table / branch.inertia[0] for table in tables), np.array([branch.restitution])]
+    return RockingTables(tuple(numbers), study.amplified[mechanism.name].amplification)
+
+
+def sample_answers(
+    questions: Sequence[CheckKey], checks: Mapping[CheckKey, Check], rocking: RockingTables
+) -> SampleAnswers:
+    """Return the answers of the checks of a sample to the questions."""
+    found = [checks.get(each) for each in questions]
+    return SampleAnswers(
+        np.array([_ratio(check) for check in found]),
+        np.array([_outcome(check) for check in found], dtype=np.int8),
+        rocking,
+        {place: check.reason for place, check in enumerate(found) if check is not None and _outcome(check) == OPEN},
+    )
+
+
+def unbuilt_sample(questions: Sequence[CheckKey], why: str) -> SampleAnswers:
+    """Return a sample that could not be built, with the reason."""
+    count = len(questions)
+    return SampleAnswers(np.full(count, np.nan), np.full(count, OPEN, dtype=np.int8), error=why)
+
+
+def _outcome(check: Check | None) -> int:
+    if check is None or check.verdict not in (Outcome.PASS, Outcome.FAIL):
+        return OPEN
+    return FAILED if check.verdict == Outcome.FAIL else PASSED
+
+
+def _ratio(check: Check | None) -> float:
+    if check is None or _outcome(check) == OPEN:
+        return np.nan
+    if check.ratio is None:
+        return inf if check.verdict == Outcome.FAIL else 0.0
+    return check.ratio
+
+
+def same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags) -> Flags:
+    """Return which answers are the same in two samples, but for rounding [k].
+
+    histories : which answers follow from histories, that may amplify rounding; they are the same where the mechanism
+        rocks alike
+    """
+    near = np.isclose(one.ratio, other.ratio, rtol=SAME, atol=SAME, equal_nan=True) & (one.outcome == other.outcome)
+    alike = one.rocking is not None and other.rocking is not None and one.rocking.same(other.rocking)
+    return np.asarray(near | (histories & alike), dtype=np.bool_)
+
+
+class Tally:
+    """The ratios and outcomes of the samples of one mechanism [samples, questions], filled in sample by sample."""
+
+    def __init__(self, samples: int, questions: Sequence[CheckKey]) -> None:
+        self.questions = tuple(questions)
+        self.ratio = np.full((samples, len(questions)), np.nan)
+        self.outcome = np.full((samples, len(questions)), OPEN, dtype=np.int8)
+        self.unbuilt: tuple[int, str] = (0, "")
+        self.open: tuple[dict[str, tuple[int, Message]], ...] = tuple({} for _ in questions)
+
+    def put(self, sample: int, found: SampleAnswers) -> None:
+        """Keep the answers of one sample."""
+        self.ratio[sample], self.outcome[sample] = found.ratio, found.outcome
+        if found.error:
+            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or found.error)
+        for place, reason in found.reasons.items():
+            number, first = self.open[place].get(reason.key, (0, reason))
+            self.open[place][reason.key] = (number + 1, first)
+
+    def open_answers(self, place: int) -> Iterator[Message]:
+        """Yield how many samples have no answer to a question, with the first reason of each kind."""
+        samples = whole_number(len(self.outcome))
+        number, why = self.unbuilt
+        if number:
+            yield note("uncertainty-not-built", number=whole_number(number), samples=samples, why=why)
+        for number, reason in self.open[place].values():
+            yield note("uncertainty-open", number=whole_number(number), samples=samples, why=reason)
+
+
+class Statistics(TypedDict):
+    """The fields of an uncertain answer that are counted."""
+
+    answered: int
+    failed: int
+    probability: float | None
+    interval: tuple[float, float] | None
+    quantiles: tuple[float | None, ...]
+    ratios: tuple[float | None, ...]
+
+
+def statistics_of(ratio: FloatArray, outcome: SampleOutcomes) -> Statistics:
+    """Return what is counted over the samples of one answer.
+
+    Parameters
+    ----------
+    ratio : demand over capacity, inf where it fails without a finite one, nan where it is not answered [samples]
+    outcome : `PASSED`, `FAILED` or `OPEN` [samples]
+    """
+    answered, failed = int(np.count_nonzero(outcome != OPEN)), int(np.count_nonzero(outcome == FAILED))
+    low, high = wilson_interval(failed, answered) if answered else (0.0, 0.0)
+    return Statistics(
+        answered=answered,
+        failed=failed,
+        probability=failed / answered if answered else None,
+        interval=(float(low), float(high)) if answered else None,
+        quantiles=quantiles(ratio[outcome != OPEN]),
+        ratios=tuple(float(each) if np.isfinite(each) else None for each in ratio),
+    )
+
+
+def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
+    """Return the quantiles of ratios at `QUANTILES`, linear between samples; None where there is no finite one."""
+    if not ratio.size:
+        return (None,) * len(QUANTILES)
+    rising = np.sort(ratio)
+    place = np.array(QUANTILES) / 100.0 * (rising.size - 1)
+    below, above = rising[np.floor(place).astype(int)], rising[np.ceil(place).astype(int)]
+    finite = np.isfinite(above)
+    step = np.subtract(above, below, where=finite, out=np.zeros_like(above))
+    found = below + (place % 1.0) * step
+    return tuple(float(each) if known else None for each, known in zip(found, finite, strict=True))
+
+
+def influences_of(
+    columns: Mapping[str, FloatArray],
+    keys: Mapping[str, tuple[str, ...]],
+    ratio: FloatArray,
+    outcome: SampleOutcomes,
+    moves: Mapping[str, bool],
+) -> tuple[Influence, ...]:
+    """Return what each group does to one answer: Spearman's correlation of the ranks, and its square.
+
+    Groups are sampled independently, so that the square is the share of the variance of the ranks of the answer that
+    a straight line over the ranks of the group explains.
+
+    Parameters
+    ----------
+    columns : probability at which each group is in each sample [samples], by group
+    keys : of the numbers of each group
+    ratio, outcome : of the answer [samples]
+    moves : whether the group changes the answer at all
+    """
+    known = outcome != OPEN
+    found = []
+    for group, column in columns.items():
+        rho = spearman(column[known], ratio[known]) if moves[group] else None
+        found.append(Influence(group, keys[group], rho, None if rho is None else rho**2))
+    return tuple(found)
+
+
+def spearman(one: FloatArray, other: FloatArray) -> float | None:
+    """Return the correlation of the ranks of two samples, equal values at their mean rank; None if one is constant."""
+    from scipy.stats import rankdata  # late: it takes a third of a second
+
+    if one.size < 2 or np.ptp(one) == 0.0 or np.all(other == other[0]):
+        return None
+    a, b = rankdata(one), rankdata(other)
+    return float(np.corrcoef(a, b)[0, 1])
+
+
+MEAN_POINTS = 4096
+"""Equally likely values that a mean is taken over."""
+
+
+def values_at(number: SampledNumber, probability: ArrayLike) -> FloatArray:
+    """Return the values of a number that it does not exceed with these probabilities.
+
+    Parameters
+    ----------
+    number : with its mean m and coefficient of variation V
+    probability : in (0, 1) [n]
+
+    Returns
+    -------
+    [n] [unit of the number]
+    """
+    given = number.given
+    below, above = _beyond_limits(number)
+    p = below + np.asarray(probability, dtype=np.float64) * (1.0 - below - above)
+    return given.mean * _values_over_mean(given.distribution, given.cov, p)
+
+
+def share_cut_off(number: SampledNumber) -> float:
+    """Return the probability that a number would lie beyond its physical limits, if it had none."""
+    return sum(_beyond_limits(number))
+
+
+def mean_kept(number: SampledNumber) -> float:
+    """Return the mean of the values that a number takes within its physical limits, over the mean that is given."""
+    middles = (np.arange(MEAN_POINTS) + 0.5) / MEAN_POINTS
+    return float(values_at(number, middles).mean() / number.given.mean)
+
+
+def _beyond_limits(number: SampledNumber) -> tuple[float, float]:
+    """Return the probabilities below the least and above the most share of the mean."""
+    kind, cov = number.given.distribution, number.given.cov
+    return _probability(kind, cov, number.least), 1.0 - _probability(kind, cov, number.most)
+
+
+def _values_over_mean(kind: Distribution, cov: float, p: FloatArray) -> FloatArray:
+    """Return values over the mean: 1 + V z; exp(b z - b^2 / 2) with b^2 = ln(1 + V^2); 1 + sqrt(3) V (2 p - 1)."""
+    if kind == "uniform":
+        return 1.0 + sqrt(3.0) * cov * (2.0 * p - 1.0)
+    z = ndtri(p)
+    if kind == "normal":
+        return np.asarray(1.0 + cov * z)
+    b = sqrt(log1p(cov**2))
+    return np.asarray(np.exp(b * z - b**2 / 2.0))
+
+
+def _probability(kind: Distribution, cov: float, share: float) -> float:
+    """Return the probability of a value below a share of the mean: the inverse of `_shares`."""
+    if kind == "uniform":
+        return float(np.clip(0.5 + (share - 1.0) / (2.0 * sqrt(3.0) * cov), 0.0, 1.0))
+    if kind == "normal":
+        return float(ndtr((share - 1.0) / cov))
+    if share <= 0.0:
+        return 0.0
+    b = sqrt(log1p(cov**2))
+    return float(ndtr((np.log(share) + b**2 / 2.0) / b))

@@ -1,4 +1,4 @@
-"""Cases run again and compared."""
+"""Solved cases run again, in processes, and compared with their sources."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ from pathlib import Path, PurePosixPath
 from posixpath import normpath
 from typing import Any
 
-from assess.results.inputs import Input
-from assess.results.program import describe_program
+from assess.results.inputs import Input, describe_program
 from assess.results.verification import (
     VERIFICATION_VERSION,
     CaseResult,
@@ -22,10 +21,11 @@ from assess.results.verification import (
     ValueResult,
     VerificationResults,
 )
-from assess.verification.case import LARGEST, CaseFile, Quantity
+from assess.verification.case_files import LARGEST_NUMBER, CaseFile, ComparedQuantity
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
+
 NAMES = ("name", "id", "procedure", "symbol", "record")
 """The keys by which an item of a list is found."""
 
@@ -52,7 +52,7 @@ def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Cover
 
     Parameters
     ----------
-    uses : in the words of `assess.results.uses`
+    uses : in the words of `assess.results.solved_cases`
     cases : that were run
     """
     every = tuple(cases)
@@ -65,9 +65,9 @@ def note_scope(results: VerificationResults, uses: Sequence[str]) -> Verificatio
     Parameters
     ----------
     results : of the cases that were run
-    uses : what the project uses, in the words of `assess.results.uses`; empty for no project
+    uses : what the project uses, in the words of `assess.results.solved_cases`; empty for no project
     """
-    from assess.verification.read import cases_for, read_cases
+    from assess.verification.case_files import cases_for, read_cases
 
     own = read_cases()
     run = {each.key for each in results.cases}
@@ -163,15 +163,15 @@ def _sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def _compare(quantity: Quantity, tree: Mapping[str, Any]) -> QuantityResult:
+def _compare(quantity: ComparedQuantity, tree: Mapping[str, Any]) -> QuantityResult:
     values = tuple(_value(quantity, row, expected, tree) for row, expected in quantity.values.items())
     return QuantityResult(quantity.name, quantity.unit, quantity.tolerance, values)
 
 
-def _value(quantity: Quantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
+def _value(quantity: ComparedQuantity, row: str, expected: float, tree: Mapping[str, Any]) -> ValueResult:
     found, divisor = _find(tree, quantity.path, row), _find(tree, quantity.over, row) if quantity.over else 1.0
     scaled = None if found is None or not divisor else found / divisor * quantity.factor
-    if scaled is not None and not abs(scaled) <= LARGEST:
+    if scaled is not None and not abs(scaled) <= LARGEST_NUMBER:
         scaled = None
     misprint = quantity.misprints.get(row)
     reference = expected if misprint is None else misprint.reading

@@ -14,10 +14,10 @@ from pydantic import TypeAdapter
 from assess.results import MechanismResult, Results
 from assess.results.json import loads
 from assess.results.verification import CaseResult, QuantityResult, ValueResult
+from reports.assessment import report_figure
 from reports.figures import capacity, sketch
 from reports.figures.style import FAIL, HALF, INK, MUTED, PAPER, PASS, WIDTH, report_style, sheet
 from reports.language.locale import Locale
-from reports.report_figure import report_figure
 
 OF_A_RUN = ("key-plan", "curves")
 OF_A_MECHANISM = ("view", "sketch", "moment", "capacity", "history", "envelope")
@@ -99,8 +99,8 @@ def draw_mechanisms(mechanisms: tuple[MechanismResult, ...]) -> Iterator[tuple[s
     """Yield name, caption and figure of the first and the last mechanism: in its plane, and its moments."""
     for place, each in enumerate(mechanisms[:: max(1, len(mechanisms) - 1)][:2]):
         named = each.label or each.name
-        yield f"sketch-{place}", CAPTIONS["sketch"].format(named), sketch.draw(each, LOCALE)
-        yield f"capacity-{place}", CAPTIONS["capacity"].format(named), capacity.draw(each, LOCALE)
+        yield f"sketch-{place}", CAPTIONS["sketch"].format(named), sketch.draw_sketch(each, LOCALE)
+        yield f"capacity-{place}", CAPTIONS["capacity"].format(named), capacity.draw_capacity(each, LOCALE)
 
 
 def draw_project(results: Results) -> Iterator[tuple[str, str, Figure]]:

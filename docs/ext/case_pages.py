@@ -8,9 +8,9 @@ from itertools import groupby
 from pathlib import Path
 
 from assess.examples import source
-from assess.project.schema import FILE_NAME
+from assess.project.project_file import FILE_NAME
 from assess.results.verification import CaseResult, QuantityResult, ValueResult
-from assess.verification.case import CaseFile
+from assess.verification.case_files import CaseFile
 from docs.ext.markdown import cell, escape
 
 SHOWN = {".toml": "toml", ".csv": "text"}  # files that are shown, as what

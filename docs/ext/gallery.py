@@ -13,10 +13,9 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from assess.results.program import sources_digest
+from assess.results.inputs import sources_digest
 from assess.results.verification import CaseResult
-from assess.verification.case import CaseFile
-from assess.verification.read import read_cases
+from assess.verification.case_files import CaseFile, read_cases
 from assess.verification.verify import compare_case, solve_case
 from assess.workers import process_pool
 from docs.ext.case_figures import (

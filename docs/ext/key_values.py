@@ -12,8 +12,8 @@ from pydantic import WithJsonSchema
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from assess.project.sections.uncertain_number import Uncertain
 from assess.project.units import Kind
+from assess.project.values import UncertainMark
 from docs.ext.schema_tables import form, is_table, target, title
 
 PLAIN: dict[Any, str] = {
@@ -31,7 +31,7 @@ def value_words(field: FieldInfo) -> str:
     """Return what a key may hold, as Markdown."""
     words = _words(field.annotation, tuple(field.metadata))
     marks = _flat((*field.metadata, *_nested(field.annotation)))
-    return f"{words}; or `{{ mean, cov }}`" if any(isinstance(mark, Uncertain) for mark in marks) else words
+    return f"{words}; or `{{ mean, cov }}`" if any(isinstance(mark, UncertainMark) for mark in marks) else words
 
 
 def default_words(field: FieldInfo) -> str:

@@ -10,8 +10,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from assess.examples import EXAMPLES, copy_example
-from assess.project.schema import FILE_NAME, load
-from assess.project.section import Section
+from assess.project.project_file import FILE_NAME, load
+from assess.project.section import ProjectSection
 from docs.ext.schema_tables import Place, Table
 
 LONGEST = 110  # columns of a line
@@ -41,9 +41,9 @@ def _written() -> dict[Table, list[tuple[str, Mapping[str, Any]]]]:
     return found
 
 
-def _tables(value: Any, raw: Any, path: str) -> Iterator[tuple[str, Section, Mapping[str, Any]]]:
+def _tables(value: Any, raw: Any, path: str) -> Iterator[tuple[str, ProjectSection, Mapping[str, Any]]]:
     """Yield every table within a value that was read, beside how it was written."""
-    if isinstance(value, Section) and isinstance(raw, Mapping):
+    if isinstance(value, ProjectSection) and isinstance(raw, Mapping):
         yield path, value, raw
         for key, inner in value.entries().items():
             if key in raw:

@@ -11,10 +11,10 @@ from typing import Any, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from assess.project.section import Section
+from assess.project.section import ProjectSection
 from assess.project.sections.content import Content
 
-Table = type[Section]
+Table = type[ProjectSection]
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def _below(path: str, annotation: Any) -> Iterator[Place]:
 
 def is_table(annotation: Any) -> bool:
     """Return whether a type is that of a table."""
-    return isinstance(annotation, type) and issubclass(annotation, Section)
+    return isinstance(annotation, type) and issubclass(annotation, ProjectSection)
 
 
 def title(table: Table) -> str:

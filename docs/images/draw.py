@@ -23,7 +23,7 @@ from scipy.constants import g
 import assess
 from assess import Block, Record
 from assess.oscillator import Oscillator
-from records.synthetic import artificial
+from records.synthetic import artificial_records
 
 THICKNESS, LENGTH, HEIGHT, DENSITY = 0.6, 4.0, 4.5, 2000.0  # m, kg/m3: the wall of README.md
 SCALES = (1.0, 1.4)  # of the record in the picture of the wall: the wall stays up, and overturns
@@ -77,7 +77,7 @@ def wall_block() -> Block:
 
 def ground() -> Record:
     """Return an artificial record for the EN 1998-1 spectrum of README.md."""
-    return artificial(assess.spectrum("ec8", a_g=0.25 * g, ground_type="C"), count=1, seed=1)[0]
+    return artificial_records(assess.spectrum("ec8", a_g=0.25 * g, ground_type="C"), count=1, seed=1)[0]
 
 
 def _draw_rocking_wall(axes: Axes, *, rotation: float) -> None:

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import assess
 from assess.results.fragility import FragilityResults
+from reports.assessment import report_figure
 from reports.figures import fragility
 from reports.language.locale import Locale
 from reports.render.figure_file import write_figure
-from reports.report_figure import report_figure
 
 PROJECT = Path(__file__).parent / "guide.toml"
 FIGURES: dict[str, tuple[str, str | None]] = {
@@ -51,7 +51,7 @@ def _draw_fragility(results: FragilityResults, path: Path) -> None:
     """Draw the curve of overturning of the façade."""
     facade = next(each for each in results.mechanisms if each.name == "facade")
     curve = next(each for each in facade.curves if each.state.name == "overturning")
-    print(write_figure(fragility.draw(curve, Locale()), path, creator="assess"))
+    print(write_figure(fragility.draw_fragility(curve, Locale()), path, creator="assess"))
 
 
 if __name__ == "__main__":

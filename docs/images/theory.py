@@ -17,10 +17,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Polygon
 
-from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.motion import move, trace_point
+from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.restitution import housner, sorrentino
-from assess.oscillator import SingleBlock, displacement, multiplier
+from assess.mechanisms.virtual_work import move, trace_point
+from assess.oscillator import RockingBlock, displacement, multiplier
 
 Blocks = tuple[tuple[Point, ...], ...]
 CHAINS: dict[str, tuple[Blocks, tuple[Point, ...], float]] = {
@@ -58,7 +58,7 @@ def _draw_chain(axes: Axes, blocks: Blocks, hinges: tuple[Point, ...], rotation:
     axes.set(aspect="equal", xlim=(-1.3, hinges[-1][0] + 1.0), ylim=(-0.7, 3.7))
     axes.axis("off")
     axes.plot([-1.2, hinges[-1][0] + 0.9], [0, 0], color=INK, lw=1.0)
-    motion = move(Chain(tuple(Block(1.0, corners[0], 1.0) for corners in blocks), hinges), np.array([rotation]))
+    motion = move(Chain(tuple(RigidBlock(1.0, corners[0], 1.0) for corners in blocks), hinges), np.array([rotation]))
     for number, corners in enumerate(blocks):
         axes.add_patch(Polygon(corners, facecolor=GHOST, edgecolor=MUTED, lw=0.7, ls="--"))
         paths = [trace_point(motion, block=number, at=corner) for corner in corners]
@@ -79,7 +79,7 @@ def draw_restitution() -> Figure:
     figure = Figure(figsize=(6.2, 2.9), layout="constrained")
     axes = figure.subplots()
     alpha = np.linspace(0.02, 0.6, 120)
-    blocks = [SingleBlock(1.0, 1.0, float(each), 4.0 / 3.0) for each in alpha]
+    blocks = [RockingBlock(1.0, 1.0, float(each), 4.0 / 3.0) for each in alpha]
     axes.plot(alpha, [housner(block) for block in blocks], color=RED, lw=1.6)
     axes.plot(alpha, [-sorrentino(block) for block in blocks], color=BLUE, lw=1.6)
     axes.text(0.33, 0.88, "two-sided: Housner 1963", color=RED)

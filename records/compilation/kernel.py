@@ -25,8 +25,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.misc.appdirs import AppDirs
 
-from records.compilation.folder import NAME, find_folder
-from records.compilation.sources import key
+from records.compilation import CACHE_NAME, find_folder, sources_key
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -51,8 +50,8 @@ def code_folder() -> Path | None:
 @cache
 def _place() -> tuple[str, Path] | None:
     """The hash of the sources, taken before most of them are imported, and the folder of that name."""
-    of = key(VERSIONS)
-    user = AppDirs(appname=NAME, appauthor=False).user_cache_dir
+    of = sources_key(VERSIONS)
+    user = AppDirs(appname=CACHE_NAME, appauthor=False).user_cache_dir
     folder = find_folder(of, given=os.environ.get("NUMBA_CACHE_DIR", ""), user=user) if of else None
     return (of, folder) if of and folder else None
 
@@ -78,7 +77,7 @@ class KernelCache(FunctionCache):
     def save_overload(self, signature: Any, compiled: Any) -> None:
         """Keep what was compiled, unless sources were replaced while they were imported; a full disk is no error."""
         lasting = not compiled.lifted and not compiled.library.has_dynamic_globals
-        if self._enabled and lasting and key(VERSIONS) == self._key:
+        if self._enabled and lasting and sources_key(VERSIONS) == self._key:
             _write(self._file(signature, compiled.codegen), dumps(compiled._reduce()))
 
     def flush(self) -> None:

@@ -9,18 +9,18 @@ from __future__ import annotations
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from records.compliance.requirement import (
+from records.compliance.suite import (
     Requirement,
-    Rule,
+    RequirementKind,
+    Suite,
     check_limit,
     mean_at_least,
     mean_at_most,
     mean_ratio,
-    no_answer,
+    not_answered,
     usable_to,
     with_least_factor,
 )
-from records.compliance.suite import Suite
 from spectra.arrays import FloatArray
 
 CODE = "ASCE 43-05"
@@ -82,22 +82,26 @@ def _fitted(suite: Suite, *, longest: float) -> tuple[Requirement, ...]:
     made = suite.artificial
     step, duration = suite.dt[made].max(), suite.duration[made].min()
     return (
-        check_limit(CODE, CLAUSE, Rule.STEP, "largest time step", step, "<=", LONGEST_STEP, unit="s"),
-        check_limit(CODE, CLAUSE, Rule.DURATION, "shortest duration", duration, ">=", SHORTEST, unit="s"),
+        check_limit(CODE, CLAUSE, RequirementKind.STEP, "largest time step", step, "<=", LONGEST_STEP, unit="s"),
+        check_limit(CODE, CLAUSE, RequirementKind.DURATION, "shortest duration", duration, ">=", SHORTEST, unit="s"),
         *fit_of_mean(suite, fit_periods(longest=longest)),
         *usable_to(suite, CODE, METHOD, longest=longest),
     )
 
 
 def _number(suite: Suite, least: int, remark: str) -> Requirement:
-    return check_limit(CODE, METHOD, Rule.COUNT, "number of records", suite.count, ">=", least, remark=remark)
+    return check_limit(
+        CODE, METHOD, RequirementKind.COUNT, "number of records", suite.count, ">=", least, remark=remark
+    )
 
 
 def _running_below(suite: Suite, periods: tuple[float, float]) -> Requirement:
     what, ratio = "points side by side below the target", mean_ratio(suite, periods)
     if ratio is None:
-        return no_answer(CODE, CLAUSE, Rule.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
-    found = check_limit(CODE, CLAUSE, Rule.RUN_BELOW, what, longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods)
+        return not_answered(CODE, CLAUSE, RequirementKind.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
+    found = check_limit(
+        CODE, CLAUSE, RequirementKind.RUN_BELOW, what, longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods
+    )
     return with_least_factor(found, factor_against_runs(ratio))
 
 

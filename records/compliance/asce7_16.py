@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from records.compliance.requirement import Requirement, Rule, check_limit, mean_at_least
-from records.compliance.suite import Suite
+from records.compliance.suite import Requirement, RequirementKind, Suite, check_limit, mean_at_least
 
 CODE = "ASCE 7-16"
 LEAST_RECORDS = 11
@@ -26,6 +25,8 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     """
     periods = interest(shortest=shortest, longest=longest)
     return (
-        check_limit(CODE, "16.2.2", Rule.COUNT, "number of ground motions", suite.count, ">=", LEAST_RECORDS),
+        check_limit(
+            CODE, "16.2.2", RequirementKind.COUNT, "number of ground motions", suite.count, ">=", LEAST_RECORDS
+        ),
         mean_at_least(suite, CODE, "16.2.3.2", share=BELOW, periods=periods, remark=REMARK),
     )

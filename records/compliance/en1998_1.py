@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from records.compliance.requirement import Requirement, Rule, check_limit, mean_at_least, with_least_factor
-from records.compliance.suite import Suite
+from records.compliance.suite import Requirement, RequirementKind, Suite, check_limit, mean_at_least, with_least_factor
 
 CODE = "EN 1998-1:2004"
 LEAST_RECORDS = 3
@@ -24,10 +23,19 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     peaks = float(np.mean(suite.pga)) / suite.target_pga
     return (
         check_limit(
-            CODE, f"{clause}a", Rule.COUNT, "number of accelerograms", suite.count, ">=", LEAST_RECORDS, remark=seven
+            CODE,
+            f"{clause}a",
+            RequirementKind.COUNT,
+            "number of accelerograms",
+            suite.count,
+            ">=",
+            LEAST_RECORDS,
+            remark=seven,
         ),
         with_least_factor(
-            check_limit(CODE, f"{clause}b", Rule.PEAK, "mean zero-period ordinate over a_g S", peaks, ">=", 1.0),
+            check_limit(
+                CODE, f"{clause}b", RequirementKind.PEAK, "mean zero-period ordinate over a_g S", peaks, ">=", 1.0
+            ),
             1.0 / peaks,
         ),
         mean_at_least(suite, CODE, f"{clause}c", share=BELOW, periods=periods),

@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
-from records.compliance.requirement import Requirement, Rule, check_limit, mean_at_least, mean_at_most, usable_to
-from records.compliance.suite import Suite
+from records.compliance.suite import (
+    Requirement,
+    RequirementKind,
+    Suite,
+    check_limit,
+    mean_at_least,
+    mean_at_most,
+    usable_to,
+)
 
 CODE = "NTC 2018"
 CLAUSE = "3.2.3.6"
@@ -57,13 +64,24 @@ def _artificial(suite: Suite, *, longest: float) -> tuple[Requirement, ...]:
     made, level = suite.artificial, "shortest stationary part"
     return (
         check_limit(
-            CODE, CLAUSE, Rule.DURATION, "shortest duration", suite.duration[made].min(), ">=", SHORTEST, unit="s"
+            CODE,
+            CLAUSE,
+            RequirementKind.DURATION,
+            "shortest duration",
+            suite.duration[made].min(),
+            ">=",
+            SHORTEST,
+            unit="s",
         ),
-        check_limit(CODE, CLAUSE, Rule.STATIONARY, level, suite.stationary[made].min(), ">=", STATIONARY, unit="s"),
+        check_limit(
+            CODE, CLAUSE, RequirementKind.STATIONARY, level, suite.stationary[made].min(), ">=", STATIONARY, unit="s"
+        ),
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=fit_periods(longest=longest)),
     )
 
 
 def _number(suite: Suite) -> Requirement:
     least, remark = (LEAST_ARTIFICIAL, ARTIFICIAL) if suite.artificial.any() else (LEAST_RECORDS, SEVEN)
-    return check_limit(CODE, "7.3.5", Rule.COUNT, "number of time histories", suite.count, ">=", least, remark=remark)
+    return check_limit(
+        CODE, "7.3.5", RequirementKind.COUNT, "number of time histories", suite.count, ">=", least, remark=remark
+    )

@@ -6,8 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from records.compliance.requirement import Requirement, Rule, Sense, check_limit, no_answer, with_least_factor
-from records.compliance.suite import Suite
+from records.compliance.suite import (
+    Requirement,
+    RequirementKind,
+    Sense,
+    Suite,
+    check_limit,
+    not_answered,
+    with_least_factor,
+)
 from spectra.arrays import BoolArray, FloatArray
 
 CODE = "NZS 1170.5:2004"
@@ -33,31 +40,31 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     k_2 is what then brings the largest of the records up to the target at every period, at least 1.
     """
     periods = interest(shortest=shortest, longest=longest)
-    number = check_limit(CODE, "5.5.1", Rule.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
+    number = check_limit(CODE, "5.5.1", RequirementKind.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
     least, most = "least record scale factor k_1", "largest record scale factor k_1"
     fit, family = "largest misfit D_1 of a record", "family scale factor k_2"
     fits = _fits(suite, periods)
     if fits is None:
-        rows: tuple[tuple[Rule, str, Sense, float], ...] = (
-            (Rule.FACTOR, least, ">=", LEAST_FACTOR),
-            (Rule.FACTOR, most, "<=", LARGEST_FACTOR),
-            (Rule.FIT, fit, "<=", LOG_FIT),
-            (Rule.FIT, family, "<=", FAMILY),
-            (Rule.IN_USE, IN_USE, ">=", 1.0),
+        rows: tuple[tuple[RequirementKind, str, Sense, float], ...] = (
+            (RequirementKind.FACTOR, least, ">=", LEAST_FACTOR),
+            (RequirementKind.FACTOR, most, "<=", LARGEST_FACTOR),
+            (RequirementKind.FIT, fit, "<=", LOG_FIT),
+            (RequirementKind.FIT, family, "<=", FAMILY),
+            (RequirementKind.IN_USE, IN_USE, ">=", 1.0),
         )
         silent = (
-            no_answer(CODE, "5.5.2", rule, what, sense, limit, periods, suite) for rule, what, sense, limit in rows
+            not_answered(CODE, "5.5.2", rule, what, sense, limit, periods, suite) for rule, what, sense, limit in rows
         )
         return (number, *silent)
     k_1, k_2, used = fits.k_1, fits.k_2, float((suite.factor / (fits.k_1 * fits.k_2)).min())
     return (
         number,
-        check_limit(CODE, "5.5.2", Rule.FACTOR, least, k_1.min(), ">=", LEAST_FACTOR, periods=periods),
-        check_limit(CODE, "5.5.2", Rule.FACTOR, most, k_1.max(), "<=", LARGEST_FACTOR, periods=periods),
-        check_limit(CODE, "5.5.2", Rule.FIT, fit, fits.D_1.max(), "<=", LOG_FIT, periods=periods),
-        check_limit(CODE, "5.5.2", Rule.FIT, family, k_2, "<=", FAMILY, periods=periods),
+        check_limit(CODE, "5.5.2", RequirementKind.FACTOR, least, k_1.min(), ">=", LEAST_FACTOR, periods=periods),
+        check_limit(CODE, "5.5.2", RequirementKind.FACTOR, most, k_1.max(), "<=", LARGEST_FACTOR, periods=periods),
+        check_limit(CODE, "5.5.2", RequirementKind.FIT, fit, fits.D_1.max(), "<=", LOG_FIT, periods=periods),
+        check_limit(CODE, "5.5.2", RequirementKind.FIT, family, k_2, "<=", FAMILY, periods=periods),
         with_least_factor(
-            check_limit(CODE, "5.5.2", Rule.IN_USE, IN_USE, used, ">=", 1.0, periods=periods), 1.0 / used
+            check_limit(CODE, "5.5.2", RequirementKind.IN_USE, IN_USE, used, ">=", 1.0, periods=periods), 1.0 / used
         ),
     )
 

@@ -20,7 +20,7 @@ from records.formats import (
     plain,
     smc,
 )
-from records.formats.header_overrides import HeaderOverrides
+from records.formats.header import HeaderOverrides
 from records.record import Record
 
 

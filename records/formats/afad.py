@@ -14,12 +14,9 @@ from pathlib import Path
 
 from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_peak
-from records.formats.header_overrides import HeaderOverrides
+from records.formats.header import HeaderOverrides, check_count, check_peak, iso_of
 from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
-from records.formats.times import iso_of
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 from spectra.arrays import FloatArray
 
 NAME = "AFAD"
@@ -142,9 +139,9 @@ def _earthquake(text: dict[str, str]) -> Earthquake:
     )
 
 
-def _site(text: dict[str, str]) -> Site:
+def _site(text: dict[str, str]) -> StationSite:
     latitude, longitude = _degrees(text.get("STATION COORDINATES", ""))
-    return Site(latitude=latitude, longitude=longitude, elevation=number(text.get("STATION ALTITUDE (m)", "")))
+    return StationSite(latitude=latitude, longitude=longitude, elevation=number(text.get("STATION ALTITUDE (m)", "")))
 
 
 def _degrees(text: str) -> tuple[float | None, float | None]:

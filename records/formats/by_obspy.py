@@ -21,10 +21,9 @@ import numpy as np
 
 from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.header_overrides import GIVE_UNIT, HeaderOverrides
+from records.formats.header import GIVE_UNIT, HeaderOverrides
 from records.formats.samples import acceleration_factor, number
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 
 MINISEED, SAC = "MiniSEED", "SAC"
 QUALITIES = b"DRQM"  # of a MiniSEED 2 record
@@ -179,7 +178,9 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
         earthquake=Earthquake(
             magnitude=_number(trace, "mag"), latitude=_number(trace, "evla"), longitude=_number(trace, "evlo")
         ),
-        site=Site(latitude=_number(trace, "stla"), longitude=_number(trace, "stlo"), elevation=_number(trace, "stel")),
+        site=StationSite(
+            latitude=_number(trace, "stla"), longitude=_number(trace, "stlo"), elevation=_number(trace, "stel")
+        ),
     )
 
 

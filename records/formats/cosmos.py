@@ -5,30 +5,39 @@
     42000 acceleration pts, approx  210 secs, units=cm/sec2(04),Format=(1E15.6)
 
 The step is real value 62 [ms]; real value 34 is that of the raw data. Files may hold several channels, and velocity
-and displacement beside acceleration, which alone is read. Source: COSMOS strong-motion data format v1.20 (2001), tables
-of integer and real header values.
+and displacement beside acceleration, which alone is read. What the header says in words it says again in numbers, and
+the samples below must agree with both. Source: COSMOS strong-motion data format v1.20 (2001), tables of text, integer
+and real header values.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from assess.messages.message import note
+from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_peak
-from records.formats.cosmos_header import check_header
-from records.formats.header_overrides import HeaderOverrides
-from records.formats.samples import acceleration_factor, numbers, numeric_end, text_lines, uniform_numbers
-from records.formats.times import iso
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.formats.header import (
+    HeaderOverrides,
+    check_count,
+    check_duration,
+    check_peak,
+    check_same,
+    check_time_of_peak,
+    describe_disagreement,
+    iso,
+    nyquist_warning,
+    warn_of_difference,
+)
+from records.formats.samples import acceleration_factor, number, numbers, numeric_end, text_lines, uniform_numbers
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 from spectra.arrays import FloatArray
 
 NAME = "COSMOS"
-
 FIRST = re.compile(r".*\(Format v\d[\d.]* with\s+\d+ text lines\)")
 BLOCK = re.compile(r"\s*\d+\s+(Integer|Real)-header values follow on\s+(\d{1,4})\s+lines")
+
 SERIES = re.compile(
     r"\s*(\d+)\s+(.*?)\s*(?:pts|points),?\s*approx\s+([\d.]+)\s*secs?,\s*units=\s*([^,(]+?)\s*(?:\(\s*\d+\s*\))?\s*,"
 )
@@ -101,7 +110,7 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         azimuth=azimuth_of(f"{degrees:.0f}") if degrees and 0 < degrees <= 360 else azimuth_of(component),
         distance=_metres(_known(reals, DISTANCE)),
         earthquake=_earthquake(lines[start:at], reals),
-        site=Site(_known(reals, STATION), _known(reals, STATION + 1), _known(reals, STATION + 2)),
+        site=StationSite(_known(reals, STATION), _known(reals, STATION + 1), _known(reals, STATION + 2)),
         warnings=(uneven, odd, *warnings),
     )
 
@@ -170,3 +179,87 @@ def _time(origin: re.Match[str]) -> str:
     """Return the time as ISO 8601; dates are month/day/year, or year/month/day where the year comes first."""
     one, two, three, *clock = origin.groups()
     return iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
+
+
+UNKNOWN_VALUE = -999.0
+NUMBER = "number in the header"
+AZIMUTH_INTEGER, STARTED = 53, 39  # indices of integers, from 0: year, day of the year, month, day, hour, minute
+SITE, EPICENTRE_REAL, SECONDS, HIGHEST = 0, 9, 29, 25  # of reals
+LENGTH, PEAK_REAL, TIME = 62, 63, 64
+CHANNEL_AZIMUTH = re.compile(r"Sta\s+Cha?n?\s*:?\s*[\w?]*\s*:\s*(\d+)\s*deg", re.IGNORECASE)
+PROCESSED = re.compile(r"Processed.*\bMax\s*=\s*([-+\d.]+)\s+\S+\s+at\s+([\d.]+)\s*sec", re.IGNORECASE)
+
+PLACES = (
+    ("latitude", "longitude", re.compile(r"Coords:\s*([-+\d.]+)[\s,]+([-+\d.]+)"), SITE),
+    (
+        "epicentre's latitude",
+        "epicentre's longitude",
+        re.compile(r"Hypocenter:\s*([-+\d.]+)[\s,]+([-+\d.]+)"),
+        EPICENTRE_REAL,
+    ),
+)
+RECORDER = re.compile(r"Rcrd start time:\s*(\d+)/(\d+)/(\d+)[,\s]+(\d+):(\d+):([\d.]+)")
+FILTER = re.compile(r"Record filtered below.*\babove\s+([\d.]+)\s*Hz", re.IGNORECASE)
+
+
+def check_header(
+    text: Sequence[str],
+    integers: FloatArray,
+    reals: FloatArray,
+    samples: FloatArray,
+    dt: float,
+    *,
+    path: Path,
+    line: int,
+) -> list[Message | None]:
+    """Refuse step [s], length, peak and azimuth that are not the same everywhere; return warnings about the rest.
+
+    Parameters
+    ----------
+    text : every line above the samples; it begins on `line`
+    integers, reals : its numbers
+    samples : accelerations as printed [n]
+    """
+    words = "\n".join(text)
+    where = f"line {line}: the header's"
+    check_duration(f"{where} length", _finite_value(reals, LENGTH), size=samples.size, dt=dt, slack=0.006, path=path)
+    check_time_of_peak(_finite_value(reals, TIME), samples, dt, slack=0.006, path=path)
+    processed, channel = PROCESSED.search(words), CHANNEL_AZIMUTH.search(words)
+    peak, when = (number(processed[1]), number(processed[2])) if processed else (None, None)
+    check_same(f"{where} peak", peak, "real value 64", _finite_value(reals, PEAK_REAL), slack=0.002, path=path)
+    check_same(f"{where} time of the peak", when, "real value 65", _finite_value(reals, TIME), slack=0.006, path=path)
+    azimuth = _finite_value(integers, AZIMUTH_INTEGER)
+    printed = number(channel[1]) if channel else None
+    if printed is not None and azimuth is not None and 0.0 < azimuth <= 360.0:
+        check_same(f"{where} azimuth", printed % 360.0, "integer value 54", azimuth % 360.0, slack=1.0, path=path)
+    passed = FILTER.search(words)
+    return [
+        *_place_warnings(words, reals),
+        _start_warning(words, integers, reals),
+        nyquist_warning(number(passed[1]) if passed else None, dt),
+    ]
+
+
+def _finite_value(values: FloatArray, index: int) -> float | None:
+    return number(str(values[index]), unknown=(UNKNOWN_VALUE,)) if index < values.size else None
+
+
+def _place_warnings(words: str, reals: FloatArray) -> Iterator[Message | None]:
+    """Yield warnings about where the site and the epicentre are, sign and all."""
+    for *names, pattern, at in PLACES:
+        found = pattern.search(words)
+        for i, name in enumerate(names):
+            printed = number(found[i + 1]) if found else None
+            yield warn_of_difference(name, printed, NUMBER, _finite_value(reals, at + i), slack=1e-3)
+
+
+def _start_warning(words: str, integers: FloatArray, reals: FloatArray) -> Message | None:
+    """Return a warning about when the recorder started, to the second."""
+    found = RECORDER.search(words)
+    seconds, numbers = _finite_value(reals, SECONDS), [_finite_value(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
+    if found is None or seconds is None or None in numbers:
+        return None
+    again = iso(*(f"{each:.0f}" for each in numbers), str(seconds))
+    one, two, three, *clock = found.groups()
+    printed = iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
+    return describe_disagreement("start", printed, NUMBER, again) if printed[:19] != again[:19] else None

@@ -14,15 +14,16 @@ from pathlib import Path
 
 from assess.messages.message import Message, Quantity, note
 from records.errors import RecordError
-from records.formats.agreement import (
+from records.formats.header import (
+    HeaderOverrides,
     check_count,
     check_duration,
     check_peak,
     check_time_of_peak,
     describe_disagreement,
+    filter_warning,
+    iso_of,
 )
-from records.formats.corners import filter_warning
-from records.formats.header_overrides import HeaderOverrides
 from records.formats.samples import (
     acceleration_factor,
     number,
@@ -30,9 +31,7 @@ from records.formats.samples import (
     text_lines,
     uniform_numbers,
 )
-from records.formats.times import iso_of
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record, usable_period
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record, usable_period
 
 NAME = "ESM/ITACA DYNA"
 
@@ -164,10 +163,10 @@ def _earthquake(text: dict[str, str]) -> Earthquake:
     )
 
 
-def _site(text: dict[str, str]) -> Site:
+def _site(text: dict[str, str]) -> StationSite:
     ground = text.get("SITE_CLASSIFICATION_EC8", "")
     depth = number(text.get("SENSOR_DEPTH_M", ""))
-    return Site(
+    return StationSite(
         latitude=number(text.get("STATION_LATITUDE_DEGREE", "")),
         longitude=number(text.get("STATION_LONGITUDE_DEGREE", "")),
         elevation=number(text.get("STATION_ELEVATION_M", "")),

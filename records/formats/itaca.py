@@ -15,9 +15,7 @@ from pathlib import Path
 
 from assess.messages.message import note
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_peak
-from records.formats.corners import filter_warning
-from records.formats.header_overrides import HeaderOverrides
+from records.formats.header import HeaderOverrides, check_count, check_peak, filter_warning, iso_of
 from records.formats.samples import (
     acceleration_factor,
     number,
@@ -25,9 +23,7 @@ from records.formats.samples import (
     text_lines,
     uniform_numbers,
 )
-from records.formats.times import iso_of
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record, usable_period
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record, usable_period
 
 NAME = "ITACA cor.acc"
 
@@ -75,7 +71,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             ),
             azimuth=azimuth_of(component),
             earthquake=Earthquake(time=iso_of(text.get("Event Date & Time", ""))),
-            site=Site(),
+            site=StationSite(),
             longest_period=usable_period(number(low)),
             warnings=(uneven, peak, filter_warning(samples, dt, low=number(low), high=number(high))),
         ),

@@ -17,13 +17,9 @@ import numpy as np
 
 from assess.messages.message import Quantity, note
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_peak
-from records.formats.header_overrides import HeaderOverrides
-from records.formats.layout import check_layout
-from records.formats.samples import acceleration_factor, number, numbers, positive_number, text_lines
-from records.formats.times import iso_of
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.formats.header import HeaderOverrides, check_count, check_peak, iso_of
+from records.formats.samples import acceleration_factor, check_layout, number, numbers, positive_number, text_lines
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 
 NAME = "K-NET/KiK-net"
 HEADER_LINES = 17
@@ -126,8 +122,8 @@ def _earthquake(header: dict[str, str]) -> Earthquake:
     )
 
 
-def _site(header: dict[str, str], component: str) -> Site:
-    return Site(
+def _site(header: dict[str, str], component: str) -> StationSite:
+    return StationSite(
         latitude=number(header.get("Station Lat.", "")),
         longitude=number(header.get("Station Long.", "")),
         elevation=number(header.get("Station Height(m)", "")),

@@ -20,13 +20,9 @@ import numpy as np
 
 from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_same, describe_disagreement
-from records.formats.corners import filter_warning
-from records.formats.header_overrides import HeaderOverrides
+from records.formats.header import HeaderOverrides, check_count, check_same, describe_disagreement, filter_warning, iso
 from records.formats.samples import acceleration_factor, number, text_lines, uniform_numbers
-from records.formats.times import iso
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, make_record
+from records.record import Earthquake, Record, azimuth_of, make_record
 
 NAME = "PEER AT2"
 HEADER_LINES = 4

@@ -19,8 +19,7 @@ import numpy as np
 from assess.messages.message import Term, note
 from records.errors import RecordError
 from records.formats import peer_at2
-from records.formats.agreement import check_count, check_same
-from records.formats.header_overrides import GIVE_STEP, GIVE_UNIT, HeaderOverrides
+from records.formats.header import GIVE_STEP, GIVE_UNIT, HeaderOverrides, check_count, check_same
 from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
 from records.record import Record, make_record
 from spectra.arrays import FloatArray

@@ -16,12 +16,17 @@ import numpy as np
 
 from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, disagreement
-from records.formats.header_overrides import HeaderOverrides
+from records.formats.header import (
+    HeaderOverrides,
+    check_count,
+    check_peak,
+    check_same,
+    check_time_of_peak,
+    iso,
+    warn_of_difference,
+)
 from records.formats.samples import number, numbers, text_lines, uniform_numbers
-from records.formats.times import iso
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 from spectra.arrays import FloatArray
 
 NAME = "SMC"
@@ -80,7 +85,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             azimuth=azimuth_of(component),
             distance=_metres(_known(reals, 16)),
             earthquake=_earthquake(event, reals),
-            site=Site(latitude=_known(reals, 10), longitude=_known(reals, 11), elevation=_known(reals, 12)),
+            site=StationSite(latitude=_known(reals, 10), longitude=_known(reals, 11), elevation=_known(reals, 12)),
             warnings=(*warnings, *_warnings(lines, event, component, integers, reals, path=path)),
         ),
     )
@@ -124,10 +129,12 @@ def _warnings(
     text = TEXT_PEAK.match(lines[6])
     if text:
         peak = max((value for i in PEAKS if (value := _known(reals, i)) is not None), key=abs, default=None)
-        yield disagreement("distance", number(text[1]), "number in the header", _known(reals, DISTANCE), slack=0.06)
-        yield disagreement("peak", number(text[2]), "number in the header", peak, slack=0.06)
+        yield warn_of_difference(
+            "distance", number(text[1]), "number in the header", _known(reals, DISTANCE), slack=0.06
+        )
+        yield warn_of_difference("peak", number(text[2]), "number in the header", peak, slack=0.06)
     if event:
-        yield disagreement("year", number(event[1]), "number in the header", _known(integers, YEAR), slack=0.0)
+        yield warn_of_difference("year", number(event[1]), "number in the header", _known(integers, YEAR), slack=0.0)
 
 
 def _values(lines: list[str], start: int, height: int, size: int, *, path: Path) -> FloatArray:

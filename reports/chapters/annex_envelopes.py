@@ -31,22 +31,22 @@ METHOD = say(
 
 def sections(results: Results) -> list[Section]:
     """Return the annex, a part for each envelope; none without envelopes. The critical ones are in the comparison."""
-    return _annex(results, [])
+    return _envelope_sections(results, [])
 
 
-def report(results: Results) -> list[Section]:
+def report_sections(results: Results) -> list[Section]:
     """Return the chapter of a report on envelopes alone: the critical mechanisms, then a part for each envelope."""
-    return _annex(results, critical_blocks(results))
+    return _envelope_sections(results, critical_blocks(results))
 
 
-def _annex(results: Results, first: list[Block]) -> list[Section]:
+def _envelope_sections(results: Results, first: list[Block]) -> list[Section]:
     mapped = mechanisms_with_envelope(results)
     if not mapped:
         return []
     blocks: list[Block] = [*first, Prose((METHOD,))]
-    blocks += nonempty(bands_table(results)) + nonempty(primary_pulses(results.records))
+    blocks += nonempty(bands_table(results)) + nonempty(primary_pulses_table(results.records))
     head = Section(say("Overturning envelopes"), 0, tuple(blocks), starts_page=True, mark=MARK)
-    return [head, *(_part(results, mechanism, one) for mechanism, one in mapped)]
+    return [head, *(_envelope_section(results, mechanism, one) for mechanism, one in mapped)]
 
 
 def critical_blocks(results: Results) -> list[Block]:
@@ -60,7 +60,7 @@ def critical_blocks(results: Results) -> list[Block]:
     )
     return [
         Prose((critical_sentence(results, critical),)),
-        Figure("critical", caption, partial(figure.bounds, results)),
+        Figure("critical", caption, partial(figure.draw_envelope_bounds, results)),
     ]
 
 
@@ -95,18 +95,18 @@ def bands_table(results: Results) -> Table:
     """Tabulate the bands of frequency in which each mechanism is critical."""
     columns = (Column(say("Critical mechanism")), Column(say("From"), "frequency"), Column(say("To"), "frequency"))
     bands = () if results.critical is None else results.critical.bands
-    rows = tuple((_critical(results, band.mechanism), band.from_hz, band.to_hz) for band in bands)
+    rows = tuple((_critical_mechanism(results, band.mechanism), band.from_hz, band.to_hz) for band in bands)
     caption = say(
         "Critical mechanism over the frequency of the pulse; where two bounds cross, by straight lines between."
     )
     return Table("critical-bands", caption, columns, rows, small=True)
 
 
-def _critical(results: Results, mechanism: str | None) -> Text:
+def _critical_mechanism(results: Results, mechanism: str | None) -> Text:
     return say("none overturns") if mechanism is None else numbered_title(results, mechanism)
 
 
-def primary_pulses(records: Sequence[RecordResult]) -> Table:
+def primary_pulses_table(records: Sequence[RecordResult]) -> Table:
     """Tabulate the pulses within the records."""
     columns = (
         Column(say("Record"), share=0.3),
@@ -129,7 +129,7 @@ def primary_pulses(records: Sequence[RecordResult]) -> Table:
     return Table("primary-pulses", caption, columns, rows, small=True)
 
 
-def _part(results: Results, mechanism: MechanismResult, one: EnvelopeResult) -> Section:
+def _envelope_section(results: Results, mechanism: MechanismResult, one: EnvelopeResult) -> Section:
     """Return the part on the envelope of one mechanism."""
     place = next(place for place, each in enumerate(results.mechanisms, start=1) if each is mechanism)
     caption = say(
@@ -139,7 +139,7 @@ def _part(results: Results, mechanism: MechanismResult, one: EnvelopeResult) -> 
         pulses=PULSES[one.shape],
         equation=say("exact") if one.equation == "exact" else say("linearised"),
     )
-    draw = partial(figure.draw, one, results.records)
+    draw = partial(figure.draw_envelope, one, results.records)
     blocks = (
         Prose((describe_envelope(one),)),
         Figure(f"{file_stem(mechanism.name, place)}-envelope", caption, draw),
@@ -205,7 +205,7 @@ def mechanisms_with_envelope(results: Results) -> list[tuple[MechanismResult, En
     return [(mechanism, mechanism.envelope) for mechanism in results.mechanisms if mechanism.envelope is not None]
 
 
-def data(results: Results) -> list[Table]:
+def data_tables(results: Results) -> list[Table]:
     """Tabulate every bound at every frequency, for the spreadsheet and the CSV files."""
     mapped = mechanisms_with_envelope(results)
     columns = (

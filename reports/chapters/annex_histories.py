@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from math import radians
 
-from assess.codes.standing_figures import FIGURES, standing_figures
+from assess.codes.histories import FIGURES, standing_figures
 from assess.messages.message import Message, Quantity
-from assess.results import HistoryResult, MechanismResult, Results, SuiteResult
+from assess.results import HistoryResult, MechanismResult, Results, SuiteResult, SweepResult
 from reports import governing
-from reports.chapters import sweep_tables
-from reports.chapters.cells import LEVEL, OVERTURNED, rocking_cell, standing_cell
-from reports.document import Block, Cell, Column, Figure, Prose, Section, Table, nonempty
-from reports.figures import amplification, history
+from reports.chapters.cells import LEVEL, OUTCOMES, OVERTURNED, rocking_cell, standing_cell, swept_value, uplift_cell
+from reports.document import Block, Cell, Column, Figure, OutcomeCell, Prose, Section, Table, nonempty
+from reports.figures import history, sensitivity
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, count, quantity, say, say_count
 from reports.titles import file_stem, mechanism_number, mechanism_title
 
@@ -54,10 +54,10 @@ def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
     stem = file_stem(mechanism.name, place)
     blocks: list[Block] = [
         *_amplification(mechanism, stem),
-        *nonempty(suites(mechanism, name=f"{stem}-suites")),
-        *_governing(mechanism, stem),
+        *nonempty(suites_table(mechanism, name=f"{stem}-suites")),
+        *_governing_figure(mechanism, stem),
         *_responses(mechanism, stem),
-        *sweep_tables.blocks(results, mechanism, stem),
+        *sweep_blocks(results, mechanism, stem),
     ]
     return Section(
         Verbatim(mechanism_title(mechanism)), 1, tuple(blocks), mark=mechanism_number(results, mechanism.name)
@@ -69,18 +69,18 @@ def _amplification(mechanism: MechanismResult, stem: str) -> list[Block]:
     found = mechanism.amplification
     if found.height_m is None:
         return []
-    blocks: list[Block] = [Prose((Paragraph((*_sentences(found.said), *_factors(mechanism))),))]
+    blocks: list[Block] = [Prose((Paragraph((*_motion_sentences(found.said), *_factors(mechanism))),))]
     if found.motion is not None:
         caption = say(
             "{record}, scaled to the site’s spectrum, at the ground and at the base of the mechanism: acceleration "
             "over time and response spectra of 5 % damping. Of all records its peak is amplified most.",
             record=Verbatim(found.motion.record),
         )
-        blocks.append(Figure(f"{stem}-amplification", caption, partial(amplification.draw, found.motion)))
+        blocks.append(Figure(f"{stem}-amplification", caption, partial(history.draw_amplification, found.motion)))
     return blocks
 
 
-def _sentences(said: tuple[Message | Term | str, ...]) -> list[Text]:
+def _motion_sentences(said: tuple[Message | Term | str, ...]) -> list[Text]:
     texts = (Term(each) if isinstance(each, str) else each for each in said)
     return [say("Motion at its base: {text}.", text=each) for each in texts]
 
@@ -102,7 +102,7 @@ def _factors(mechanism: MechanismResult) -> list[Text]:
     ]
 
 
-def suites(mechanism: MechanismResult, *, name: str) -> Table:
+def suites_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the statistics of the suite of records at each level."""
     columns = (
         LEVEL,
@@ -117,19 +117,19 @@ def suites(mechanism: MechanismResult, *, name: str) -> Table:
         "The suite of records at each level. Half of the records do not exceed the median, and 84 % do not exceed the "
         "next column; a record that overturns counts as the largest."
     )
-    return Table(name, caption, columns, tuple(_statistics(suite) for suite in mechanism.suites), small=True)
+    return Table(name, caption, columns, tuple(_suite_row(suite) for suite in mechanism.suites), small=True)
 
 
-def _statistics(suite: SuiteResult) -> tuple[Cell, ...]:
+def _suite_row(suite: SuiteResult) -> tuple[Cell, ...]:
     ratios = (suite.mean_ratio, suite.median_ratio, suite.p84_ratio)
     fell = tuple(OVERTURNED if ratio is None and suite.overturned else ratio for ratio in ratios)
     shown = (each if isinstance(each, Phrase) else standing_cell(each, suite.figures, 4) for each in fell)
     return (suite.level_pga_g, suite.n, suite.overturned, *shown, standing_cell(suite.max_ratio, suite.figures, 4))
 
 
-def _governing(mechanism: MechanismResult, stem: str) -> list[Figure]:
+def _governing_figure(mechanism: MechanismResult, stem: str) -> list[Figure]:
     """Return the figure of the governing history."""
-    found = governing.history(mechanism)
+    found = governing.governing_history(mechanism)
     if found is None or not _moves(found[0]):
         return []
     one, trace = found
@@ -154,7 +154,9 @@ def _governing(mechanism: MechanismResult, stem: str) -> list[Figure]:
             end=_end(one),
             impacts=say_count("{number} impact", "{number} impacts", one.impacts),
         )
-    draw = partial(history.draw, mechanism, one, trace, governing.allowable(mechanism, one.level_pga_g))
+    draw = partial(
+        history.draw_history, mechanism, one, trace, governing.allowable_rotation(mechanism, one.level_pga_g)
+    )
     return [Figure(f"{stem}-history", caption, draw)]
 
 
@@ -186,7 +188,7 @@ def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
     still = len(mechanism.histories) - len(moving)
     blocks: list[Block] = []
     if moving:
-        blocks.append(histories(replace(mechanism, histories=tuple(moving)), name=f"{stem}-responses"))
+        blocks.append(histories_table(replace(mechanism, histories=tuple(moving)), name=f"{stem}-responses"))
     if still:
         blocks.append(
             Prose(
@@ -203,7 +205,7 @@ def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
     return blocks
 
 
-def histories(mechanism: MechanismResult, *, name: str) -> Table:
+def histories_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the largest response to each record at each level."""
     columns = (
         Column(say("Record"), share=0.2),
@@ -221,25 +223,25 @@ def histories(mechanism: MechanismResult, *, name: str) -> Table:
         "The largest response to each record, in the worse polarity, to the digits that stand in its runs. The last "
         "column says in how many of them the mechanism overturns, or when it does if in all."
     )
-    return Table(name, caption, columns, tuple(map(_history, mechanism.histories)), small=True)
+    return Table(name, caption, columns, tuple(map(_history_row, mechanism.histories)), small=True)
 
 
-def _history(history: HistoryResult) -> tuple[Cell, ...]:
+def _history_row(history: HistoryResult) -> tuple[Cell, ...]:
     fell = history.overturned
-    rotation = OVERTURNED if fell else _maximum(history, history.max_rotation_rad, "rotation")
-    ratio = OVERTURNED if fell else _maximum(history, history.max_rotation_ratio, "ratio")
+    rotation = OVERTURNED if fell else _maximum_cell(history, history.max_rotation_rad, "rotation")
+    ratio = OVERTURNED if fell else _maximum_cell(history, history.max_rotation_ratio, "ratio")
     scaling = (history.scale_factor, history.amplification)
-    times = (_time(history, history.time_of_max_s), _impacts(history), _fallen(history))
+    times = (_time_cell(history, history.time_of_max_s), _impacts(history), _overturning_cell(history))
     return (Verbatim(history.record), history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)
 
 
-def _maximum(history: HistoryResult, value: float | None, dimension: str) -> Cell:
+def _maximum_cell(history: HistoryResult, value: float | None, dimension: str) -> Cell:
     """Return the maximum of a history that stays standing, to the figures that stand."""
     figures = figures_of(history)
     return rocking_cell(value) if not value or figures >= FIGURES else Quantity(value, dimension, figures)
 
 
-def _time(history: HistoryResult, value: float | None) -> Cell:
+def _time_cell(history: HistoryResult, value: float | None) -> Cell:
     """Return the time of the maximum to the figures that stand; None where not even one does."""
     if value is None or not history.twin_times_s:
         return value
@@ -247,10 +249,109 @@ def _time(history: HistoryResult, value: float | None) -> Cell:
     return None if figures == 0 else value if figures >= FIGURES else Quantity(value, "time", figures)
 
 
-def _fallen(history: HistoryResult) -> Cell:
+def _overturning_cell(history: HistoryResult) -> Cell:
     """Return in how many of its runs a history overturns; the time where all do."""
     fallen, runs = sum(1 for each in history.twin_ratios if each is None), len(history.twin_ratios)
     if fallen == runs:
         end = history.overturning_time_s
         return None if end is None else quantity(end, "time", max(1, FIGURES - 1))
     return say("{fallen} of {runs} runs", fallen=count(fallen), runs=count(runs)) if fallen else None
+
+
+CONTROLLING_CASE = say(
+    "The controlling case has the worst deciding answer: failing cases rank before incomplete ones, and those before "
+    "passing ones; among equals the case with the smallest margin over the site’s own action controls, then the one "
+    "with the largest demand over capacity."
+)
+REPRESENTS = say("This case represents the mechanism in the rest of this report.")
+REPRESENTED = say("In the rest of this report the mechanism is represented by a case of another study.")
+
+
+def sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> list[Block]:
+    """Return the weakest direction, where it was sought, and every sweep of a mechanism."""
+    made: list[Block] = [*_weakest_direction(mechanism, stem)]
+    own = [each for each in results.sweeps if each.mechanism == mechanism.name]
+    made += [Prose((CONTROLLING_CASE,))] if own else []
+    for place, each in enumerate(own, start=1):
+        name = f"{stem}-sweep-{place:02d}"
+        caption = say(
+            "Results over {key}; the ring marks the controlling case; a case that overturns has no ratio.",
+            key=Verbatim(each.key),
+        )
+        made += [
+            Prose((sweep_sentence(each),)),
+            sweep_table(each, name=name),
+            Figure(name, caption, partial(sensitivity.draw_sweep, each)),
+        ]
+    return made
+
+
+def sweep_sentence(found: SweepResult) -> Text:
+    """State what was swept, which case controls, and whether it represents the mechanism."""
+    taken = say_count(
+        "{key} takes {number} value;", "{key} takes {number} values;", len(found.value), key=Verbatim(found.key)
+    )
+    case = swept_value(found.value[found.controlling], found.unit)
+    controls = say("{case} controls.", case=case)
+    return Paragraph((taken, controls, REPRESENTS if found.governs else REPRESENTED))
+
+
+def sweep_table(found: SweepResult, *, name: str) -> Table:
+    """Tabulate a sweep, a line for each value in the user's order."""
+    on_joints = any(value is not None for value in found.overturning_flexible_rad)
+    extra = (Column(say("φₒᵥ on joints"), "rotation"), Column(say("Elastic frequency"), "frequency"))
+    columns = (
+        Column(say("Value")),
+        Column(Verbatim("p"), "angular frequency"),
+        Column(say("λ at uplift"), "ratio"),
+        Column(Verbatim("φₒᵥ"), "rotation"),
+        *(extra if on_joints else ()),
+        Column(say("Restitution η"), "ratio"),
+        Column(say("Demand / capacity"), "ratio"),
+        Column(say("PGA at capacity"), "ground acceleration"),
+        Column(say("Verdict")),
+        Column(say("Case")),
+    )
+    caption = say(
+        "{key}: rocking parameters of the branch that uplifts first, and the answer that decides; where none does, the "
+        "worst of all checks of a code at all levels.",
+        key=Verbatim(found.key),
+    )
+    rows = tuple(_sweep_row(found, place, on_joints=on_joints) for place in range(len(found.value)))
+    return Table(name, caption, columns, rows, small=True)
+
+
+def _sweep_row(found: SweepResult, place: int, *, on_joints: bool) -> tuple[Cell, ...]:
+    joints: tuple[Cell, ...] = (found.overturning_flexible_rad[place], found.elastic_frequency_hz[place])
+    outcome = found.outcome[place]
+    return (
+        swept_value(found.value[place], found.unit),
+        found.p_eq_per_s[place],
+        uplift_cell(found.uplift_multiplier[place]),
+        found.overturning_rad[place],
+        *(joints if on_joints else ()),
+        found.restitution[place],
+        OVERTURNED if found.overturned[place] else found.demand_capacity[place],
+        found.capacity_pga_g[place],
+        OutcomeCell(outcome.value, OUTCOMES[outcome.value]),
+        say("controls") if place == found.controlling else None,
+    )
+
+
+def _weakest_direction(mechanism: MechanismResult, stem: str) -> list[Block]:
+    """Return sentence and figure on the weakest direction, where it was searched for."""
+    found = mechanism.direction_sweep
+    if found is None:
+        return []
+    caption = say(
+        "Load multiplier λ that starts rotation towards each horizontal direction; the dot marks the weakest."
+    )
+    said = say(
+        "The direction is the weakest of {number}: {angle} from +x towards +y. The load multiplier is within 1 % of "
+        "its minimum over {flat} of the circle; the minimum is {variation} below the maximum.",
+        number=quantity(len(found.angle_deg), figures=9),
+        angle=quantity(radians(found.weakest_deg), "angle", 4),
+        flat=quantity(radians(found.flat_deg), "angle", 3),
+        variation=quantity(100.0 * found.variation, "percent", 3),
+    )
+    return [Prose((said,)), Figure(f"{stem}-directions", caption, partial(sensitivity.draw_directions, found))]

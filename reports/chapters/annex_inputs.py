@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from assess.results import Resolved, Results
-from reports.chapters.project_values import DEFAULT, GIVEN, entries
+from assess.results import ResolvedValue, Results
 from reports.document import Block, Cell, Column, Section, Table, nonempty
 from reports.language.texts import Verbatim, say
+from reports.project_values import DEFAULT, GIVEN, project_values
 
 MARK = "E"
 LEFT_OUT = ("report.", "notes", "title")
@@ -13,45 +13,49 @@ LEFT_OUT = ("report.", "notes", "title")
 
 def sections(results: Results) -> list[Section]:
     """Return the annex: files, values of the project and messages."""
-    blocks: list[Block] = [*nonempty(files(results)), *nonempty(values_in_use(results)), *nonempty(messages(results))]
+    blocks: list[Block] = [
+        *nonempty(files_table(results)),
+        *nonempty(values_in_use_table(results)),
+        *nonempty(messages_table(results)),
+    ]
     return [Section(say("Inputs"), 0, tuple(blocks), starts_page=True, mark=MARK)]
 
 
-def files(results: Results) -> Table:
+def files_table(results: Results) -> Table:
     """Tabulate the files that were read."""
     columns = (Column(say("File"), share=0.42), Column(say("SHA-256")))
     rows = tuple((Verbatim(each.path), Verbatim(each.sha256)) for each in results.inputs)
     return Table("inputs", say("Files read, with their SHA-256."), columns, rows, small=True)
 
 
-def values_in_use(results: Results) -> Table:
+def values_in_use_table(results: Results) -> Table:
     """Tabulate the values that were given, and the defaults that are in use."""
     project = {key: each for key, each in results.project.items() if _in_use(key, each)}
-    return _values(project, "values-set")
+    return _table_of_values(project, "values-set")
 
 
-def values(results: Results) -> Table:
+def values_table(results: Results) -> Table:
     """Tabulate every value of the project as it was used."""
-    return _values(results.project, "values")
+    return _table_of_values(results.project, "values")
 
 
-def _in_use(key: str, each: Resolved) -> bool:
+def _in_use(key: str, each: ResolvedValue) -> bool:
     return not key.startswith(LEFT_OUT) and (each.given or each.value not in (None, "", [], {}))
 
 
-def _values(project: dict[str, Resolved], name: str) -> Table:
+def _table_of_values(project: dict[str, ResolvedValue], name: str) -> Table:
     columns = (Column(say("Key"), share=0.45), Column(say("Value")), Column(say("Source"), share=0.12))
     rows: tuple[tuple[Cell, ...], ...] = tuple(
         (Verbatim(entry.key), entry.cell, GIVEN if each.given else DEFAULT)
         for key, each in project.items()
-        for entry in entries(key, each)
+        for entry in project_values(key, each)
     )
     muted = frozenset(place for place, row in enumerate(rows) if row[-1] is DEFAULT)
     caption = say("Every value of the project file as it was used. Defaults of the program are grey.")
     return Table(name, caption, columns, rows, muted, small=True)
 
 
-def messages(results: Results) -> Table:
+def messages_table(results: Results) -> Table:
     """Tabulate the warnings and notes of the run."""
     severities = {"error": say("error"), "warning": say("warning"), "note": say("note")}
     rows = tuple((severities[each.severity.value], Verbatim(each.where), each) for each in results.warnings)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from operator import attrgetter
+from typing import Any
 
 from assess.codes.check import Check
-from assess.results import MechanismResult, Results
-from reports import governing
-from reports.chapters import joint_tables, parameter_tables
-from reports.chapters.cells import BRANCHES, OUTCOMES
-from reports.document import Block, Figure, Prose, Section, Sheet, nonempty
-from reports.figures import view
-from reports.figures.model import model_of_view
-from reports.language.texts import Term, Text, Verbatim, quantity, say
+from assess.messages.message import Quantity
+from assess.results import ContactSheet, HingeForceResult, MechanismResult, OscillatorResult, Results
+from reports import governing, joints
+from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
+from reports.document import Block, Cell, Column, Figure, Prose, Section, Sheet, Table, nonempty
+from reports.figures import capacity, view
+from reports.figures.view import model_of_view
+from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
 from reports.titles import check_title, file_stem, mechanism_number, mechanism_title
 
 MARK = "A"
@@ -37,11 +40,11 @@ def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
     stem = file_stem(mechanism.name, place)
     blocks: list[Block] = [
         *_view(mechanism, stem),
-        parameter_tables.parameters(mechanism, name=f"{stem}-parameters"),
-        *nonempty(parameter_tables.loads(mechanism, name=f"{stem}-loads")),
-        *joint_tables.blocks(mechanism, stem),
-        *nonempty(parameter_tables.hinge_forces(mechanism, name=f"{stem}-hinge-forces")),
-        *_sheets(results, mechanism, stem),
+        parameters_table(mechanism, name=f"{stem}-parameters"),
+        *nonempty(loads_table(mechanism, name=f"{stem}-loads")),
+        *joint_blocks(mechanism, stem),
+        *nonempty(hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")),
+        *_check_sheets(results, mechanism, stem),
     ]
     return Section(
         Verbatim(mechanism_title(mechanism)), 1, tuple(blocks), mark=mechanism_number(results, mechanism.name)
@@ -58,13 +61,15 @@ def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
         "The bodies in space, cracks dashed; axes of rotation of the positive side red, of the negative side blue and "
         "dashed; the arrow is the direction of motion."
     )
-    return [Figure(f"{stem}-view", caption, partial(view.draw, seen, positive), model_of_view(seen, positive=positive))]
+    return [
+        Figure(f"{stem}-view", caption, partial(view.draw_view, seen, positive), model_of_view(seen, positive=positive))
+    ]
 
 
-def _sheets(results: Results, mechanism: MechanismResult, stem: str) -> list[Sheet]:
-    checks = governing.worst_per_procedure(governing.at_site(results, mechanism))
+def _check_sheets(results: Results, mechanism: MechanismResult, stem: str) -> list[Sheet]:
+    checks = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
     shown = [check for check in checks if check.steps and may_decide(results, check)]
-    return [_sheet(check, mechanism, f"{stem}-sheet-{place:02d}") for place, check in enumerate(shown, start=1)]
+    return [_check_sheet(check, mechanism, f"{stem}-sheet-{place:02d}") for place, check in enumerate(shown, start=1)]
 
 
 def may_decide(results: Results, check: Check) -> bool:
@@ -73,7 +78,7 @@ def may_decide(results: Results, check: Check) -> bool:
     return check.role == "deciding" or check.procedure in accepted or (not accepted and check.reading == "letter")
 
 
-def _sheet(check: Check, mechanism: MechanismResult, name: str) -> Sheet:
+def _check_sheet(check: Check, mechanism: MechanismResult, name: str) -> Sheet:
     caption = say(
         "{method} ({edition}), {branch} branch, at PGA {pga}: {outcome}.",
         method=check_title(check, mechanism.checks),
@@ -88,3 +93,285 @@ def _sheet(check: Check, mechanism: MechanismResult, name: str) -> Sheet:
 def _outcome(check: Check) -> Text:
     outcome = OUTCOMES[check.verdict.value]
     return say("{outcome}, deciding", outcome=outcome) if check.role == "deciding" else outcome
+
+
+LIFTS, NOT_GIVEN, ROCKS_FIRST = say("lifts"), say("not given"), say("rocks first")
+
+PARAMETERS: tuple[tuple[str, Phrase, str, str], ...] = (
+    ("mass_kg", say("Moved mass"), "M", "mass"),
+    ("inertia_kg_m2", say("Moment of inertia about the hinge"), "I", "inertia"),
+    ("radius_m", say("Radius of the equivalent block"), "R", "length"),
+    ("slenderness_rad", say("Slenderness of the equivalent block"), "α", "rotation"),
+    ("p_eq_per_s", say("Frequency parameter"), "p", "angular frequency"),
+    ("uplift_multiplier", say("Load multiplier at uplift"), "λ", "ratio"),
+    ("overturning_rad", say("Overturning rotation, rigid"), "φₒᵥ", "rotation"),
+    ("overturning_flexible_rad", say("Overturning rotation on its joints, from rest"), "", "rotation"),
+    ("equilibrium_rad", say("Rotation at rest"), "φₑ", "rotation"),
+    ("elastic_frequency_hz", say("Frequency of small motions about rest"), "", "frequency"),
+    ("restitution", say("Coefficient of restitution"), "η", "ratio"),
+    ("critical_rad", say("Rotation about which the equation is linearised"), "φ_cr", "rotation"),
+    ("linearised.inertia_kg_m2", say("Linearised: inertia"), "I", "inertia"),
+    ("linearised.stiffness_n_m_per_rad", say("Linearised: stiffness"), "K", "rotational stiffness"),
+    ("linearised.excitation_kg_m", say("Linearised: excitation"), "B", "first moment"),
+    ("linearised.moment_n_m", say("Linearised: moment of the applied forces"), "M", "moment"),
+    ("linearised.overturning_rad", say("Linearised: overturning rotation"), "φₒᵥ = φ_cr − M/K", "rotation"),
+    ("linearised.uplift_multiplier", say("Linearised: load multiplier"), "λ = K φₒᵥ / (g B)", "ratio"),
+)
+"""The way to each parameter in `OscillatorResult`, what it is called, its symbol and dimension."""
+
+
+def parameters_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate the rocking parameters of both branches."""
+    columns: tuple[Column, ...] = (
+        Column(say("Parameter")),
+        Column(say("Symbol"), share=0.2),
+        Column(say("Positive branch"), share=0.18),
+        Column(say("Negative branch"), share=0.18),
+    )
+    branches = (mechanism.oscillator, mechanism.oscillator_negative)
+    rows: tuple[tuple[Cell, ...], ...] = tuple(
+        (label, Verbatim(symbol), *(parameter_cell(branch, key, dimension) for branch in branches))
+        for key, label, symbol, dimension in PARAMETERS
+    )
+    caption = say("Rocking parameters of each branch, that is, of each direction of rotation.")
+    if mechanism.oscillator_negative is None:
+        columns, rows = columns[:3], tuple(row[:3] for row in rows)
+        caption = say("Rocking parameters. The mechanism rocks to one side only.")
+    return Table(name, caption, columns, rows, small=True)
+
+
+def parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) -> Cell:
+    """Return a parameter of a branch with its unit; "none" where joints have no threshold of uplift."""
+    if branch is None:
+        return None
+    value: float | None = attrgetter(key)(branch)
+    if value is None:
+        return NONE if key == "uplift_multiplier" else None
+    return Quantity(value, dimension)
+
+
+def loads_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate the loads of each block and their source."""
+    columns = (
+        Column(say("Load"), share=0.22),
+        Column(say("x"), "length"),
+        Column(say("z"), "length"),
+        Column(say("Mass"), "mass"),
+        Column(say("Bearing")),
+        Column(say("Force along"), "force"),
+        Column(say("Force up"), "force"),
+        Column(say("Found"), share=0.22),
+    )
+    rows = tuple(
+        (
+            Verbatim(load.name),
+            *(round(each, 9) + 0.0 for each in load.at),
+            load.mass_kg,
+            load.bearing,
+            *(load.force_n or (None, None)),
+            Listing(load.found or (Term(load.source),), ""),
+        )
+        for load in mechanism.loads
+    )
+    caption = say(
+        "Loads, at x along the direction of motion and elevation z; forces along the direction and up. The weight of a "
+        "non-bearing mass is carried elsewhere: only its horizontal inertia acts on the block."
+    )
+    return Table(name, caption, columns, rows, small=True)
+
+
+def hinge_forces_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate the forces at each hinge when the mechanism starts to rock, and the friction that they need."""
+    columns = (
+        Column(say("Hinge")),
+        Column(say("Rocks from"), "ground acceleration"),
+        Column(Verbatim("H"), "force"),
+        Column(Verbatim("V"), "force"),
+        Column(Verbatim("N"), "force"),
+        Column(Verbatim("T"), "force"),
+        Column(say("Friction needed"), "ratio", figures=3),
+        Column(say("Friction"), "ratio", figures=3),
+        Column(say("Slides from"), "ground acceleration"),
+        Column(say("Remark"), share=0.2),
+    )
+    rows = tuple(
+        (
+            Verbatim(f.hinge),
+            f.activation_g,
+            f.horizontal_n,
+            f.vertical_n,
+            f.normal_n,
+            f.shear_n,
+            *_friction(f),
+            _hinge_remark(f),
+        )
+        for f in mechanism.hinge_forces
+    )
+    caption = say(
+        "Forces at the hinges when rocking starts, from equilibrium of the blocks: on the block that presses, H along "
+        "the direction of the branch and V upwards, N normal to its faces and T along them. The mechanism slides "
+        "before it rocks where |T| / N exceeds the friction of the joint."
+    )
+    return Table(name, caption, columns, rows, small=True)
+
+
+def _friction(forces: HingeForceResult) -> tuple[Cell, Cell, Cell]:
+    """Return friction needed, friction available, and the acceleration that slides the hinge or why there is none."""
+    needed: Cell = LIFTS if forces.needed_friction is None else forces.needed_friction
+    if forces.friction is None:
+        return needed, NOT_GIVEN, None
+    return needed, forces.friction, ROCKS_FIRST if forces.sliding_g is None else forces.sliding_g
+
+
+def _hinge_remark(forces: HingeForceResult) -> Cell:
+    if forces.held:
+        return say("held at the top, by friction or an anchorage")
+    return None if forces.face_found else say("faces taken as level")
+
+
+RIGID, UNLIMITED, NEVER = say("rigid"), say("unlimited"), say("never")
+PRIMED = "'"  # of hinges of the negative branch
+LEAST_SHARE = 0.005  # of a joint below which a part is called less than 1 %
+
+
+def joint_blocks(mechanism: MechanismResult, stem: str) -> list[Block]:
+    """Return table, figures and sentence on the joints of a mechanism; none where all are rigid."""
+    if not joints.deformable_joints(mechanism):
+        return []
+    moment = say(
+        "Restoring moment of the positive branch over rotation, divided by the largest with rigid joints: with rigid "
+        "joints, with hinges fixed at a_SF, and with the joints of this mechanism (as thesis Fig. 8.8). Open circle: "
+        "a joint begins to open; filled: its edge begins to crush."
+    )
+    pressed = say(
+        "Each joint over the rotation of the mechanism, on a logarithmic axis: distance of the resultant from the "
+        "compressed edge, and the stress at that edge. Joints that are alike share a line; dashed: negative branch."
+    )
+    return [
+        joints_table(mechanism, name=f"{stem}-interfaces"),
+        Prose((joints_at_peak(mechanism),)),
+        Figure(f"{stem}-moment", moment, partial(capacity.draw_moment_rotation, mechanism)),
+        Figure(f"{stem}-contact", pressed, partial(capacity.draw_contact, mechanism)),
+        *contact_sheets(mechanism, stem),
+    ]
+
+
+def contact_sheets(mechanism: MechanismResult, stem: str) -> list[Sheet]:
+    """Return the calculation sheet of each joint that is unlike those before it, its force at rest to its stresses."""
+    found: dict[tuple[str, ...], list[ContactSheet]] = {}
+    for each in mechanism.contact_sheets:
+        found.setdefault(_as_printed(each), []).append(each)
+    return [_contact_sheet(alike, stem) for alike in found.values()]
+
+
+def _as_printed(sheet: ContactSheet) -> tuple[str, ...]:
+    return tuple(f"{each.symbol} {each.subject} {each.substituted}" for each in sheet.steps)
+
+
+def _contact_sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:
+    first, hinges = alike[0], Listing(tuple(Verbatim(each.hinge) for each in alike))
+    name = f"{stem}-contact-{first.hinge.replace(PRIMED, '-negative')}"
+    caption = say_count(
+        "Contact of joint {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the "
+        "stresses where the multiplier is largest (m) and at overturning (u).",
+        "Contact of joints {hinges}: force at rest, section, opening and crushing, the fixed hinge a_SF, and the "
+        "stresses where the multiplier is largest (m) and at overturning (u).",
+        len(alike),
+        hinges=hinges,
+    )
+    return Sheet(name, caption, first.steps)
+
+
+def joints_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate every hinge of both branches with the contact that it presses on."""
+    columns = (
+        Column(say("Hinge")),
+        Column(say("Model"), share=0.16),
+        Column(say("Stiffness"), "stiffness"),
+        Column(say("Strength"), "stress"),
+        Column(say("Force at rest"), "force"),
+        Column(say("Area"), "area"),
+        Column(say("Depth"), "length"),
+        Column(say("Opens at"), "rotation"),
+        Column(say("Crushes at"), "rotation"),
+    )
+    caption = say(
+        "Joints under the hinges. Depth: along the motion; rotations: of the joint itself, under its force at rest, at "
+        "which it begins to open and its edge to crush."
+    )
+    return Table(name, caption, columns, tuple(map(_joint_row, mechanism.interfaces)), small=True)
+
+
+def _joint_row(found: dict[str, Any]) -> tuple[Cell, ...]:
+    start = (Verbatim(found["hinge"]), joints.JOINT_MODELS[found["model"]])
+    if found["curve"] is None:
+        return (*start, RIGID, UNLIMITED, found["normal_force_n"], None, None, found["opening_rad"], NEVER)
+    return (
+        *start,
+        RIGID if found["stiffness_pa_m"] is None else found["stiffness_pa_m"],
+        UNLIMITED if found["strength_pa"] is None else found["strength_pa"],
+        found["normal_force_n"],
+        found["area_m2"],
+        found["depth_m"],
+        NEVER if found["opening_rad"] is None else found["opening_rad"],
+        NEVER if found["crushing_rad"] is None else found["crushing_rad"],
+    )
+
+
+def joints_at_peak(mechanism: MechanismResult) -> Text:
+    """Describe what the joints carry at the largest rotation of the governing record."""
+    found = governing.governing_history(mechanism)
+    if found is None:
+        return say("No time history was run: the contact stress at the peak of a record is not known.")
+    one, _ = found
+    record, pga = Verbatim(one.record), quantity(one.level_pga_g, "ground acceleration")
+    if one.max_rotation_rad is None:
+        return say(
+            "The governing record ({record}, PGA {pga}) overturns the mechanism: there is no peak rotation at which to "
+            "give the contact stress.",
+            record=record,
+            pga=pga,
+        )
+    if one.max_rotation_rad == 0.0:
+        return say("The governing record ({record}, PGA {pga}) does not move the mechanism.", record=record, pga=pga)
+    turned = joints.peak_rotation(mechanism, one)
+    pressed = tuple(_joint_at_peak(interface, turned) for interface in joints.joints_of_branch(mechanism, one.branch))
+    return say(
+        "At the largest rotation under the governing record ({record}, PGA {pga}), φ = {rotation} of the {branch} "
+        "branch: {joints}.",
+        record=record,
+        pga=pga,
+        rotation=quantity(turned, "rotation"),
+        branch=BRANCHES[one.branch],
+        joints=Listing(pressed),
+    )
+
+
+def _joint_at_peak(interface: dict[str, Any], rotation: float) -> Phrase:
+    """Return stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
+    stress, resultant, opened, crushed = joints.values_at(interface, rotation)
+    values: dict[str, Text] = {
+        "hinge": Verbatim(interface["hinge"]),
+        "stress": quantity(stress, "stress", 3),
+        "resultant": quantity(resultant, "length", 3),
+        "opened": _share_text(opened),
+        "crushed": _share_text(crushed),
+    }
+    if interface["strength_pa"] is None:
+        return say(
+            "joint {hinge} presses with up to {stress}, resultant {resultant} from the edge, {opened} of it open and "
+            "{crushed} crushed",
+            **values,
+        )
+    return say(
+        "joint {hinge} presses with up to {stress} (strength {strength}), resultant {resultant} from the edge, "
+        "{opened} of it open and {crushed} crushed",
+        strength=quantity(interface["strength_pa"], "stress", 3),
+        **values,
+    )
+
+
+def _share_text(share: float) -> Text:
+    if share == 0.0:
+        return say("none")
+    return quantity(100.0 * share, "percent", 2) if share >= LEAST_SHARE else say("less than 1 %")

@@ -6,16 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from assess.messages.message import Quantity
-from assess.results import Resolved, Results
+from assess.results import ResolvedValue, Results
 from reports import governing
-from reports.chapters.mechanism_keys import starred_key
-from reports.chapters.mechanism_list import mechanism_list
-from reports.chapters.project_values import Entry, entries
-from reports.chapters.value_titles import value_title, value_word
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
-from reports.language.spectrum_parameters import NAMES
 from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
-from reports.project_text import project_text
+from reports.language.value_names import PARAMETER_NAMES, value_title, value_word
+from reports.project_values import ProjectValue, project_text, project_values, starred_key
+from reports.titles import mechanism_list
 
 SOURCES = "report.sources."
 SPECTRUM = "site.spectrum."
@@ -53,7 +50,7 @@ PROPERTIES: tuple[tuple[str, Phrase], ...] = (
 
 
 @dataclass(frozen=True)
-class Source:
+class ValueSource:
     """Where a value comes from. kind: a key of `KINDS`, "default", or empty where nobody said; words: of the user."""
 
     kind: str
@@ -62,17 +59,17 @@ class Source:
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter: what is assumed first, then the materials and the sources."""
-    found = assumed_values(results)
+    found = assumptions_table(results)
     blocks: list[Block] = nonempty(found)
     if not found.rows:
         blocks = [Prose((say("No value is marked as assumed, and no default of the program affects the results."),))]
     rest = (
         *blocks,
         *_restitution(results),
-        *nonempty(materials(results)),
+        *nonempty(materials_table(results)),
         *_masonry(results),
-        *nonempty(sources(results)),
-        *_unstated(results),
+        *nonempty(sources_table(results)),
+        *_values_without_source(results),
     )
     return [Section(say("Assumptions"), 0, rest)]
 
@@ -90,7 +87,7 @@ def _restitution(results: Results) -> list[Block]:
     return [Prose((words,))]
 
 
-def assumed_values(results: Results) -> Table:
+def assumptions_table(results: Results) -> Table:
     """Tabulate the values that the user assumed, then the defaults of the program on which results depend."""
     columns = (
         Column(say("Assumption"), share=0.34),
@@ -98,48 +95,48 @@ def assumed_values(results: Results) -> Table:
         Column(say("Source")),
         Column(say("For"), share=0.16),
     )
-    own, defaults = list(_rows(results, ASSUMED)), list(_rows(results, DEFAULT))
+    own, defaults = list(_assumed_rows(results, ASSUMED)), list(_assumed_rows(results, DEFAULT))
     caption = say("What is assumed: by the engineer, and, in grey, by default of the program.")
     muted = frozenset(range(len(own), len(own) + len(defaults)))
     return Table("assumed", caption, columns, (*own, *defaults), muted, small=True)
 
 
-def _rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
+def _assumed_rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
     """Yield the values with this kind of source; what several mechanisms share has one row."""
     found: dict[tuple[str, str, str], tuple[Cell, list[str]]] = {}
     for key, value in results.project.items():
-        source = source_of(results, key, value)
+        source = value_source(results, key, value)
         if source.kind != kind or value.value in (None, [], {}, ""):
             continue
         owner, rest = starred_key(results, key)
-        if kind == DEFAULT and not _matters(results, rest):
+        if kind == DEFAULT and not _affects_results(results, rest):
             continue
-        for entry in groups(results, rest, value):
+        for entry in shown_values(results, rest, value):
             kept = found.setdefault((entry.key, repr(entry.cell), source.words), (entry.cell, []))
             kept[1].extend([owner] if owner else [])
     for (key, _, words), (cell, owners) in found.items():
         where = mechanism_list(results, owners) if owners else None
-        yield label(key), _worded(cell), _source_text(kind, words), where
+        yield value_label(key), _cell_in_words(cell), _source_text(kind, words), where
 
 
-def groups(results: Results, key: str, value: Resolved) -> Iterator[Entry]:
+def shown_values(results: Results, key: str, value: ResolvedValue) -> Iterator[ProjectValue]:
     """Yield a value as cells with their keys; a list of tables as one, which says where the report shows them."""
     held = value.value
     if not isinstance(held, Sequence) or not any(isinstance(each, Mapping) for each in held):
-        yield from entries(key, value)
+        yield from project_values(key, value)
     elif key in TABLES and (results.spectrum if key.startswith(SPECTRUM) else any(m.loads for m in results.mechanisms)):
-        yield Entry(key, say("see {table}", table=Reference("Table", TABLES[key])))
+        yield ProjectValue(key, say("see {table}", table=Reference("Table", TABLES[key])))
     else:
-        yield Entry(key, say_count("{number} set of values", "{number} sets of values", len(held)))
+        yield ProjectValue(key, say_count("{number} set of values", "{number} sets of values", len(held)))
 
 
-def label(key: str) -> Text:
+def value_label(key: str) -> Text:
     """Return the words for a key of the project file; the key itself where there are none."""
-    parameter = NAMES.get(key.removeprefix(SPECTRUM)) if key.startswith(SPECTRUM) else None
+    parameter = PARAMETER_NAMES.get(key.removeprefix(SPECTRUM)) if key.startswith(SPECTRUM) else None
     return value_title(key) or (parameter[0] if parameter else Verbatim(key))
 
 
-def _matters(results: Results, key: str) -> bool:
+def _affects_results(results: Results, key: str) -> bool:
     """Return whether answers depend on a default: one with a title, of a code whose method was answered."""
     if key in WITHOUT_EFFECT or value_title(key) is None:
         return False
@@ -147,11 +144,13 @@ def _matters(results: Results, key: str) -> bool:
     if table != "procedures":
         return True
     code = rest.partition(".")[0]
-    answered = (check for each in results.mechanisms for check in each.checks if check.verdict not in governing.SILENT)
+    answered = (
+        check for each in results.mechanisms for check in each.checks if check.verdict not in governing.UNANSWERED
+    )
     return any(check.procedure.startswith(code) for check in answered)
 
 
-def _worded(cell: Cell) -> Cell:
+def _cell_in_words(cell: Cell) -> Cell:
     if isinstance(cell, Quantity):
         return replace(cell, figures=FIGURES)
     if isinstance(cell, bool):
@@ -165,44 +164,46 @@ def _source_text(kind: str, words: str) -> Text:
     return say("assumed: {words}", words=Verbatim(words)) if words else say("assumed")
 
 
-def source_of(results: Results, key: str, value: Resolved) -> Source:
+def value_source(results: Results, key: str, value: ResolvedValue) -> ValueSource:
     """Return the source of a value: of the longest key of the sources that its own key begins with."""
-    stated = [start for start in _stated(results) if key == start or key.startswith(f"{start}.")]
+    stated = [start for start in _source_lines(results) if key == start or key.startswith(f"{start}.")]
     if stated and value.given:
-        return _source(str(_stated(results)[max(stated, key=len)]))
-    return Source("" if value.given else DEFAULT)
+        return _parse_source(str(_source_lines(results)[max(stated, key=len)]))
+    return ValueSource("" if value.given else DEFAULT)
 
 
-def _source(line: str) -> Source:
+def _parse_source(line: str) -> ValueSource:
     kind, _, words = line.partition(":")
-    return Source(kind.strip(), words.strip())
+    return ValueSource(kind.strip(), words.strip())
 
 
 def stated_source(line: str) -> Text:
     """Return a line of [report.sources] as a text: its kind in the language, and the words of the user."""
-    source = _source(line)
+    source = _parse_source(line)
     kind = KINDS.get(source.kind, Verbatim(source.kind))
     return say("{kind}: {words}", kind=kind, words=Verbatim(source.words)) if source.words else kind
 
 
-def _stated(results: Results) -> dict[str, str]:
+def _source_lines(results: Results) -> dict[str, str]:
     """Return the lines of [report.sources] by the keys that they are for."""
     return {
         key.removeprefix(SOURCES): str(each.value) for key, each in results.project.items() if key.startswith(SOURCES)
     }
 
 
-def materials(results: Results) -> Table:
+def materials_table(results: Results) -> Table:
     """Tabulate the materials with the properties that some of them has."""
     found: dict[str, dict[str, Cell]] = {}
     for key, value in results.project.items():
         table, _, rest = key.partition(".")
         name, _, last = rest.rpartition(".")
         if table == "materials" and last in dict(PROPERTIES):
-            cells = [entry.cell for entry in entries(key, value)]
+            cells = [entry.cell for entry in project_values(key, value)]
             found.setdefault(name, {})[last] = cells[0] if len(cells) == 1 else None
     kept = [(key, title) for key, title in PROPERTIES if any(cells.get(key) is not None for cells in found.values())]
-    rows = tuple((Verbatim(name), *(_worded(cells.get(key)) for key, _ in kept)) for name, cells in found.items())
+    rows = tuple(
+        (Verbatim(name), *(_cell_in_words(cells.get(key)) for key, _ in kept)) for name, cells in found.items()
+    )
     columns = (Column(say("Material")), *(Column(title) for _, title in kept))
     return Table("materials", say("Materials."), columns, rows if kept else ())
 
@@ -213,7 +214,7 @@ def _masonry(results: Results) -> list[Block]:
     return [Prose((say("Quality of the masonry: {words}", words=Verbatim(words)),))] if words else []
 
 
-def sources(results: Results) -> Table:
+def sources_table(results: Results) -> Table:
     """Tabulate the sources that the project states, but for assumed values."""
     found: dict[str, tuple[Text, Text, str, list[str]]] = {}
     for title, kind, words, owner in _stated_sources(results):
@@ -233,24 +234,24 @@ def sources(results: Results) -> Table:
 
 
 def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
-    for key, line in _stated(results).items():
+    for key, line in _source_lines(results).items():
         kind, _, words = line.partition(":")
         if kind.strip() == ASSUMED:
             continue
         owner, rest = starred_key(results, key)
-        yield label(rest), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
+        yield value_label(rest), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
 
 
-def _unstated(results: Results) -> list[Block]:
+def _values_without_source(results: Results) -> list[Block]:
     """Return what is given without a source, each once with the mechanisms that it is for."""
     found: dict[str, tuple[Text, list[str]]] = {}
     for key, value in results.project.items():
         owner, rest = starred_key(results, key)
-        title = value_title(_first(rest))
+        title = value_title(_without_item_name(rest))
         if rest in CHOICES or title is None or not value.given:
             continue
-        if source_of(results, key, value).kind == UNSTATED:
-            found.setdefault(_first(rest), (title, []))[1].extend([owner] if owner else [])
+        if value_source(results, key, value).kind == UNSTATED:
+            found.setdefault(_without_item_name(rest), (title, []))[1].extend([owner] if owner else [])
     if not found:
         return []
     values = [
@@ -260,7 +261,7 @@ def _unstated(results: Results) -> list[Block]:
     return [Prose((say("The project states no source for: {values}.", values=listing(values)),))]
 
 
-def _first(key: str) -> str:
+def _without_item_name(key: str) -> str:
     """Return a key of hinges and loads without the name of each; others as they are."""
     for whole in ("mechanisms.*.hinges", "mechanisms.*.loads"):
         if key.startswith(f"{whole}."):

@@ -6,15 +6,22 @@ from collections.abc import Mapping, Sequence
 from math import isclose
 
 from assess.codes.check import Check, Reason
-from assess.codes.standing_figures import interval_figures, ratio_figures
+from assess.codes.histories import interval_figures, ratio_figures
 from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
-from reports.document import Cell, Column, Graded
-from reports.language.texts import Phrase, Text, say
+from reports.document import Cell, Column, OutcomeCell
+from reports.language.texts import (
+    Phrase,
+    Text,
+    Verbatim,
+    quantity,
+    say,
+)
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
+
 OUTCOMES: Mapping[str, Phrase] = {
     "pass": say("pass"),
     "fail": say("fail"),
@@ -24,6 +31,7 @@ OUTCOMES: Mapping[str, Phrase] = {
 }
 ROLES: Mapping[str, Phrase] = {"deciding": say("decides"), "comparison": say("for comparison")}
 READINGS: Mapping[str, Phrase] = {"letter": say("clause"), "thesis": say("thesis reading")}
+
 INPUTS: Mapping[str, Phrase] = {
     "ground": say("ground"),
     "mechanism base": say("base of the mechanism"),
@@ -32,7 +40,6 @@ INPUTS: Mapping[str, Phrase] = {
 BRANCHES: Mapping[str, Phrase] = {"positive": say("positive"), "negative": say("negative")}
 _COLOURS: Mapping[str, document.Outcome] = {"pass": "pass", "fail": "fail", "incomplete": "incomplete"}
 _NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
-
 MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground acceleration")
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
 FIGURES = 3
@@ -41,11 +48,11 @@ RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
 
 
-def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> Graded:
+def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> OutcomeCell:
     """Return the outcome of a check, coloured where it decides. answers : of the mechanism, where they count."""
     outcome = decided_outcome(check, answers)
     colour = _COLOURS.get(outcome, "incomplete") if check.role == "deciding" else "comparison"
-    return Graded(colour, OUTCOMES[outcome])
+    return OutcomeCell(colour, OUTCOMES[outcome])
 
 
 def decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
@@ -119,19 +126,25 @@ def capacity_pga_cell(check: Check) -> Cell:
     low = None if check.numerical is None else check.numerical.capacity_low_pga_g
     if check.capacity_pga_g is None or low is None or low <= check.capacity_pga_g:
         return check.capacity_pga_g
-    return interval(check.capacity_pga_g, low, limit=check.level_pga_g)
+    return pga_interval(check.capacity_pga_g, low, limit=check.level_pga_g)
 
 
-def interval(low: float, high: float, *, limit: float) -> Text:
+def pga_interval(low: float, high: float, *, limit: float) -> Text:
     """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart, and from the site's own."""
     figures = interval_figures(low, high, limit=limit)
     ends = (Quantity(each, "ground acceleration", figures) for each in (low, high))
     return say("{low} to {high}", **dict(zip(("low", "high"), ends, strict=True)))
 
 
-def clause(check: Check) -> str:
+def comparison_clause(check: Check) -> str:
     """Return the clause by which a check compares demand and capacity; empty without steps."""
     wanted = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
     steps = check.steps[::-1]
     found = (step for value in wanted for step in steps if step.value is not None and isclose(step.value, value))
     return next((step.clause for step in found), steps[0].clause if steps else "")
+
+
+def swept_value(value: float, unit: str) -> Text:
+    """Return a value of a study in the unit in which the user wrote it."""
+    shown = quantity(value, figures=10)
+    return shown if unit == "-" else say("{value} {unit}", value=shown, unit=Verbatim(unit))

@@ -11,9 +11,9 @@ from reports.chapters import (
     annex_envelopes,
     annex_histories,
     annex_inputs,
-    annex_suite,
-    controls,
-    parameter_tables,
+    annex_sheets,
+    declaration,
+    suite,
     uncertainty,
 )
 from reports.chapters.cells import (
@@ -33,7 +33,7 @@ from reports.chapters.cells import (
     unbounded_text,
     uplift_cell,
 )
-from reports.chapters.varied_values import input_name
+from reports.chapters.sensitivity import input_name
 from reports.document import Cell, Column, Table
 from reports.language.texts import Listing, Phrase, Term, Verbatim, quantity, say
 from reports.titles import file_stem, numbered_title, procedure_title
@@ -51,23 +51,23 @@ QUANTITIES = {
 def tables(results: Results) -> Iterator[Table]:
     """Yield every table that has rows."""
     made = (
-        verdicts(results),
-        pga_at_capacity(results),
-        rotations(results),
-        comparison(results),
-        ordinates(results),
-        capacity_curves(results),
-        pga_curves(results),
-        sensitivity(results),
-        *uncertainty.data(results),
-        controls.control_rows(results),
-        *annex_envelopes.data(results),
-        annex_envelopes.primary_pulses(results.records),
+        checks_table(results),
+        pga_at_capacity_table(results),
+        rotations_table(results),
+        comparison_table(results),
+        spectra_table(results),
+        capacity_curves_table(results),
+        pga_curves_table(results),
+        sensitivity_table(results),
+        *uncertainty.data_tables(results),
+        declaration.controls_in_full(results),
+        *annex_envelopes.data_tables(results),
+        annex_envelopes.primary_pulses_table(results.records),
         *_of_mechanisms(results),
         *_of_suite(results),
-        annex_inputs.values(results),
-        annex_inputs.files(results),
-        annex_inputs.messages(results),
+        annex_inputs.values_table(results),
+        annex_inputs.files_table(results),
+        annex_inputs.messages_table(results),
     )
     yield from (table for table in made if table.rows)
 
@@ -75,21 +75,21 @@ def tables(results: Results) -> Iterator[Table]:
 def _of_mechanisms(results: Results) -> Iterator[Table]:
     for place, mechanism in enumerate(results.mechanisms, start=1):
         stem = file_stem(mechanism.name, place)
-        yield parameter_tables.parameters(mechanism, name=f"{stem}-parameters")
-        yield parameter_tables.loads(mechanism, name=f"{stem}-loads")
-        yield parameter_tables.hinge_forces(mechanism, name=f"{stem}-hinge-forces")
-        yield annex_histories.suites(mechanism, name=f"{stem}-suites")
-        yield annex_histories.histories(mechanism, name=f"{stem}-histories")
+        yield annex_sheets.parameters_table(mechanism, name=f"{stem}-parameters")
+        yield annex_sheets.loads_table(mechanism, name=f"{stem}-loads")
+        yield annex_sheets.hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")
+        yield annex_histories.suites_table(mechanism, name=f"{stem}-suites")
+        yield annex_histories.histories_table(mechanism, name=f"{stem}-histories")
 
 
 def _of_suite(results: Results) -> Iterator[Table]:
     motion = results.ground_motion
     if motion is not None:
-        yield annex_suite.requirements(motion)
-    yield annex_suite.processing(results)
+        yield suite.requirements_table(motion)
+    yield suite.processing_table(results)
 
 
-def verdicts(results: Results) -> Table:
+def checks_table(results: Results) -> Table:
     """Tabulate every check of every mechanism: demand, allowable, ratio, outcome, role and reason."""
     pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
     columns = (
@@ -115,13 +115,13 @@ def verdicts(results: Results) -> Table:
         Column(say("Why")),
         Column(say("Conditions and remarks")),
     )
-    rows = tuple((numbered_title(results, mechanism.name), *_verdict(check)) for mechanism, check in pairs)
+    rows = tuple((numbered_title(results, mechanism.name), *_check_row(check)) for mechanism, check in pairs)
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
     caption = say("Demand, allowable, ratio and outcome of every check. Readings of the thesis (grey) never decide.")
     return Table("verdicts", caption, columns, rows, muted)
 
 
-def _verdict(check: Check) -> tuple[Cell, ...]:
+def _check_row(check: Check) -> tuple[Cell, ...]:
     return (
         check.level_pga_g,
         Verbatim(check.procedure),
@@ -146,7 +146,7 @@ def _verdict(check: Check) -> tuple[Cell, ...]:
     )
 
 
-def pga_at_capacity(results: Results) -> Table:
+def pga_at_capacity_table(results: Results) -> Table:
     """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
     by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
     known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
@@ -163,9 +163,9 @@ def pga_at_capacity(results: Results) -> Table:
     return Table("pga-at-capacity", caption, columns, rows)
 
 
-def rotations(results: Results) -> Table:
+def rotations_table(results: Results) -> Table:
     """Tabulate the largest rotation at each level and the allowable one, by procedure (as thesis Table 8.10)."""
-    levels = governing.levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
+    levels = governing.pga_levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
     columns = (
         MECHANISM,
         PROCEDURE,
@@ -178,7 +178,7 @@ def rotations(results: Results) -> Table:
             numbered_title(results, mechanism.name),
             Verbatim(procedure),
             procedure_title(procedure),
-            *_rotations(checks, levels),
+            *_rotation_cells(checks, levels),
         )
         for mechanism in results.mechanisms
         for procedure, checks in governing.group_by_procedure(mechanism.checks).items()
@@ -190,13 +190,13 @@ def rotations(results: Results) -> Table:
     return Table("rotations", caption, columns, rows)
 
 
-def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Cell, ...]:
-    worst = [governing.worst(governing.at_level(checks, level)) for level in levels]
+def _rotation_cells(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Cell, ...]:
+    worst = [governing.worst_check(governing.checks_at_level(checks, level)) for level in levels]
     allowed = [check.capacity_rotation_ratio for check in checks if check.capacity_rotation_ratio is not None]
     return (*(None if check is None else rotation_cell(check) for check in worst), min(allowed, default=None))
 
 
-def comparison(results: Results) -> Table:
+def comparison_table(results: Results) -> Table:
     """Tabulate all mechanisms by all procedures."""
     columns = (
         MECHANISM,
@@ -209,7 +209,7 @@ def comparison(results: Results) -> Table:
         Column(say("Input at")),
     )
     checks = [governing.check_of(results, row) for row in results.comparison]
-    rows = tuple(_compared(results, row, check) for row, check in zip(results.comparison, checks, strict=True))
+    rows = tuple(_comparison_row(results, row, check) for row, check in zip(results.comparison, checks, strict=True))
     muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.reading == "thesis")
     caption = say(
         "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
@@ -217,7 +217,7 @@ def comparison(results: Results) -> Table:
     return Table("comparison", caption, columns, rows, muted)
 
 
-def _compared(results: Results, row: ComparisonRow, check: Check | None) -> tuple[Cell, ...]:
+def _comparison_row(results: Results, row: ComparisonRow, check: Check | None) -> tuple[Cell, ...]:
     rotation = rocking_cell(row.rotation_ratio) if check is None else rotation_cell(check)
     place: tuple[Cell, ...] = (
         numbered_title(results, row.mechanism),
@@ -230,7 +230,7 @@ def _compared(results: Results, row: ComparisonRow, check: Check | None) -> tupl
     return (*place, rotation, row.allowable_ratio, ratio, None if check is None else INPUTS[check.input_at])
 
 
-def ordinates(results: Results) -> Table:
+def spectra_table(results: Results) -> Table:
     """Tabulate the spectra of the target and the records, point by point."""
     columns = (Column(say("Series")), Column(say("Period"), "time"), Column(say("Acceleration"), "ground acceleration"))
     curves: list[tuple[Cell, SpectrumResult | RecordSpectrum]] = []
@@ -244,7 +244,7 @@ def ordinates(results: Results) -> Table:
     return Table("spectra", say("Elastic response spectra, target and records."), columns, rows)
 
 
-def capacity_curves(results: Results) -> Table:
+def capacity_curves_table(results: Results) -> Table:
     """Tabulate the capacity curves of every mechanism, point by point."""
     columns = (
         MECHANISM,
@@ -269,7 +269,7 @@ def _points(curve: BranchCurve) -> Iterator[tuple[float, ...]]:
     return zip(curve.rotation_rad, *quantities, curve.participating_mass_kg, curve.displacement_m, strict=True)
 
 
-def pga_curves(results: Results) -> Table:
+def pga_curves_table(results: Results) -> Table:
     """Tabulate the PGA-rotation curves of every mechanism and procedure, point by point."""
     rows = tuple(
         (numbered_title(results, mechanism.name), Verbatim(check.procedure), Verbatim(check.limit_state), ratio, pga)
@@ -289,7 +289,7 @@ def _one_for_each_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(first.values())
 
 
-def sensitivity(results: Results) -> Table:
+def sensitivity_table(results: Results) -> Table:
     """Tabulate every answer of every mechanism with each value at its low and its high end."""
     columns = (
         MECHANISM,
@@ -309,10 +309,10 @@ def sensitivity(results: Results) -> Table:
     caption = say(
         "Every check with each value at its low and its high end; there is no ratio where the body overturns."
     )
-    return Table("sensitivity", caption, columns, tuple(_varied(results, row) for row in results.sensitivity))
+    return Table("sensitivity", caption, columns, tuple(_sensitivity_row(results, row) for row in results.sensitivity))
 
 
-def _varied(results: Results, row: SensitivityResult) -> tuple[Cell, ...]:
+def _sensitivity_row(results: Results, row: SensitivityResult) -> tuple[Cell, ...]:
     outcomes = (row.verdict_base, row.verdict_low, row.verdict_high)
     return (
         numbered_title(results, row.mechanism),

@@ -1,4 +1,4 @@
-"""What NTC 2018 10.2 asks of a calculation by computer: analysis, program, controls, and the engineer's judgement."""
+"""The end of the main part: what NTC 2018 10.2 asks of a calculation by computer, automatic controls, signatures."""
 
 from __future__ import annotations
 
@@ -7,15 +7,30 @@ from hashlib import sha256
 
 from assess.codes.check import Check, Family
 from assess.codes.families import FAMILIES
-from assess.results import Results
-from assess.results.uses import USES
-from reports.chapters import controls
-from reports.document import Block, Facts, Prose, Section, Writing
-from reports.language.texts import Paragraph, Phrase, Text, Verbatim, listing, say, say_count
-from reports.titles import procedure_title
+from assess.messages.message import Message
+from assess.results import Control, ControlKind, Results
+from assess.results.solved_cases import USES
+from reports.chapters.front_matter import author, checker, client, engineer, reference
+from reports.document import (
+    Block,
+    BulletList,
+    Cell,
+    Column,
+    Facts,
+    OutcomeCell,
+    Prose,
+    Section,
+    Signatures,
+    Table,
+    WritingBox,
+    nonempty,
+)
+from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
+from reports.titles import mechanism_list, numbered_title, procedure_title
 
 ITALIAN_BASES = ("ntc2018", "dmi2008")
-KINDS: Mapping[Family, Phrase] = {
+
+ANALYSIS_KINDS: Mapping[Family, Phrase] = {
     Family.LINEAR: say(
         "{methods}: static and linear. The multiplier that starts the motion is compared with the spectrum reduced by "
         "q."
@@ -45,21 +60,25 @@ FOLLOW_ROTATION = (Family.DISPLACEMENT, Family.ENERGY, Family.HISTORY, Family.PA
 def sections(results: Results) -> list[Section]:
     """Return the chapter: analysis, program and controls, each with its own heading, and the box for the judgement."""
     return [
-        Section(title(results), 0, (Prose(tuple(analysis(results))),)),
-        Section(say("Program"), 1, (Facts(tuple(program(results))), Prose((documents(), *verification(results))))),
-        Section(say("Automatic controls"), 1, tuple(controls.blocks(results))),
+        Section(chapter_title(results), 0, (Prose(tuple(analysis_sentences(results))),)),
+        Section(
+            say("Program"),
+            1,
+            (Facts(tuple(program_facts(results))), Prose((documentation(), *verification_annex(results)))),
+        ),
+        Section(say("Automatic controls"), 1, tuple(control_blocks(results))),
         Section(say("Judgement"), 1, tuple(_judgement())),
     ]
 
 
-def title(results: Results) -> Text:
+def chapter_title(results: Results) -> Text:
     """Return the title of the chapter, with the clause that asks for it where an Italian code decides."""
     if results.verdict is not None and results.verdict.basis in ITALIAN_BASES:
         return say("Calculation by computer (NTC 2018, 10.2)")
     return say("Calculation by computer")
 
 
-def analysis(results: Results) -> Iterator[Text]:
+def analysis_sentences(results: Results) -> Iterator[Text]:
     """Yield the kind of analysis of the methods that decide, and why it was chosen."""
     deciding = [check for each in results.mechanisms for check in each.checks if check.role == "deciding"]
     yield from _kinds(deciding)
@@ -67,7 +86,7 @@ def analysis(results: Results) -> Iterator[Text]:
         yield say("No method decides; the kinds of analysis for comparison are listed under Codes and methods.")
     yield Paragraph(
         (
-            _reason(deciding),
+            _reason_for_rigid_bodies(deciding),
             say(
                 "The seismic action is combined with the permanent loads of each mechanism; both directions of motion "
                 "are analysed where the mechanism can rock both ways, and the worse one counts."
@@ -81,7 +100,7 @@ def analysis(results: Results) -> Iterator[Text]:
     )
 
 
-def _reason(deciding: list[Check]) -> Text:
+def _reason_for_rigid_bodies(deciding: list[Check]) -> Text:
     """Return why the mechanisms are rigid bodies, with large rotations where a method that decides follows these."""
     if deciding and not any(FAMILIES.get(check.procedure) in FOLLOW_ROTATION for check in deciding):
         return say(
@@ -103,10 +122,10 @@ def _kinds(checks: list[Check]) -> Iterator[Text]:
             found.setdefault(FAMILIES[check.procedure], []).append(check.procedure)
     for family, procedures in found.items():
         methods = listing(map(procedure_title, dict.fromkeys(procedures)))
-        yield Phrase(KINDS[family].english, {"methods": methods})
+        yield Phrase(ANALYSIS_KINDS[family].english, {"methods": methods})
 
 
-def program(results: Results) -> Iterator[tuple[Text, Text]]:
+def program_facts(results: Results) -> Iterator[tuple[Text, Text]]:
     """Yield name, version, licence and origin of the program, and the hashes of program and inputs."""
     made = results.program
     said = (
@@ -134,7 +153,7 @@ def inputs_text(results: Results) -> Text:
     )
 
 
-def documents() -> Text:
+def documentation() -> Text:
     """Return what comes with the program."""
     return say(
         "Theory, field of use and examples that reproduce published cases, with their project files, come with the "
@@ -142,7 +161,7 @@ def documents() -> Text:
     )
 
 
-def verification(results: Results) -> Iterator[Text]:
+def verification_annex(results: Results) -> Iterator[Text]:
     """Yield what the annex of verification says: cases, failures, its hashes, and what no case exercises."""
     annex = results.verification
     if annex is None:
@@ -197,4 +216,202 @@ def _judgement() -> Iterator[Block]:
         "test cases, and whether the results are acceptable, also by comparison with simple calculations of their own."
     )
     yield Prose((words,))
-    yield Writing(say("Engineer’s judgement of the program and of the acceptability of the results"), 32.0)
+    yield WritingBox(say("Engineer’s judgement of the program and of the acceptability of the results"), 32.0)
+
+
+CONTROL_TITLES: Mapping[ControlKind, Phrase] = {
+    "equilibrium": say("Equilibrium of reactions"),
+    "energy": say("Energy balance"),
+    "hand-multiplier": say("Multiplier by hand"),
+    "convergence": say("Convergence"),
+}
+WITHIN_ROUNDING = 1e-12  # relative difference below which a control is within rounding
+
+
+def control_blocks(results: Results) -> list[Block]:
+    """Return what was controlled, the table, and the notes on what was not made or not met."""
+    if not results.controls:
+        return [Prose((say("These results hold no automatic controls."),))]
+    return [
+        Prose((controls_summary(results.controls), controls_explanation())),
+        *nonempty(controls_table(results)),
+        *_control_notes(results),
+    ]
+
+
+def controls_summary(controls: tuple[Control, ...]) -> Text:
+    """Return how many controls are met."""
+    failed = sum(each.met is False for each in controls)
+    made = sum(each.met is not None for each in controls)
+    if failed:
+        return say_count(
+            "{number} automatic control of {made} is not met: the results of its mechanism are not to be used before "
+            "the cause is known.",
+            "{number} automatic controls of {made} are not met: the results of their mechanisms are not to be used "
+            "before the cause is known.",
+            failed,
+            made=quantity(made, figures=12),
+        )
+    if not made:
+        return say("No automatic control could be made.")
+    return say_count(
+        "The one automatic control that could be made is met.", "All {number} automatic controls made are met.", made
+    )
+
+
+def controls_explanation() -> Text:
+    """Return what the controls compare."""
+    return say(
+        "Equilibrium compares the reactions at the hinges with weights, loads and forces of inertia as the motion "
+        "starts; the energy balance compares work done and energy lost along a motion; the multiplier that starts the "
+        "motion is worked out again by moments about the hinges; convergence repeats an analysis with a coarser table "
+        "and coarser steps."
+    )
+
+
+def controls_table(results: Results) -> Table:
+    """Tabulate mechanism by control: relative differences, and both multipliers."""
+    columns = (
+        Column(say("Mechanism"), share=0.26),
+        *(Column(_control_heading(results, kind)) for kind in ("equilibrium", "energy")),
+        Column(say("Multiplier of the program"), "ratio", 5),
+        Column(say("Multiplier by hand"), "ratio", 5),
+        *(Column(_control_heading(results, kind)) for kind in ("hand-multiplier", "convergence")),
+    )
+    rows = tuple(_controls_row(results, each.name) for each in results.mechanisms)
+    caption = say("Relative differences of the automatic controls. A dash stands for a control that was not made.")
+    return Table("controls", caption, columns, rows if results.controls else (), small=True)
+
+
+def _control_heading(results: Results, kind: ControlKind) -> Text:
+    """Return the title of a kind of control with its tolerance."""
+    found = [each.tolerance for each in results.controls if each.kind == kind and each.tolerance > 0.0]
+    if not found:
+        return CONTROL_TITLES[kind]
+    return say(
+        "{control}, at most {tolerance}", control=CONTROL_TITLES[kind], tolerance=quantity(max(found), figures=2)
+    )
+
+
+def _controls_row(results: Results, name: str) -> tuple[Cell, ...]:
+    of = {
+        kind: [each for each in results.controls if each.mechanism == name and each.kind == kind]
+        for kind in CONTROL_TITLES
+    }
+    by_hand = next(iter(of["hand-multiplier"]), None)
+    return (
+        numbered_title(results, name),
+        _worst_difference(of["equilibrium"]),
+        _worst_difference(of["energy"]),
+        None if by_hand is None else by_hand.value,
+        None if by_hand is None else by_hand.reference,
+        _worst_difference(of["hand-multiplier"]),
+        _worst_difference(of["convergence"]),
+    )
+
+
+def _worst_difference(controls: list[Control]) -> Cell:
+    """Return the largest difference of some controls in the colour of their outcome; None where none was made."""
+    made = [each for each in controls if each.difference is not None]
+    if not made:
+        return None
+    worst = max(made, key=lambda each: (each.met is False, each.difference or 0.0))
+    text = _difference(worst.difference or 0.0)
+    if worst.met is None:
+        return OutcomeCell("comparison", text)
+    return OutcomeCell("pass" if worst.met else "fail", text)
+
+
+def _difference(value: float) -> Text:
+    return (
+        say("below {least}", least=quantity(WITHIN_ROUNDING, figures=1))
+        if value < WITHIN_ROUNDING
+        else quantity(value, figures=2)
+    )
+
+
+def _control_notes(results: Results) -> Iterator[Block]:
+    """Yield what the program says of controls that were not made, not met, or need not agree, each sentence once."""
+    found: dict[str, tuple[Control, Message, list[str]]] = {}
+    for each in results.controls:
+        if each.met is not True:
+            found.setdefault(f"{each.kind} {each.note.text}", (each, each.note, []))[2].append(each.mechanism)
+    if found:
+        yield BulletList(
+            tuple(
+                say(
+                    "{control}, {mechanisms}: {note}",
+                    control=CONTROL_TITLES[control.kind],
+                    mechanisms=mechanism_list(results, owners),
+                    note=note,
+                )
+                for control, note, owners in found.values()
+            )
+        )
+
+
+def controls_in_full(results: Results) -> Table:
+    """Tabulate every control with its numbers, for the spreadsheet and the CSV files."""
+    columns = (
+        *(Column(label) for label in (say("Mechanism"), say("Control"), say("Quantity"))),
+        Column(say("Value")),
+        Column(say("Reference")),
+        Column(say("Relative difference"), "ratio", 3),
+        Column(say("Tolerance"), "ratio", 3),
+        Column(say("Met")),
+        Column(say("Note")),
+    )
+    rows = tuple(
+        (
+            numbered_title(results, each.mechanism),
+            CONTROL_TITLES[each.kind],
+            Term(each.quantity),
+            None if each.value is None else quantity(each.value, each.dimension, 6),
+            None if each.reference is None else quantity(each.reference, each.dimension, 6),
+            each.difference,
+            each.tolerance,
+            each.met,
+            each.note,
+        )
+        for each in results.controls
+    )
+    return Table("controls-in-full", say("Every automatic control with its numbers."), columns, rows)
+
+
+def signature_sections(results: Results) -> list[Section]:
+    """Return the statement with the places to sign."""
+    leader = engineer(results) or author(results)
+    places: list[tuple[Text, Text]] = [(say("Engineer"), Verbatim(leader))]
+    if author(results) not in ("", leader):
+        places.insert(0, (say("Author"), Verbatim(author(results))))
+    places.append((say("Checked by"), Verbatim(checker(results))))
+    if client(results):
+        places.append((say("Received for the client"), Verbatim(client(results))))
+    blocks: tuple[Block, ...] = (
+        Prose((signed_statement(results),)),
+        *_identity_facts(results),
+        Signatures(tuple(places)),
+    )
+    return [Section(say("Signatures"), 0, blocks)]
+
+
+def signed_statement(results: Results) -> Text:
+    """Return what is signed."""
+    return say(
+        "The undersigned have examined the data, the choice of the mechanisms and the results of this report, and "
+        "judge them fit for the purpose stated. The results hold for the inputs listed here and for no others."
+    )
+
+
+def _identity_facts(results: Results) -> tuple[Facts, ...]:
+    """Return what identifies the issue that is signed."""
+    matter = results.report
+    said = (
+        (say("Office"), matter.office),
+        (say("Licence number"), matter.licence_number),
+        (say("Reference"), reference(results)),
+        (say("Revision"), matter.revisions[-1].number if matter.revisions else ""),
+        (say("Stamp of the results"), results.stamp),
+    )
+    pairs = tuple((label, Verbatim(text)) for label, text in said if text)
+    return (Facts(pairs),) if pairs else ()

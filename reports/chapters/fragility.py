@@ -3,14 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
-from assess.messages.message import Severity
-from assess.results.fragility import FragilityResults, MeasureResult
-from reports.chapters import fragility_page, fragility_tables, references
+from assess.messages.message import Severity, distinct
+from assess.results.fragility import FragilityCurve, FragilityResults, MeasureResult, MechanismFragility, RecordRuns
+from reports.chapters import fragility_tables, scope
+from reports.chapters import fragility_tables as tables
 from reports.chapters import fragility_words as words
-from reports.document import Block, Items, Prose, Section, nonempty
+from reports.document import Block, BulletList, Figure, FigureRow, Prose, Section, nonempty
+from reports.figures import fragility
+from reports.figures import fragility as figure
+from reports.figures.style import HALF, WIDTH
+from reports.intensity_measures import (
+    curves_by,
+    first_measure,
+    hazard_of,
+    main_curve,
+    main_risk,
+    measure_text,
+    measures_of,
+    state_text,
+    unit_intensity,
+)
 from reports.language.texts import Paragraph, Text, Verbatim, count, listing, say
-from reports.measures import main_curve, measures_of
+from reports.titles import file_stem
 
 COUNTS = (
     say(
@@ -24,19 +40,23 @@ COUNTS = (
     ),
 )
 CLOUD = (say("Rates are computed from the lognormal: a cloud has too few points to integrate."),)
+
 WIDENED = say(
     "A target is compared with the rate of the curve widened by the epistemic dispersion: its mean over a lognormal "
     "factor of median 1 and that dispersion on the intensity, which leaves the median of a lognormal and adds the two "
     "dispersions by the root of the sum of squares. Without that dispersion no rate is called within its target."
 )
+
 MEANS = say(
     "Masses, strengths and dimensions are those of the project, which should be means, and the confidence factor "
     "is 1; cautious values and safety factors would count twice what the dispersion holds."
 )
+
 DIMENSIONLESS = Verbatim(
     "Dimitrakopoulos, E. G. and Paraskeva, T. S. (2015). Dimensionless fragility curves for rocking response to "
     "near-fault excitations. Earthquake Engineering and Structural Dynamics 44(12), 2015–2033."
 )
+
 WORKS = (
     Verbatim(
         "Baker, J. W. (2015). Efficient analytical fragility function fitting using dynamic structural analysis. "
@@ -64,14 +84,14 @@ WORKS = (
 def sections(results: FragilityResults) -> list[Section]:
     """Return the chapters: the first page, a part for each mechanism, method and records, sources."""
     return [
-        _summary(results),
-        *(fragility_page.section(results, each) for each in results.mechanisms),
-        _method(results),
-        Section(say("Sources"), 0, (Items(tuple(_sources(results))),)),
+        _first_page(results),
+        *(mechanism_section(results, each) for each in results.mechanisms),
+        _method_section(results),
+        Section(say("Sources"), 0, (BulletList(tuple(_cited_works(results))),)),
     ]
 
 
-def _summary(results: FragilityResults) -> Section:
+def _first_page(results: FragilityResults) -> Section:
     told = tuple(
         say(
             "{mechanism}: {sentences}",
@@ -79,13 +99,13 @@ def _summary(results: FragilityResults) -> Section:
             sentences=Paragraph(said),
         )
         for each in results.mechanisms
-        if (said := tuple(words.summary(each, results.hazard)))
+        if (said := tuple(words.mechanism_summary(each, results.hazard)))
     )
-    blocks: list[Block] = [Items(told)] if told else []
-    blocks += [*nonempty(fragility_tables.overview(results)), Prose(tuple(_reading(results)))]
+    blocks: list[Block] = [BulletList(told)] if told else []
+    blocks += [*nonempty(fragility_tables.overview_table(results)), Prose(tuple(_reading(results)))]
     warned = tuple(each for each in results.warnings if each.severity is not Severity.NOTE)
     if warned:
-        blocks += [Prose((say("Warnings:"),)), Items(warned)]
+        blocks += [Prose((say("Warnings:"),)), BulletList(warned)]
     return Section(say("Fragility and risk"), 0, tuple(blocks))
 
 
@@ -101,7 +121,7 @@ def _reading(results: FragilityResults) -> Iterator[Text]:
         yield say("How likely it is each year is not answered: give the hazard of the site in [analysis.risk].")
 
 
-def _method(results: FragilityResults) -> Section:
+def _method_section(results: FragilityResults) -> Section:
     said = [words.METHODS[results.method], *(CLOUD if results.method == "cloud" else COUNTS), MEANS]
     said.append(
         say(
@@ -115,16 +135,119 @@ def _method(results: FragilityResults) -> Section:
         said.append(say("Hazard of the site: {sources}. Rates are its convolution with the curve.", sources=sources))
     if any(risk.target_rate is not None for each in results.mechanisms for risk in each.risks):
         said.append(WIDENED)
-    blocks = (Prose(tuple(said)), *nonempty(fragility_tables.records(results)))
+    blocks = (Prose(tuple(said)), *nonempty(fragility_tables.records_table(results)))
     return Section(say("Method and records"), 0, blocks, starts_page=True)
 
 
-def _sources(results: FragilityResults) -> Iterator[Text]:
+def _cited_works(results: FragilityResults) -> Iterator[Text]:
     yield from WORKS
     if any(_is_dimensionless(each) for mechanism in results.mechanisms for each in measures_of(mechanism)):
         yield DIMENSIONLESS
-    yield references.HOUSNER
+    yield scope.HOUSNER
 
 
 def _is_dimensionless(measure: MeasureResult) -> bool:
     return measure.dimension == "ratio"
+
+
+def mechanism_section(results: FragilityResults, mechanism: MechanismFragility) -> Section:
+    """Return the pages of a mechanism: what it means, the curves, the runs behind them, the measures, the rates."""
+    stem = file_stem(mechanism.name, [each.name for each in results.mechanisms].index(mechanism.name) + 1)
+    blocks: list[Block] = [
+        *_prose(words.mechanism_summary(mechanism, results.hazard)),
+        *_curve_blocks(mechanism, stem),
+        *nonempty(tables.curves_table(mechanism, f"{stem}-curves")),
+        *_run_blocks(mechanism, stem),
+        Prose((words.islands_sentence(mechanism),)),
+        *nonempty(tables.islands_table(mechanism, f"{stem}-islands", most=tables.MAX_ISLANDS)),
+        *nonempty(tables.measures_table(mechanism, f"{stem}-measures")),
+        *_rate_blocks(results, mechanism, stem),
+        *_prose(words.epistemic_sentences(mechanism)),
+        *_remarks(mechanism),
+    ]
+    title = Verbatim(mechanism.label or mechanism.name)
+    return Section(title, 0, tuple(blocks), starts_page=True, mark=tables.number_of(results, mechanism))
+
+
+def _prose(sentences: Iterator[Text]) -> list[Block]:
+    said = tuple(sentences)
+    return [Prose((Paragraph(said),))] if said else []
+
+
+def _curve_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
+    curve = main_curve(mechanism)
+    if curve is not None:
+        caption = say(
+            "Share of the records that bring it to {state}, over {measure}. Points: counted, each with its Wilson "
+            "interval, hollow where most records are scaled by more than 4; line: lognormal with its bootstrap band; "
+            "dashed, if any: a bound, from the first intensity that reaches the state.",
+            state=state_text(curve.state),
+            measure=measure_text(curve.measure),
+        )
+        yield Figure(f"{stem}-fragility", caption, partial(figure.draw_fragility, curve))
+        yield from _prose(words.describe_counts(curve))
+
+
+def _run_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
+    """Yield the figure of the runs, beside that of all states where there are several."""
+    measure = first_measure(mechanism)
+    curves = curves_by(mechanism, measure)
+    pairs = _with_units(mechanism, measure)
+    found = []
+    if pairs and curves and measure is not None:
+        draw = partial(
+            fragility.draw_record_runs,
+            tuple(run for run, _ in pairs),
+            tuple(unit for _, unit in pairs),
+            measure,
+            reach=max(map(figure.intensity_reach, curves)),
+            width=HALF if len(curves) > 1 else WIDTH,
+        )
+        caption = say(
+            "Largest rotation over that which overturns, at rising intensity; a line for each record. Diamonds, if "
+            "any: islands."
+        )
+        found.append(Figure(f"{stem}-runs", caption, draw))
+    if len(curves) > 1:
+        found.append(_states_figure(curves, stem))
+    yield from [FigureRow(tuple(found))] if len(found) > 1 else found
+
+
+def _with_units(mechanism: MechanismFragility, measure: MeasureResult | None) -> list[tuple[RecordRuns, float]]:
+    """Return the runs of each record whose intensity is known, with its intensity at scale 1."""
+    if measure is None:
+        return []
+    units = ((run, unit_intensity(mechanism, measure, run)) for run in mechanism.runs)
+    return [(run, unit) for run, unit in units if unit is not None]
+
+
+def _states_figure(curves: tuple[FragilityCurve, ...], stem: str) -> Figure:
+    caption = say(
+        "Share of the records that reach each state: counted (hollow: most scaled by more than 4), lognormal."
+    )
+    return Figure(f"{stem}-states", caption, partial(figure.draw_states, curves))
+
+
+def _rate_blocks(results: FragilityResults, mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
+    risk = main_risk(mechanism)
+    if risk is not None:
+        caption = say(
+            "Which ground motions make up the annual rate of {state} ({curve}): above, how often the site exceeds each "
+            "intensity; below, the share of the rate from each range of intensities.",
+            state=state_text(risk.state),
+            curve=words.RATE_CURVES[risk.curve],
+        )
+        draw = partial(fragility.draw_risk, risk, hazard_of(risk, results.hazard))
+        yield Figure(f"{stem}-contributions", caption, draw)
+    yield from nonempty(tables.rates_table(mechanism, f"{stem}-rates"))
+
+
+def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
+    """Yield notes on the mechanism, and on curves and rates by its first measure; the tables have those on others."""
+    first = first_measure(mechanism)
+    of_states = [(curve.state, note) for curve in curves_by(mechanism, first) for note in curve.notes]
+    of_states += [(risk.state, note) for risk in mechanism.risks if risk.measure == first for note in risk.notes]
+    said = [say("{state}: {note}", state=state_text(state), note=note) for state, note in dict.fromkeys(of_states)]
+    if mechanism.notes or said:
+        yield Prose((say("Remarks on this mechanism:"),))
+        yield BulletList((*distinct(mechanism.notes), *said))

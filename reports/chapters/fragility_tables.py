@@ -1,8 +1,11 @@
-"""The tables of a report on fragility."""
+"""The tables of a report on fragility: those printed, then every number for the spreadsheet and the CSV files.
+
+The spreadsheet has a table for each dimension of the intensity measures.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from assess.results.fragility import (
     FragilityCurve,
@@ -15,9 +18,10 @@ from assess.results.fragility import (
     Trend,
 )
 from reports.chapters import fragility_words as words
-from reports.document import Cell, Column, Graded, Table
-from reports.language.texts import Text, Verbatim, quantity, say
-from reports.measures import (
+from reports.chapters.fragility_words import RATE_CURVES
+from reports.document import Cell, Column, OutcomeCell, Table
+from reports.intensity_measures import (
+    DIMENSION_WORDS,
     FIGURES,
     PERCENT,
     RATE_FIGURES,
@@ -28,9 +32,11 @@ from reports.measures import (
     main_curve,
     main_risk,
     measure_text,
+    measures_of,
     state_text,
     unit_intensity,
 )
+from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 MECHANISM, STATE, MEASURE = Column(say("Mechanism")), Column(say("State")), Column(say("Measure"))
 FIVE, HALF = Column(say("5 % of records")), Column(say("50 % of records (median)"))
@@ -41,9 +47,10 @@ TARGET = Column(say("Target rate"), "annual rate", FIGURES)
 BEYOND = Column(say("Beyond the hazard"), "annual rate", RATE_FIGURES)
 ABOVE_RUNS = Column(say("Above the runs"), "annual rate", RATE_FIGURES)
 WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", RATE_FIGURES)
-RISK = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND, ABOVE_RUNS)
+RATE_COLUMNS = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND, ABOVE_RUNS)
 SIGNIFICANT = 0.05
-MOST = 6
+
+MAX_ISLANDS = 6
 """Islands on a page; the tables of the spreadsheet have all."""
 
 
@@ -57,13 +64,13 @@ def number_of(results: FragilityResults, mechanism: MechanismFragility) -> str:
     return f"M{[each.name for each in results.mechanisms].index(mechanism.name) + 1}"
 
 
-def overview(results: FragilityResults) -> Table:
+def overview_table(results: FragilityResults) -> Table:
     """Tabulate what is found of every mechanism in its last state, with the rate beside the target."""
     risks = [main_risk(each) for each in results.mechanisms]
     with_rate, with_target = any(risks), any(risk is not None and risk.target_rate is not None for risk in risks)
     columns = [MECHANISM, MEASURE, FIVE, HALF, DISPERSION, *([RATE, PROBABILITY] if with_rate else [])]
     columns += [WITH_EPISTEMIC, TARGET, Column(say("Outcome"))] if with_target else []
-    rows = tuple(tuple(_overview(results, each))[: len(columns)] for each in results.mechanisms)
+    rows = tuple(tuple(_overview_row(results, each))[: len(columns)] for each in results.mechanisms)
     caption = say("Every mechanism: intensity at which 5 % and 50 % of the records overturn it, with 95 % intervals.")
     if any(state is not None and state.name != "overturning" for state in map(last_state, results.mechanisms)):
         caption = say("Every mechanism: intensity at which 5 % and 50 % of the records bring it to its last state.")
@@ -71,19 +78,20 @@ def overview(results: FragilityResults) -> Table:
 
 
 OUTCOMES = {
-    "pass": Graded("pass", say("within the target")),
-    "fail": Graded("fail", say("more than the target")),
+    "pass": OutcomeCell("pass", say("within the target")),
+    "fail": OutcomeCell("fail", say("more than the target")),
 }
-ONLY_WITH = Graded("fail", say("more than the target with the epistemic dispersion"))
+ONLY_WITH = OutcomeCell("fail", say("more than the target with the epistemic dispersion"))
+
 GAPS = {
-    "motion": Graded("incomplete", say("not known: ground motion at a height")),
-    "runs": Graded("incomplete", say("not known: the runs end too soon")),
-    "hazard": Graded("incomplete", say("not known: the hazard ends too soon")),
-    "epistemic": Graded("incomplete", say("not known: no epistemic dispersion")),
+    "motion": OutcomeCell("incomplete", say("not known: ground motion at a height")),
+    "runs": OutcomeCell("incomplete", say("not known: the runs end too soon")),
+    "hazard": OutcomeCell("incomplete", say("not known: the hazard ends too soon")),
+    "epistemic": OutcomeCell("incomplete", say("not known: no epistemic dispersion")),
 }
 
 
-def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
+def _overview_row(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
     measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
     yield numbered_name(results, mechanism)
     yield None if measure is None else measure_text(measure)
@@ -92,10 +100,10 @@ def _overview(results: FragilityResults, mechanism: MechanismFragility) -> Itera
     yield None if risk is None else PERCENT * risk.probability_50_years
     yield None if risk is None else risk.with_epistemic
     yield None if risk is None else risk.target_rate
-    yield None if risk is None or risk.outcome is None else _graded(risk)
+    yield None if risk is None or risk.outcome is None else _outcome_cell(risk)
 
 
-def _graded(risk: RiskResult) -> Graded:
+def _outcome_cell(risk: RiskResult) -> OutcomeCell:
     """Return the outcome of a rate beside its target, with what is missing."""
     if risk.outcome == "incomplete" and risk.gap is not None:
         return GAPS[risk.gap]
@@ -114,7 +122,7 @@ def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
     return five, half, words.dispersion_text(fitted)
 
 
-def curves(mechanism: MechanismFragility, name: str) -> Table:
+def curves_table(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the curves of a mechanism by its first measure, a row for each state."""
     measure = first_measure(mechanism)
     dimension = "ratio" if measure is None else measure.dimension
@@ -158,7 +166,7 @@ def lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
         yield from ends or (None, None)
 
 
-def comparison(mechanism: MechanismFragility, name: str) -> Table:
+def measures_table(mechanism: MechanismFragility, name: str) -> Table:
     """Compare the measures in the last state by dispersion, and by the trends of what is left."""
     state = last_state(mechanism)
     columns = (
@@ -166,7 +174,7 @@ def comparison(mechanism: MechanismFragility, name: str) -> Table:
         Column(say("Dispersion β"), "ratio", 2),
         *(Column(label) for label in (say("Trend on magnitude"), say("on ln distance"), say("on ln scale factor"))),
     )
-    rows = tuple(_compared(each) for each in mechanism.comparison if each.state == state)
+    rows = tuple(_measure_row(each) for each in mechanism.comparison if each.state == state)
     caption = say(
         "How well each measure explains {state}: the less the dispersion, the better. Trends: slope of what is left, "
         "with its p-value; significant below 0.05, where the measure misses what the records differ in.",
@@ -175,7 +183,7 @@ def comparison(mechanism: MechanismFragility, name: str) -> Table:
     return Table(name, caption, columns, rows, small=True)
 
 
-def _compared(each: MeasureComparison) -> tuple[Cell, ...]:
+def _measure_row(each: MeasureComparison) -> tuple[Cell, ...]:
     found = {trend.on: trend for trend in each.trends}
     trends = (trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
     return measure_text(each.measure), each.dispersion, *trends
@@ -191,7 +199,7 @@ def trend_text(trend: Trend | None) -> Text | None:
     return say("{slope}, p = {p}: not significant", **values)
 
 
-def islands(mechanism: MechanismFragility, name: str, *, most: int | None = None) -> Table:
+def islands_table(mechanism: MechanismFragility, name: str, *, most: int | None = None) -> Table:
     """Tabulate the islands of the records. most: rows; all of them if None."""
     measure = first_measure(mechanism)
     columns = (
@@ -224,11 +232,11 @@ def islands(mechanism: MechanismFragility, name: str, *, most: int | None = None
     return Table(name, caption, columns, shown, small=True)
 
 
-def risks(mechanism: MechanismFragility, name: str) -> Table:
+def rates_table(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the annual rates of a mechanism, a row for each state, measure and curve."""
     spread = any(risk.with_epistemic is not None for risk in mechanism.risks)
-    columns = (*RISK, *([WITH_EPISTEMIC] if spread else []))
-    rows = tuple(risk_cells(risk)[: len(columns)] for risk in mechanism.risks)
+    columns = (*RATE_COLUMNS, *([WITH_EPISTEMIC] if spread else []))
+    rows = tuple(rate_row(risk)[: len(columns)] for risk in mechanism.risks)
     muted = frozenset(place for place, risk in enumerate(mechanism.risks) if risk.curve == "first")
     caption = say(
         "Annual rates and probabilities in 50 years. Beyond the hazard: what the rate can lack, if every motion "
@@ -238,12 +246,12 @@ def risks(mechanism: MechanismFragility, name: str) -> Table:
     return Table(name, caption, columns, rows, muted, small=True)
 
 
-def risk_cells(risk: RiskResult) -> tuple[Cell, ...]:
+def rate_row(risk: RiskResult) -> tuple[Cell, ...]:
     """Return the cells of a rate."""
     return (
         state_text(risk.state),
         measure_text(risk.measure),
-        words.RATES[risk.curve],
+        words.RATE_CURVES[risk.curve],
         risk.annual_rate,
         PERCENT * risk.probability_50_years,
         risk.target_rate,
@@ -253,7 +261,7 @@ def risk_cells(risk: RiskResult) -> tuple[Cell, ...]:
     )
 
 
-def records(results: FragilityResults) -> Table:
+def records_table(results: FragilityResults) -> Table:
     """Tabulate the records with event, magnitude, distance and the range of scale over all mechanisms."""
     columns = (
         Column(say("Record"), share=0.3),
@@ -267,13 +275,13 @@ def records(results: FragilityResults) -> Table:
     for mechanism in results.mechanisms:
         for run in mechanism.runs:
             found.setdefault(run.record, []).append(run)
-    rows = tuple(_record(runs) for runs in found.values())
+    rows = tuple(_record_row(runs) for runs in found.values())
     return Table(
         "fragility-records", say("Records, with the scale factors at which they were run."), columns, rows, small=True
     )
 
 
-def _record(runs: list[RecordRuns]) -> tuple[Cell, ...]:
+def _record_row(runs: list[RecordRuns]) -> tuple[Cell, ...]:
     scales = [scale for run in runs for scale in run.scale]
     far = runs[0].distance_km
     return (
@@ -284,3 +292,193 @@ def _record(runs: list[RecordRuns]) -> tuple[Cell, ...]:
         min(scales, default=None),
         max(scales, default=None),
     )
+
+
+LEAD = (MECHANISM, STATE, MEASURE)
+LARGE = say("Scaled by more than 4")
+Rows = list[tuple[Cell, ...]]
+
+
+def data_tables(results: FragilityResults) -> Iterator[Table]:
+    """Yield every table that has rows."""
+    made = (
+        *_by_dimension(results, "curves", say("Lognormal curves; bounds are of the first intensity."), _curve_rows),
+        *_by_dimension(results, "points", say("Records that reach each state at each intensity."), _point_rows),
+        *_by_dimension(results, "risk", say("Hazard of the site and contributions to the rates."), _contribution_rows),
+        *_by_dimension(results, "intensities", say("Intensity of each record at scale 1."), _intensity_rows),
+        _all_runs_table(results),
+        _all_trends_table(results),
+        _all_islands_table(results),
+        _all_rates_table(results),
+        _remarks_table(results),
+    )
+    yield from (table for table in made if table.rows)
+
+
+Maker = Callable[[FragilityResults, str], tuple[tuple[Column, ...], Rows]]
+
+
+def _by_dimension(results: FragilityResults, name: str, caption: Phrase, make: Maker) -> Iterator[Table]:
+    for dimension, word in DIMENSION_WORDS.items():
+        columns, rows = make(results, dimension)
+        yield Table(f"fragility-{name}-{word}", caption, columns, tuple(rows))
+
+
+def _curves_of(
+    results: FragilityResults, dimension: str
+) -> Iterator[tuple[MechanismFragility, FragilityCurve, tuple[Cell, ...]]]:
+    for mechanism in results.mechanisms:
+        for curve in mechanism.curves:
+            if curve.measure.dimension == dimension:
+                lead = numbered_name(results, mechanism), state_text(curve.state), measure_text(curve.measure)
+                yield mechanism, curve, lead
+
+
+def _curve_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
+    low, high = say("from"), say("to")
+    columns = (
+        *LEAD,
+        Column(say("Curve")),
+        *(Column(each, dimension) for each in (FIVE.label, low, high, HALF.label, low, high)),
+        *(Column(each, "ratio") for each in (DISPERSION.label, low, high)),
+        *(Column(each) for each in (say("Records"), say("Earthquakes"), say("Not reached"), LARGE)),
+    )
+    rows: Rows = []
+    for _, curve, lead in _curves_of(results, dimension):
+        counts = (curve.records, curve.events, curve.censored, curve.hollow)
+        for word, fitted in ((say("lognormal"), curve.lognormal), (say("bound"), curve.first)):
+            if fitted is not None:
+                rows.append((*lead, word, *lognormal_numbers(fitted), *counts))
+    return columns, rows
+
+
+def _point_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
+    columns = (
+        *LEAD,
+        Column(say("Intensity"), dimension),
+        *(Column(label) for label in (say("Records"), say("Reached"), LARGE)),
+        *(Column(label, "ratio") for label in (say("Share"), say("from"), say("to"))),
+    )
+    rows: Rows = [
+        (*lead, p.intensity, p.records, p.reached, p.hollow, p.share, p.low, p.high)
+        for _, curve, lead in _curves_of(results, dimension)
+        for p in curve.empirical
+    ]
+    return columns, rows
+
+
+def _contribution_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
+    columns = (
+        *LEAD,
+        Column(say("Curve")),
+        Column(say("From"), dimension),
+        Column(say("To"), dimension),
+        Column(say("Share of the rate"), "ratio"),
+    )
+    rows: Rows = [
+        (
+            numbered_name(results, mechanism),
+            state_text(risk.state),
+            measure_text(risk.measure),
+            RATE_CURVES[risk.curve],
+            *each,
+        )
+        for mechanism in results.mechanisms
+        for risk in mechanism.risks
+        if risk.measure.dimension == dimension
+        for each in zip(risk.intensity[:-1], risk.intensity[1:], risk.contribution, strict=True)
+    ]
+    return columns, rows
+
+
+def _intensity_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
+    columns = (MECHANISM, MEASURE, Column(say("Record")), Column(say("Intensity"), dimension))
+    rows: Rows = [
+        (
+            numbered_name(results, each),
+            measure_text(measure),
+            Verbatim(run.record),
+            unit_intensity(each, measure, run),
+        )
+        for each in results.mechanisms
+        for measure in measures_of(each)
+        if measure.dimension == dimension
+        for run in each.runs
+    ]
+    return columns, rows
+
+
+def _all_runs_table(results: FragilityResults) -> Table:
+    columns = (
+        MECHANISM,
+        Column(say("Record")),
+        Column(say("Earthquake")),
+        Column(say("Scale"), "ratio"),
+        Column(say("Rotation φ/φₒᵥ"), "ratio"),
+        Column(say("Overturned")),
+    )
+    rows = tuple(
+        (numbered_name(results, each), Verbatim(run.record), Verbatim(run.event), scale, ratio, ratio is None)
+        for each in results.mechanisms
+        for run in each.runs
+        for scale, ratio in zip(run.scale, run.ratio, strict=True)
+    )
+    return Table("fragility-runs", say("Every run: largest rotation over that which overturns."), columns, rows)
+
+
+def _all_trends_table(results: FragilityResults) -> Table:
+    on = {"magnitude": say("magnitude"), "distance": say("ln distance"), "scale": say("ln scale factor")}
+    numbers = (Column(label, "ratio") for label in (say("Dispersion β"), say("Slope"), say("p-value")))
+    columns = (*LEAD, Column(say("Trend on")), *numbers, Column(say("Records")))
+    rows = tuple(
+        (
+            numbered_name(results, mechanism),
+            state_text(each.state),
+            measure_text(each.measure),
+            on[trend.on],
+            each.dispersion,
+            trend.slope,
+            trend.p_value,
+            trend.n,
+        )
+        for mechanism in results.mechanisms
+        for each in mechanism.comparison
+        for trend in each.trends
+    )
+    return Table("fragility-trends", say("Trends of what each measure leaves unexplained."), columns, rows)
+
+
+def _all_islands_table(results: FragilityResults) -> Table:
+    columns = (
+        MECHANISM,
+        Column(say("Record")),
+        Column(say("Earthquake")),
+        Column(say("Stands again from scale"), "ratio"),
+        Column(say("To scale"), "ratio"),
+    )
+    rows = tuple(
+        (numbered_name(results, each), Verbatim(run.record), Verbatim(run.event), *ends)
+        for each in results.mechanisms
+        for run in each.runs
+        for ends in run.islands
+    )
+    return Table("fragility-islands", say("Islands of every record."), columns, rows)
+
+
+def _remarks_table(results: FragilityResults) -> Table:
+    columns = (MECHANISM, STATE, MEASURE, Column(say("Remark")))
+    rows: Rows = [
+        (numbered_name(results, each), None, None, note) for each in results.mechanisms for note in each.notes
+    ]
+    for each in results.mechanisms:
+        found: tuple[FragilityCurve | RiskResult, ...] = (*each.curves, *each.risks)
+        for one in found:
+            lead = numbered_name(results, each), state_text(one.state), measure_text(one.measure)
+            rows += [(*lead, note) for note in one.notes]
+    return Table("fragility-remarks", say("Remarks on curves and rates."), columns, tuple(dict.fromkeys(rows)))
+
+
+def _all_rates_table(results: FragilityResults) -> Table:
+    rows = tuple((numbered_name(results, each), *rate_row(risk)) for each in results.mechanisms for risk in each.risks)
+    columns = (MECHANISM, *RATE_COLUMNS, WITH_EPISTEMIC)
+    return Table("fragility-rates", say("Annual rates and probabilities in 50 years."), columns, rows)

@@ -6,16 +6,15 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.results.fragility import (
     FragilityCurve,
+    FragilityMethod,
     Gap,
     HazardResult,
     LognormalResult,
     MeasureResult,
     MechanismFragility,
-    Method,
     RiskResult,
 )
-from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
-from reports.measures import (
+from reports.intensity_measures import (
     FIGURES,
     PERCENT,
     RATE_FIGURES,
@@ -28,8 +27,9 @@ from reports.measures import (
     percent,
     state_text,
 )
+from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
 
-METHODS: Mapping[Method, Phrase] = {
+METHODS: Mapping[FragilityMethod, Phrase] = {
     "ida": say(
         "Each record is scaled step by step up to the largest scale and run at every step, in both polarities; the "
         "worse counts."
@@ -42,7 +42,7 @@ METHODS: Mapping[Method, Phrase] = {
         "of similar intensity; the lognormal is the one equivalent to the regression of the rotations on the intensity."
     ),
 }  # fmt: skip
-RATES: Mapping[str, Phrase] = {
+RATE_CURVES: Mapping[str, Phrase] = {
     "empirical": say("from the shares counted"),
     "lognormal": say("from the lognormal"),
     "first": say("bound, from the first intensity"),
@@ -65,7 +65,7 @@ GAPS: Mapping[Gap, Phrase] = {
 }
 
 
-def summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ()) -> Iterator[Text]:
+def mechanism_summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ()) -> Iterator[Text]:
     """Yield what an owner should know of a mechanism: the intensities that overturn it, then its annual rate.
 
     Parameters
@@ -75,17 +75,17 @@ def summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ())
     """
     curve, risk = main_curve(mechanism), main_risk(mechanism)
     if curve is not None:
-        yield how_strong(curve)
+        yield intensity_sentence(curve)
         yield from _extrapolated(curve)
     if risk is not None:
-        yield how_likely(risk)
+        yield rate_sentence(risk)
         if risk.target_rate is not None:
-            yield beside_target(risk)
+            yield target_sentence(risk)
     elif hazards:
-        yield without_rate(mechanism, hazards)
+        yield no_rate_sentence(mechanism, hazards)
 
 
-def without_rate(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
+def no_rate_sentence(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
     """Say why a mechanism has no annual rate although the hazard of the site is given."""
     state, measures = last_state(mechanism), [hazard.measure for hazard in hazards]
     found = [each for each in mechanism.curves if each.state == state and each.measure in measures]
@@ -102,11 +102,11 @@ def without_rate(mechanism: MechanismFragility, hazards: Sequence[HazardResult])
     )
 
 
-def how_strong(curve: FragilityCurve) -> Text:
+def intensity_sentence(curve: FragilityCurve) -> Text:
     """Say at which intensity 5 % and 50 % of the records reach the state of a curve."""
     fitted = curve.lognormal
     if fitted is None:
-        return _counted(curve)
+        return _counted_sentence(curve)
     low, half = (
         value_with_interval(value, ends, curve.measure)
         for value, ends in (
@@ -145,7 +145,7 @@ def _extrapolated(curve: FragilityCurve) -> Iterator[Text]:
         )
 
 
-def _counted(curve: FragilityCurve) -> Text:
+def _counted_sentence(curve: FragilityCurve) -> Text:
     """Say what was counted where the records do not bound a curve."""
     if not curve.empirical:
         return say("There is no run by {measure} to count.", measure=measure_text(curve.measure))
@@ -173,7 +173,7 @@ def value_with_interval(value: float, ends: tuple[float, float] | None, measure:
     return shown if within is None else say("{value} ({interval})", value=shown, interval=within)
 
 
-def how_likely(risk: RiskResult) -> Text:
+def rate_sentence(risk: RiskResult) -> Text:
     """Say the annual rate of a state at the site, and its probability in 50 years."""
     return say(
         "With the hazard of the site, the annual rate of {state} is {rate}, a probability of {probability} in 50 "
@@ -184,7 +184,7 @@ def how_likely(risk: RiskResult) -> Text:
     )
 
 
-def beside_target(risk: RiskResult) -> Text:
+def target_sentence(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
     target = quantity(risk.target_rate or 0.0, "annual rate", FIGURES)
     wide = quantity(risk.with_epistemic or 0.0, "annual rate", RATE_FIGURES)
@@ -233,7 +233,7 @@ def describe_counts(curve: FragilityCurve) -> Iterator[Text]:
         )
 
 
-def islands(mechanism: MechanismFragility) -> Text:
+def islands_sentence(mechanism: MechanismFragility) -> Text:
     """Say how many records have islands."""
     number = sum(bool(run.islands) for run in mechanism.runs)
     if not number:
@@ -246,7 +246,7 @@ def islands(mechanism: MechanismFragility) -> Text:
     )
 
 
-def epistemic(mechanism: MechanismFragility) -> Iterator[Text]:
+def epistemic_sentences(mechanism: MechanismFragility) -> Iterator[Text]:
     """Yield the dispersion of what is not known of the mechanism, apart from that of records."""
     if mechanism.epistemic is None:
         yield say(

@@ -8,7 +8,7 @@ from math import radians
 from assess.results import Picture, Results
 from reports.document import NOTHING, Photograph
 from reports.language.texts import Text, Verbatim, listing, quantity, say
-from reports.project_text import project_text
+from reports.project_values import project_text
 
 Fact = tuple[Text, Text]
 

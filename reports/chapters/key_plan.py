@@ -1,25 +1,26 @@
-"""Page 2: where the mechanisms are in the building, which ones it can have besides, revisions and photographs."""
+"""Page 2: where the mechanisms are in the building, the list of those that it can have, revisions and photographs."""
 
 from __future__ import annotations
 
 from functools import partial
 
-from assess.results import Results
-from reports.chapters import checklist
+from assess.codes.checklists import CHECKLISTS, item_name
+from assess.results import ChecklistItem, Results
 from reports.chapters.front_matter import photograph
-from reports.chapters.mechanism_list import mechanism_list
-from reports.document import Block, Column, Figure, Prose, Section, Table
+from reports.chapters.verdict_texts import DEMAND_CAPACITY
+from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
-from reports.figures.building import Building
-from reports.language.texts import Verbatim, say
+from reports.figures.building import BuildingScene
+from reports.language.texts import Term, Text, Verbatim, count, listing, say, say_count
+from reports.titles import mechanism_list
 
 
-def sections(results: Results, building: Building | None) -> list[Section]:
+def sections(results: Results, building: BuildingScene | None) -> list[Section]:
     """Return the page, after it the revisions where they are given, and the photographs as a chapter of their own.
 
     building : the bodies of all mechanisms, None where none has geometry
     """
-    blocks = (*plan(results, building), *checklist.blocks(results))
+    blocks = (*plan(results, building), *checklist_blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -27,12 +28,12 @@ def sections(results: Results, building: Building | None) -> list[Section]:
     ]
 
 
-def plan(results: Results, building: Building | None) -> list[Block]:
+def plan(results: Results, building: BuildingScene | None) -> list[Block]:
     """Return the key plan with the mechanisms that it cannot show, or why there is none."""
     if building is None:
         return [Prose((say("The mechanisms are given by parameters, without geometry: there is no key plan."),))]
     model = key_plan.model_of_key_plan(building)
-    figure = Figure("key-plan", key_plan.caption(building), partial(key_plan.draw, building), model)
+    figure = Figure("key-plan", key_plan.key_plan_caption(building), partial(key_plan.draw_key_plan, building), model)
     undrawn = [each.name for each in results.mechanisms if each.name not in building.mechanisms]
     if not undrawn:
         return [figure]
@@ -64,3 +65,122 @@ def _photographs(results: Results) -> list[Section]:
     pictures = results.report.figures
     blocks = tuple(photograph(each, f"photograph-{place:02d}") for place, each in enumerate(pictures, start=1))
     return [Section(say("Photographs"), 0, blocks)] if blocks else []
+
+
+MAX_NAMED = 6  # items that page 1 names
+IN_PLANE = frozenset(each.key for items in CHECKLISTS.values() for each in items if each.in_plane)
+
+
+def checklist_blocks(results: Results) -> list[Block]:
+    """Return the list, and what it means for the index of the building."""
+    return [*([checklist_table(results)] if results.report.checklist else []), Prose((checklist_meaning(results),))]
+
+
+def checklist_table(results: Results) -> Table:
+    """Tabulate the items of the list, those that are absent in grey."""
+    items = results.report.checklist
+    numbered = any(item.number is not None for item in items)
+    columns = [Column(say("No."), share=0.06)] if numbered else []
+    columns += [Column(say("Possible mechanism"), share=0.45), Column(say("Here"))]
+    rows = tuple(
+        (*((_item_number(item),) if numbered else ()), item_text(results, item), item_outcome(results, item))
+        for item in items
+    )
+    absent = frozenset(place for place, item in enumerate(items) if item.outcome == "absent")
+    return Table("checklist", _checklist_caption(results), tuple(columns), rows, absent, small=True)
+
+
+def _checklist_caption(results: Results) -> Text:
+    if results.report.building_type == "church":
+        return say("Mechanisms that a church can have, by the numbers of the Italian survey form.")
+    return say("Local mechanisms that a house can have.")
+
+
+def _item_number(item: ChecklistItem) -> Cell:
+    return None if item.number is None else count(item.number)
+
+
+def item_text(results: Results, item: ChecklistItem) -> Text:
+    """Return what an item of the list is called."""
+    return Term(item_name(results.report.building_type, item.key))
+
+
+def item_outcome(results: Results, item: ChecklistItem) -> Text:
+    """Return what became of an item."""
+    if item.outcome == "absent":
+        return say("absent")
+    numbers = mechanism_list(results, item.mechanisms)
+    if item.outcome == "examined":
+        return say("examined ({mechanisms})", mechanisms=numbers) if item.mechanisms else say("examined")
+    return _not_examined(item, numbers)
+
+
+def _not_examined(item: ChecklistItem, numbers: Text) -> Text:
+    if item.reason and item.mechanisms:
+        reason = Verbatim(item.reason)
+        return say("possible, examined in part ({mechanisms}): {reason}", mechanisms=numbers, reason=reason)
+    if item.reason:
+        return say("possible, not examined: {reason}", reason=Verbatim(item.reason))
+    if item.key in IN_PLANE:
+        return say("possible, not examined: this program does not assess walls in their plane")
+    return say("not stated; counts as possible, not examined")
+
+
+def not_examined_text(results: Results) -> Text | None:
+    """Return the items that are possible and were not examined, the first of many; None where there are none."""
+    if not results.report.checklist:
+        return say("not stated: the project does not say which mechanisms the building can have")
+    items = results.report.not_examined
+    if not items:
+        return None
+    kept = items if len(items) <= MAX_NAMED + 1 else items[:MAX_NAMED]
+    shown = [item_text(results, item) for item in kept]
+    more = len(items) - len(kept)
+    return listing([*shown, say_count("{number} other", "{number} others", more)] if more else shown)
+
+
+def checklist_meaning(results: Results) -> Text:
+    """Return what the list means for the index of the building."""
+    if not results.report.checklist:
+        return say(
+            "The project file does not say which mechanisms a building of this type can have (building_type in "
+            "[report]): the verdict holds for the mechanisms examined and says nothing of others."
+        )
+    number = len(results.report.not_examined)
+    index = None if results.verdict is None else results.verdict.index
+    if index is None:
+        return _meaning_without_index(number)
+    if not number:
+        return say(
+            "Every mechanism of this list is examined or absent. The index of the building is that of its local "
+            "mechanisms; the response of the building as a whole is not part of this report."
+        )
+    if index.name == DEMAND_CAPACITY:
+        return say_count(
+            "The ratio D/C of the building is at least the largest one of the mechanisms examined: {number} possible "
+            "mechanism was not examined and may have a larger one.",
+            "The ratio D/C of the building is at least the largest one of the mechanisms examined: {number} possible "
+            "mechanisms were not examined, and one of them may have a larger one.",
+            number,
+        )
+    return say_count(
+        "The index of the building is at most the least one of the mechanisms examined: {number} possible mechanism "
+        "was not examined and may have a lower one.",
+        "The index of the building is at most the least one of the mechanisms examined: {number} possible mechanisms "
+        "were not examined, and one of them may have a lower one.",
+        number,
+    )
+
+
+def _meaning_without_index(number: int) -> Text:
+    """Return what the list means where the building has no index. number: of mechanisms not examined."""
+    if not number:
+        return say(
+            "Every mechanism of this list is examined or absent. The response of the building as a whole is not part "
+            "of this report."
+        )
+    return say_count(
+        "{number} possible mechanism was not examined: the verdict says nothing of it.",
+        "{number} possible mechanisms were not examined: the verdict says nothing of them.",
+        number,
+    )

@@ -6,15 +6,21 @@ from collections.abc import Iterator, Sequence
 
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.results import Results, SensitivityResult
-from reports.chapters import checklist, missing_inputs
-from reports.chapters.governing_words import lacking_factor, lacking_figures
-from reports.chapters.index_text import held_text, is_lowered, symbol
-from reports.chapters.mechanism_list import mechanism_list
-from reports.chapters.sensitivity_ranking import SIDES, flips, is_negligible, span
-from reports.chapters.varied_values import answer_text, input_name, value_text
-from reports.document import Block, Cell, Column, Items, Prose, Section, Table, nonempty
+from reports.chapters import key_plan, verdict_texts
+from reports.chapters.mechanism_page import required_increase, required_increase_figures
+from reports.chapters.sensitivity import (
+    BOUNDS,
+    answer_text,
+    changes_outcome,
+    input_name,
+    is_negligible,
+    span,
+    value_text,
+)
+from reports.chapters.verdict_texts import capacity_pga_text, has_reduced_target, index_symbol
+from reports.document import Block, BulletList, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Text, listing, quantity, say
-from reports.titles import numbered_title
+from reports.titles import mechanism_list, numbered_title
 
 
 def sections(results: Results) -> list[Section]:
@@ -32,20 +38,20 @@ def sections(results: Results) -> list[Section]:
     if found.outcome == Decision.PASS:
         nothing = say("At the site’s own action no mechanism examined requires strengthening.")
         to_target = say("No mechanism examined requires strengthening to reach the target.")
-        blocks.insert(0, Prose((to_target if is_lowered(found) else nothing,)))
+        blocks.insert(0, Prose((to_target if has_reduced_target(found) else nothing,)))
     return [Section(say("Recommendations"), 0, tuple(blocks))]
 
 
 def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
-    return [Prose((title,)), Items(tuple(points))] if points else []
+    return [Prose((title,)), BulletList(tuple(points))] if points else []
 
 
 def _missing(results: Results, found: Verdict) -> list[Block]:
     """Return what is missing where page 1 does not show all of it, or nothing of it in a verdict that is not open."""
     if found.outcome != Decision.INCOMPLETE:
-        texts = missing_inputs.missing_texts(results, found)
+        texts = verdict_texts.missing_texts(results, found)
         return [*_titled(say("To be given for the mechanisms without an answer:"), texts)]
-    return [] if missing_inputs.fits_page_1(results, found) else missing_inputs.paste(results, found)
+    return [] if verdict_texts.fits_page_1(results, found) else verdict_texts.blocks_to_paste(results, found)
 
 
 def _failing(results: Results, found: Verdict) -> list[Block]:
@@ -59,7 +65,7 @@ def _failing(results: Results, found: Verdict) -> list[Block]:
         "designed, and the mechanism is to be assessed again with them: they change the mechanism, not only its "
         "resistance."
     )
-    ordered = sorted(failing, key=lambda one: -(lacking_factor(one, found) or 0.0))
+    ordered = sorted(failing, key=lambda one: -(required_increase(one, found) or 0.0))
     columns = (
         Column(say("Mechanism")),
         Column(say("Holds up to PGA"), "ground acceleration", 3),
@@ -67,15 +73,15 @@ def _failing(results: Results, found: Verdict) -> list[Block]:
         Column(say("Factor needed"), "ratio", 3),
     )
     caption = say("What the failing mechanisms lack.")
-    rows = tuple(_lacking_row(results, one, found) for one in ordered)
+    rows = tuple(_failing_row(results, one, found) for one in ordered)
     return [Prose((words,)), *nonempty(Table("lacking", caption, columns, rows, small=True))]
 
 
-def _lacking_row(results: Results, one: MechanismVerdict, found: Verdict) -> tuple[Cell, ...]:
-    held = None if one.margin is None else held_text(one, one.margin, found.action)
-    factor = lacking_factor(one, found)
+def _failing_row(results: Results, one: MechanismVerdict, found: Verdict) -> tuple[Cell, ...]:
+    held = None if one.margin is None else capacity_pga_text(one, one.margin, found.action)
+    factor = required_increase(one, found)
     reached = None if one.margin is None or factor is None else one.margin * found.action.pga_g * factor
-    shown = None if factor is None else quantity(factor, "ratio", lacking_figures(one, factor))
+    shown = None if factor is None else quantity(factor, "ratio", required_increase_figures(one, factor))
     return (numbered_title(results, one.mechanism), held, reached, shown)
 
 
@@ -88,15 +94,15 @@ def survey(results: Results, found: Verdict) -> Iterator[Text]:
             "what the tolerance of the survey changes",
             mechanisms=mechanism_list(results, near),
         )
-    yield from _of_sensitivity(results)
+    yield from _strongest_inputs(results)
     if not results.sensitivity:
         yield say("what moves the answers most, which a sensitivity study would show: none was made")
 
 
-def _of_sensitivity(results: Results) -> Iterator[Text]:
+def _strongest_inputs(results: Results) -> Iterator[Text]:
     """Yield the values that change a deciding answer; of other mechanisms those that move the answer most."""
     decisive = [row for row in results.sensitivity if row.quantity == "index" and not is_negligible(row)]
-    changing = [row for row in decisive if _changes(row)]
+    changing = [row for row in decisive if _changes_any_outcome(row)]
     yield from (_change(results, row) for row in changing)
     settled = {row.mechanism for row in changing}
     strongest: dict[Text, list[str]] = {}
@@ -112,8 +118,8 @@ def _of_sensitivity(results: Results) -> Iterator[Text]:
         )
 
 
-def _changes(row: SensitivityResult) -> bool:
-    return any(flips(row, side) for side in SIDES)
+def _changes_any_outcome(row: SensitivityResult) -> bool:
+    return any(changes_outcome(row, side) for side in BOUNDS)
 
 
 def _change(results: Results, row: SensitivityResult) -> Text:
@@ -121,7 +127,7 @@ def _change(results: Results, row: SensitivityResult) -> Text:
         "{parameter} of {mechanism}, which changes the answer: {index} is {at_low} at {low} and {at_high} at {high}",
         parameter=input_name(row),
         mechanism=numbered_title(results, row.mechanism),
-        index=symbol(row.index),
+        index=index_symbol(row.index),
         low=value_text(row, row.low),
         high=value_text(row, row.high),
         at_low=answer_text(row, "low"),
@@ -132,13 +138,13 @@ def _change(results: Results, row: SensitivityResult) -> Text:
 def next_checks(results: Results) -> Iterator[Text]:
     """Yield the mechanisms that are possible and were not examined: by this program, and by others."""
     items = results.report.not_examined
-    out_of_plane = [item for item in items if item.key not in checklist.IN_PLANE]
-    in_plane = [item for item in items if item.key in checklist.IN_PLANE]
+    out_of_plane = [item for item in items if item.key not in key_plan.IN_PLANE]
+    in_plane = [item for item in items if item.key in key_plan.IN_PLANE]
     if out_of_plane:
-        named = listing(checklist.name_of(results, item) for item in out_of_plane)
+        named = listing(key_plan.item_text(results, item) for item in out_of_plane)
         yield say("with this program, or to be ruled out with a reason: {items}", items=named)
     if in_plane:
-        named = listing(checklist.name_of(results, item) for item in in_plane)
+        named = listing(key_plan.item_text(results, item) for item in in_plane)
         yield say("by another method, as this program does not assess walls in their plane: {items}", items=named)
     if not results.report.checklist:
         yield say("the mechanisms that a building of this type can have besides those of this report")

@@ -1,20 +1,20 @@
-"""What this report covers, the limits of its methods that matter for these results, and what it refers to."""
+"""What this report covers, the limits that matter for these results, codes and methods, and the works referred to."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
-from assess.codes.check import Check, Outcome, Reason
+from assess.codes.check import Check, Family, Outcome, Reason
+from assess.codes.families import FAMILIES
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
-from reports.chapters import methods, missing_inputs, references, verdict
-from reports.chapters.mechanism_list import mechanism_list
-from reports.document import Block, Items, Prose, Section, nonempty
-from reports.language.texts import Paragraph, Term, Text, Verbatim, listing, quantity, say, say_count
-from reports.project_text import project_text
-from reports.titles import mechanism_number, procedure_title
+from reports.chapters import verdict, verdict_texts
+from reports.document import Block, BulletList, Column, Prose, Section, Table, nonempty
+from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
+from reports.project_values import project_text
+from reports.titles import mechanism_list, mechanism_number, procedure_title
 
 SLIDING = "sliding"
 GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
@@ -22,21 +22,21 @@ GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
 
 def sections(results: Results) -> list[Section]:
     """Return scope and limits, then methods with their editions, then references."""
-    limits = tuple(limits_of(results))
+    limits = tuple(applicable_limits(results))
     blocks: list[Block] = [
-        Prose((scope(results),)),
+        Prose((scope_text(results),)),
         *_notes(results),
         Prose((say("Limits that matter for these results:"),)),
-        Items(limits),
+        BulletList(limits),
     ]
     return [
         Section(say("Scope and limits"), 0, (*blocks, *_left_over(results))),
         Section(
             say("Codes and methods"),
             1,
-            (*nonempty(methods.table(results)), *nonempty(methods.rules(results)), *_uncompared(results)),
+            (*nonempty(methods_table(results)), *nonempty(rules_table(results)), *_uncompared(results)),
         ),
-        Section(say("References"), 1, (Items(references.cited_works(results)),)),
+        Section(say("References"), 1, (BulletList(cited_works(results)),)),
     ]
 
 
@@ -46,7 +46,7 @@ def _notes(results: Results) -> list[Block]:
     return [Prose((say("Notes: {notes}", notes=Verbatim(notes)),))] if notes else []
 
 
-def scope(results: Results) -> Text:
+def scope_text(results: Results) -> Text:
     """Return what was assessed and what was not."""
     return Paragraph(
         (
@@ -66,17 +66,17 @@ def scope(results: Results) -> Text:
     )
 
 
-def limits_of(results: Results) -> Iterator[Text]:
+def applicable_limits(results: Results) -> Iterator[Text]:
     """Yield the limits that apply to these results."""
     yield say(
         "The bodies are rigid between their joints and move in one vertical plane: bending and torsion of the masonry "
         "and out-of-plane coupling are not modelled."
     )
-    yield from _of_histories(results)
-    yield from _of_joints(results)
+    yield from _limits_of_histories(results)
+    yield from _limits_of_joints(results)
     yield sliding(results)
-    yield from _of_input(results)
-    yield from _of_equation(results)
+    yield from _limits_of_input(results)
+    yield from _limits_of_equation(results)
     if len({check.procedure for check in _answered(results)}) > 1:
         yield say(
             "The methods allow different rotations and take different equivalent periods: their ratios D/C measure "
@@ -84,7 +84,7 @@ def limits_of(results: Results) -> Iterator[Text]:
         )
 
 
-def _of_histories(results: Results) -> Iterator[Text]:
+def _limits_of_histories(results: Results) -> Iterator[Text]:
     if not any(mechanism.histories for mechanism in results.mechanisms):
         return
     yield say(
@@ -97,7 +97,7 @@ def _of_histories(results: Results) -> Iterator[Text]:
     )
 
 
-def _of_joints(results: Results) -> Iterator[Text]:
+def _limits_of_joints(results: Results) -> Iterator[Text]:
     soft = [each.name for each in results.mechanisms if joints.deformable_joints(each)]
     rigid = [each.name for each in results.mechanisms if each.name not in soft]
     if rigid:
@@ -153,7 +153,7 @@ def _is_checked(mechanism: MechanismResult) -> bool:
     return any(check.procedure == SLIDING and check.verdict not in silent for check in mechanism.checks)
 
 
-def _of_input(results: Results) -> Iterator[Text]:
+def _limits_of_input(results: Results) -> Iterator[Text]:
     """Yield mechanisms above the ground whose check takes the ground motion."""
     raised = [(m, check) for m in results.mechanisms for check in m.checks if _takes_ground_motion(check)]
     if raised:
@@ -171,7 +171,7 @@ def _takes_ground_motion(check: Check) -> bool:
     return check.reading == "letter" and bool(found & {Reason.GROUND_MOTION, GROUND_AT_HEIGHT})
 
 
-def _of_equation(results: Results) -> Iterator[Text]:
+def _limits_of_equation(results: Results) -> Iterator[Text]:
     linear = [each.name for each in results.mechanisms if each.equation == "linearised" and each.histories]
     if linear:
         yield say(
@@ -187,12 +187,12 @@ def _left_over(results: Results) -> Iterator[Block]:
         return
     lists: tuple[tuple[Text, list[Text]], ...] = (
         (say("All conditions of the verdict:"), verdict.conditions(results, found)),
-        (say("All that is missing:"), missing_inputs.missing_texts(results, found)),
+        (say("All that is missing:"), verdict_texts.missing_texts(results, found)),
         (say("All warnings that bear on the verdict:"), verdict.warnings(results)),
     )
     for title, points in lists:
         if verdict.is_shortened(points):
-            yield from (Prose((title,)), Items(tuple(points)))
+            yield from (Prose((title,)), BulletList(tuple(points)))
 
 
 def _uncompared(results: Results) -> Iterator[Block]:
@@ -210,7 +210,7 @@ def _uncompared(results: Results) -> Iterator[Block]:
     points = [*(Term(each) for each in (() if found is None else found.uncompared)), *points]
     if points:
         yield Prose((say("Not compared with the printed standards, to be checked by the engineer:"),))
-        yield Items(tuple(points))
+        yield BulletList(tuple(points))
 
 
 def _answered(results: Results) -> list[Check]:
@@ -221,3 +221,149 @@ def _answered(results: Results) -> list[Check]:
 def caveats_of(check: Check) -> tuple[Term | Message, ...]:
     """Return what could not be compared of a check; in results of older versions one text."""
     return check.caveats or ((Term(check.caveat),) if check.caveat else ())
+
+
+COMPARED: Mapping[Family, Phrase] = {
+    Family.DISPLACEMENT: say("displacement capacity with the spectral displacement at the secant period"),
+    Family.LINEAR: say("acceleration that starts the motion with the spectrum reduced by q, not the rotation after it"),
+    Family.ENERGY: say("rotation of an equivalent oscillator of equal work, damped by impacts, with the allowable one"),
+    Family.PART: say("rotation capacity of the wall with the spectral rotation of a part at its floor"),
+    Family.TABLE: say("ratio of height to thickness with the one allowed at the spectral ordinate at 1 s"),
+    Family.ELEMENT: say("force that starts the motion with the force on a part at its floor, reduced by q_a"),
+    Family.HISTORY: say("largest rotations under each record, impacts included, with the allowable ones"),
+    Family.SLIDING: say("sliding displacement, without rocking, with the allowable one"),
+    Family.FRICTION: say("friction needed until rocking starts with the friction there is"),
+}
+"""What the methods of each family compare."""
+
+
+def methods_table(results: Results) -> Table:
+    """Tabulate the methods, those that decide first."""
+    found: dict[str, list[Check]] = {}
+    for check in (check for mechanism in results.mechanisms for check in mechanism.checks):
+        found.setdefault(check.procedure, []).append(check)
+    ordered = sorted(found.values(), key=lambda checks: not _decides(checks))
+    rows = tuple(
+        (procedure_title(each[0].procedure), Term(each[0].edition), part_in_verdict(each), _compared(each))
+        for each in ordered
+    )
+    columns = (
+        Column(say("Method"), share=0.24),
+        Column(say("Edition"), share=0.22),
+        Column(say("Part in the verdict"), share=0.16),
+        Column(say("Compares")),
+    )
+    muted = frozenset(place for place, each in enumerate(ordered) if not _decides(each))
+    caption = say("Methods of this report, with the editions used.")
+    return Table("methods", caption, columns, rows, muted, small=True)
+
+
+def _decides(checks: list[Check]) -> bool:
+    return any(check.role == "deciding" for check in checks)
+
+
+def part_in_verdict(checks: list[Check]) -> Text:
+    """Return what the answers of a method do for the verdict."""
+    if _decides(checks):
+        return say("decides")
+    if all(check.reading == "thesis" for check in checks):
+        return say("never decides: reading of the thesis")
+    if all(check.informs for check in checks):
+        return say("for information")
+    return say("for comparison")
+
+
+def _compared(checks: list[Check]) -> Text | None:
+    family = FAMILIES.get(checks[0].procedure)
+    return None if family is None else COMPARED[family]
+
+
+def rules_table(results: Results) -> Table:
+    """Tabulate the rules of the deciding code with their clauses."""
+    found = () if results.verdict is None or results.verdict.basis == "own" else results.verdict.clauses
+    columns = (Column(say("Rule of the verdict")), Column(say("Clause"), share=0.3))
+    rows = tuple((Term(rule), Term(clause)) for rule, clause in found)
+    return Table("rules", say("The rules that decide, and where the code states them."), columns, rows, small=True)
+
+
+HOUSNER = Verbatim(
+    "Housner, G. W. (1963). The behavior of inverted pendulum structures during earthquakes. Bulletin of the "
+    "Seismological Society of America 53(2), 403–417."
+)
+
+THESIS = say(
+    "{work}: cited as “thesis”.",
+    work=Verbatim(
+        "Mehrotra, A. A. A computational tool for seismic collapse assessment of masonry structures. PhD thesis, "
+        "University of Cambridge"
+    ),
+)
+
+ZHANG_MAKRIS = Verbatim(
+    "Zhang, J. and Makris, N. (2001). Rocking response of free-standing blocks under cycloidal pulses. Journal of "
+    "Engineering Mechanics 127(5), 473–483."
+)
+
+SORRENTINO = Verbatim(
+    "Sorrentino, L., AlShawa, O. and Decanini, L. D. (2011). The relevance of energy damping in unreinforced masonry "
+    "rocking mechanisms. Experimental and analytic investigations. Bulletin of Earthquake Engineering 9(5), 1617–1642."
+)
+
+PROCEDURE_WORKS: Mapping[str, Verbatim] = {
+    "asce43-05": Verbatim(
+        "ASCE/SEI 43-05. Seismic design criteria for structures, systems, and components in nuclear facilities. "
+        "American Society of Civil Engineers, 2005."
+    ),
+    "asce41-13": Verbatim(
+        "ASCE/SEI 41-13. Seismic evaluation and retrofit of existing buildings. American Society of Civil Engineers, "
+        "2014."
+    ),
+    "dmi2008": Verbatim(
+        "D.M. 14 gennaio 2008, Norme tecniche per le costruzioni; Circolare 2 febbraio 2009 n. 617, C8A.4."
+    ),
+    "ntc2018": Verbatim(
+        "D.M. 17 gennaio 2018, Norme tecniche per le costruzioni; Circolare 21 gennaio 2019 n. 7, C7.2.3, C8.7.1.2."
+    ),
+    "nzsee2017": Verbatim(
+        "NZSEE, SESOC, NZGS, MBIE and EQC (2017). The seismic assessment of existing buildings, part C8: Unreinforced "
+        "masonry buildings."
+    ),
+    "ec8": Verbatim("EN 1998-1:2004. Eurocode 8: Design of structures for earthquake resistance, part 1. CEN."),
+}
+"""Of procedures, by how their names begin."""
+
+SPECTRUM_WORKS: Mapping[str, Verbatim] = {
+    "asce7-05": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
+    "ibc2009": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
+    "asce7-10": Verbatim("ASCE/SEI 7-10. Minimum design loads for buildings and other structures. 2010."),
+    "asce7-16": Verbatim(
+        "ASCE/SEI 7-16. Minimum design loads and associated criteria for buildings and other structures. 2016."
+    ),
+    "ec8": PROCEDURE_WORKS["ec8"],
+    "nzs1170.5": Verbatim("NZS 1170.5:2004. Structural design actions, part 5: Earthquake actions – New Zealand."),
+    "ntc2008": PROCEDURE_WORKS["dmi2008"],
+    "ntc2018": PROCEDURE_WORKS["ntc2018"],
+}
+"""Of spectra, by the code of the site."""
+
+
+def cited_works(results: Results) -> tuple[Text, ...]:
+    """Return the references of these results, each once."""
+    found: list[Text] = []
+    for each in _works(results):
+        if each not in found:
+            found.append(each)
+    return tuple(found)
+
+
+def _works(results: Results) -> Iterator[Text]:
+    if results.spectrum is not None and results.spectrum.code in SPECTRUM_WORKS:
+        yield SPECTRUM_WORKS[results.spectrum.code]
+    for procedure in (check.procedure for mechanism in results.mechanisms for check in mechanism.checks):
+        yield from (text for start, text in PROCEDURE_WORKS.items() if procedure.startswith(start))
+    yield HOUSNER
+    yield THESIS
+    if any("Sorrentino et al. 2011" in mechanism.restitution_source for mechanism in results.mechanisms):
+        yield SORRENTINO
+    if any(mechanism.envelope is not None for mechanism in results.mechanisms):
+        yield ZHANG_MAKRIS

@@ -2,36 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from math import inf
+from math import inf, log
+from typing import Literal
 
+from assess.codes.check import Outcome
+from assess.codes.families import uses_histories
 from assess.results import Results, SensitivityResult
-from reports.chapters.cells import MECHANISM, OUTCOMES
-from reports.chapters.index_text import RATIO
-from reports.chapters.sensitivity_ranking import (
-    SIDES,
-    Side,
-    VariedInput,
-    answer_value,
-    flips,
-    is_negligible,
-    rank_inputs,
-    span,
-    verdict_at,
-)
-from reports.chapters.varied_values import answer_name, answer_text, input_name, range_text
+from reports.chapters.cells import MECHANISM, OUTCOMES, OVERTURNED
+from reports.chapters.verdict_texts import DEMAND_CAPACITY, index_symbol
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
-from reports.figures import tornado
-from reports.language.texts import Term, Text, Verbatim, listing, quantity, say
+from reports.figures import sensitivity
+from reports.governing import DAMAGE
+from reports.language.texts import Phrase, Term, Text, Verbatim, listing, quantity, say
 from reports.titles import file_stem, mechanism_number, numbered_title, procedure_title
 
-MOST = 8
+MAX_ROWS = 8
 """Rows of the table."""
-MANY_BARS = 10
+
+MAX_BARS = 10
 """Bars of the figures of the chapter, which is one page."""
-CHANGED: dict[str, Text] = {"pass": say("passes"), "fail": say("fails")}
+CHANGED_OUTCOMES: dict[str, Text] = {"pass": say("passes"), "fail": say("fails")}
+
 METHOD = say(
     "Each value is varied alone, with all others unchanged, and the mechanism is assessed again by every method with "
     "all records. The ranges are those of the project and say nothing about their likelihood; values that change "
@@ -41,7 +36,29 @@ METHOD = say(
 
 
 @dataclass(frozen=True)
-class Influence:
+class VariedInput:
+    """One number of a mechanism.
+
+    rows : all its answers; shown : those that represent them, in one order for all numbers of the mechanism: the PGA at
+    capacity and the ratio of the procedure that governs, as far as they are known, and the ratio of the histories
+    """
+
+    rows: tuple[SensitivityResult, ...]
+    shown: tuple[SensitivityResult, ...]
+
+    @property
+    def decisive(self) -> tuple[SensitivityResult, ...]:
+        """The rows of the deciding procedures; all rows where none decides."""
+        return tuple(row for row in self.rows if row.role == "deciding") or self.rows
+
+    @property
+    def number(self) -> SensitivityResult:
+        """Any of its rows, for what all share: parameter, key, unit, base, low, high, remark."""
+        return self.rows[0]
+
+
+@dataclass(frozen=True)
+class InputEffect:
     """An input of a mechanism, and the answer of that mechanism which represents it."""
 
     varied: VariedInput
@@ -58,37 +75,40 @@ class Influence:
     @property
     def decides(self) -> bool:
         """Whether the outcome of a deciding check changes within the range."""
-        return any(flips(row, side) for row in self.varied.decisive for side in SIDES)
+        return any(changes_outcome(row, side) for row in self.varied.decisive for side in BOUNDS)
 
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter; none where nothing was varied."""
-    found = influences(results)
+    found = input_effects(results)
     if not found:
-        notes = tuple(_unvaried(results))
+        notes = tuple(_inputs_not_varied(results))
         return [Section(say("Sensitivity"), 0, notes)] if notes else []
     figures = tuple(_figures(results))
-    shown = figures[: 2 if sum(bars for _, bars in figures[:2]) <= MANY_BARS else 1]
+    shown = figures[: 2 if sum(bars for _, bars in figures[:2]) <= MAX_BARS else 1]
     blocks: tuple[Block, ...] = (
         Prose((METHOD, *conclusions(results, found))),
         *(figure for figure, _ in shown),
-        table(results, found),
-        *_unvaried(results),
+        effects_table(results, found),
+        *_inputs_not_varied(results),
     )
     return [Section(say("Sensitivity"), 0, blocks, starts_page=True)]
 
 
-def others(results: Results) -> list[Section]:
+def annex_sections(results: Results) -> list[Section]:
     """Return the figures that the chapter has no room for, for the annex."""
     shown = {block.name for each in sections(results) for block in each.blocks if isinstance(block, Figure)}
     rest = tuple(figure for figure, _ in _figures(results) if figure.name not in shown)
     return [Section(say("Sensitivity of the other mechanisms"), 1, rest)] if rest else []
 
 
-def influences(results: Results) -> list[Influence]:
+def input_effects(results: Results) -> list[InputEffect]:
     """Return every input of every mechanism, those that change an outcome first, then by their effect."""
     found = [
-        Influence(varied, varied.shown[0]) for _, ranked in _by_mechanism(results) for varied in ranked if varied.shown
+        InputEffect(varied, varied.shown[0])
+        for _, ranked in _by_mechanism(results)
+        for varied in ranked
+        if varied.shown
     ]
     return sorted(found, key=lambda each: (not each.decides, -each.effect))
 
@@ -103,7 +123,7 @@ def _by_mechanism(results: Results) -> Iterator[tuple[str, tuple[VariedInput, ..
             yield mechanism.name, ranked
 
 
-def conclusions(results: Results, found: list[Influence]) -> Iterator[Text]:
+def conclusions(results: Results, found: list[InputEffect]) -> Iterator[Text]:
     """Yield what to survey first, and whether an outcome changes."""
     strong = [each for each in found if each.effect > 0.0]
     if not strong:
@@ -113,24 +133,24 @@ def conclusions(results: Results, found: list[Influence]) -> Iterator[Text]:
     yield say("Survey first: {inputs}. These move the answers most.", inputs=first)
     changing = [each for each in found if each.decides]
     if changing:
-        cases = listing(_change(results, each) for each in changing[:MOST])
+        cases = listing(_change(results, each) for each in changing[:MAX_ROWS])
         yield say("The outcome changes within the ranges of {cases}.", cases=cases)
     else:
         yield say("No outcome that decides changes within these ranges.")
 
 
-def one_for_each_input(found: list[Influence]) -> list[Influence]:
+def one_for_each_input(found: list[InputEffect]) -> list[InputEffect]:
     """Return each input once, in the mechanism whose answer it moves most."""
     called = [input_name(each.varied.number) for each in found]
     return [each for place, each in enumerate(found) if called[place] not in called[:place]]
 
 
-def _change(results: Results, each: Influence) -> Text:
+def _change(results: Results, each: InputEffect) -> Text:
     name = mechanism_number(results, each.answer.mechanism)
     return say("{input} ({mechanism})", input=input_name(each.varied.number), mechanism=Verbatim(name))
 
 
-def table(results: Results, found: list[Influence]) -> Table:
+def effects_table(results: Results, found: list[InputEffect]) -> Table:
     """Tabulate the inputs with the largest effects over all mechanisms."""
     columns = (
         Column(say("Input")),
@@ -141,19 +161,19 @@ def table(results: Results, found: list[Influence]) -> Table:
         Column(say("Outcome")),
     )
     caption = say("The inputs with the largest effects, each in the mechanism whose answer it moves most.")
-    rows = tuple(_row(results, each) for each in one_for_each_input(found)[:MOST])
+    rows = tuple(_effect_row(results, each) for each in one_for_each_input(found)[:MAX_ROWS])
     return Table("influences", caption, columns, rows, small=True)
 
 
-def _row(results: Results, each: Influence) -> tuple[Cell, ...]:
+def _effect_row(results: Results, each: InputEffect) -> tuple[Cell, ...]:
     row = each.answer
     changed = dict.fromkeys(
         verdict
-        for side in SIDES
+        for side in BOUNDS
         for one in each.varied.decisive
-        if flips(one, side) and (verdict := verdict_at(one, side))
+        if changes_outcome(one, side) and (verdict := outcome_at(one, side))
     )
-    outcome = listing((CHANGED[verdict.value] for verdict in changed), "or") if changed else say("unchanged")
+    outcome = listing((CHANGED_OUTCOMES[verdict.value] for verdict in changed), "or") if changed else say("unchanged")
     answers = (answer_text(row, "low"), answer_text(row, "base"), answer_text(row, "high"))
     number = each.varied.number
     return (
@@ -177,35 +197,37 @@ def _figures(results: Results) -> Iterator[tuple[Figure, int]]:
             mechanism=numbered_title(results, name),
         )
         figure = Figure(
-            f"{file_stem(name, places[name])}-sensitivity", caption, partial(tornado.draw, panels(ranked, target))
+            f"{file_stem(name, places[name])}-sensitivity",
+            caption,
+            partial(sensitivity.draw_tornado, panels(ranked, target)),
         )
         yield figure, len(ranked)
 
 
-def panels(ranked: tuple[VariedInput, ...], target: float | None = None) -> tuple[tornado.Panel, ...]:
+def panels(ranked: tuple[VariedInput, ...], target: float | None = None) -> tuple[sensitivity.TornadoPanel, ...]:
     """Return the panels of a tornado, one for each answer that is shown. target : of the index of the basis."""
     return tuple(_panel(ranked, place, target) for place in range(len(ranked[0].shown)))
 
 
-def _panel(ranked: tuple[VariedInput, ...], place: int, target: float | None) -> tornado.Panel:
+def _panel(ranked: tuple[VariedInput, ...], place: int, target: float | None) -> sensitivity.TornadoPanel:
     first = ranked[0].shown[place]
     bars = tuple(_bar(each, each.shown[place]) for each in ranked)
     dimension = "ground acceleration" if first.quantity == "capacity_pga_g" else "ratio"
     name = (answer_name(first), procedure_title(first.procedure))
-    return tornado.Panel(name, dimension, answer_value(first, "base"), _limit(ranked, first, target), bars)
+    return sensitivity.TornadoPanel(name, dimension, answer_value(first, "base"), _limit(ranked, first, target), bars)
 
 
-def _bar(each: VariedInput, row: SensitivityResult) -> tornado.Bar:
+def _bar(each: VariedInput, row: SensitivityResult) -> sensitivity.TornadoBar:
     lines = (input_name(each.number), range_text(each.number))
-    verdicts = (_new_verdict(row, "low"), _new_verdict(row, "high"))
-    return tornado.Bar(lines, answer_value(row, "low"), answer_value(row, "high"), verdicts)
+    verdicts = (_changed_outcome(row, "low"), _changed_outcome(row, "high"))
+    return sensitivity.TornadoBar(lines, answer_value(row, "low"), answer_value(row, "high"), verdicts)
 
 
 def _limit(
     ranked: tuple[VariedInput, ...], first: SensitivityResult, target: float | None
 ) -> tuple[float, Text] | None:
     """Return the limit between pass and fail with its name; None where it is not known."""
-    if first.quantity == "demand_capacity" or (first.quantity == "index" and first.index == RATIO):
+    if first.quantity == "demand_capacity" or (first.quantity == "index" and first.index == DEMAND_CAPACITY):
         return 1.0, say("limit")
     if first.quantity == "index":
         return None if target is None else (target, say("target"))
@@ -214,13 +236,13 @@ def _limit(
     return None if level is None else (level, quantity(level, "ground acceleration", 3))
 
 
-def _new_verdict(row: SensitivityResult, side: Side) -> Text | None:
+def _changed_outcome(row: SensitivityResult, side: Bound) -> Text | None:
     """Return the verdict that a check changes to; None where it does not change."""
-    verdict = verdict_at(row, side)
-    return OUTCOMES[verdict.value] if verdict is not None and flips(row, side) else None
+    verdict = outcome_at(row, side)
+    return OUTCOMES[verdict.value] if verdict is not None and changes_outcome(row, side) else None
 
 
-def _unvaried(results: Results) -> list[Block]:
+def _inputs_not_varied(results: Results) -> list[Block]:
     """Return which inputs are not varied, and why."""
     told = {
         (row.mechanism, row.remark): say(
@@ -233,3 +255,166 @@ def _unvaried(results: Results) -> list[Block]:
         if not row.quantity
     }
     return [Prose(tuple(told.values()))] if told else []
+
+
+FIGURES = 3
+
+PARAMETER_WORDS: Mapping[str, Phrase] = {
+    "thickness": say("thickness"),
+    "density": say("density"),
+    "compressive_strength": say("compressive strength"),
+    "stiffness": say("stiffness"),
+    "friction": say("friction"),
+    "restitution": say("restitution"),
+    "tie_force": say("force of the tie"),
+    "loads": say("load"),
+    "uplift": say("uplift multiplier"),
+    "p": say("frequency parameter"),
+}
+
+UNIT_DIMENSIONS: Mapping[str, str] = {
+    "m": "length",
+    "kg": "mass",
+    "N": "force",
+    "Pa": "stress",
+    "Pa/m": "stiffness",
+    "kg/m^3": "density",
+    "1/s": "angular frequency",
+}
+"""The dimensions of the units of varied inputs."""
+
+
+def input_name(row: SensitivityResult) -> Text:
+    """Return the name of an input: the parameter, and of what as far as its key tells."""
+    word = PARAMETER_WORDS.get(row.parameter, Term(row.parameter))
+    if row.key.startswith("materials."):
+        material = row.key.removeprefix("materials.").rpartition(".")[0]
+        return say("{parameter} of {material}", parameter=word, material=Verbatim(material))
+    own = row.key.removeprefix(f"mechanisms.{row.mechanism}.")
+    entry, joint = re.match(r"loads\[(\d+)\]", own), re.match(r"interfaces\.([A-D])\.", own)
+    if entry:
+        return say("{parameter} {number}", parameter=word, number=quantity(int(entry[1])))
+    return say("{parameter}, joint {joint}", parameter=word, joint=Verbatim(joint[1])) if joint else word
+
+
+def value_text(row: SensitivityResult, value: float | None) -> Text:
+    """Return a value of an input with its unit."""
+    if value is None:
+        return say("not known")
+    return quantity(value, UNIT_DIMENSIONS.get(row.unit, "ratio"))
+
+
+def range_text(row: SensitivityResult) -> Text:
+    """Return the low and the high value of an input."""
+    return say("{low} to {high}", low=value_text(row, row.low), high=value_text(row, row.high))
+
+
+def answer_name(row: SensitivityResult) -> Text:
+    """Return the name of an answer."""
+    if row.quantity == "index":
+        return say("index {name}", name=index_symbol(row.index))
+    if row.quantity == "capacity_pga_g":
+        return say("PGA at capacity")
+    return say("D/C at {pga}", pga=quantity(row.level_pga_g or 0.0, "ground acceleration", FIGURES))
+
+
+def answer_text(row: SensitivityResult, at: InputValue) -> Text:
+    """Return an answer in a case, with its unit."""
+    found = answer_value(row, at)
+    if found is None:
+        return say("not known")
+    if found == inf:
+        return OVERTURNED
+    dimension = "ground acceleration" if row.quantity == "capacity_pga_g" else "ratio"
+    return quantity(found, dimension, FIGURES)
+
+
+InputValue = Literal["base", "low", "high"]
+"""The value of a number: as assessed, low or high."""
+Bound = Literal["low", "high"]
+BOUNDS: tuple[Bound, Bound] = ("low", "high")
+INPUT_VALUES: tuple[InputValue, ...] = ("base", *BOUNDS)
+NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
+
+
+def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
+    """Return every varied number of a mechanism, the one with the largest effect on the answers shown first."""
+    numbers: dict[tuple[str, str], list[SensitivityResult]] = {}
+    for row in rows:
+        if row.quantity:
+            numbers.setdefault((row.parameter, row.key), []).append(row)
+    if not numbers:
+        return ()
+    wanted = [answer_key(row) for row in representative_answers(next(iter(numbers.values())))]
+    found = [_varied_input(each, wanted) for each in numbers.values()]
+    return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
+
+
+def _varied_input(
+    rows: Sequence[SensitivityResult], wanted: Sequence[tuple[str, str, str, float | None]]
+) -> VariedInput:
+    by_identity = {answer_key(row): row for row in reversed(rows)}
+    return VariedInput(tuple(rows), tuple(by_identity[each] for each in wanted))
+
+
+def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
+    """Return quantity, procedure, limit state and level of an answer."""
+    return row.quantity, row.procedure, row.limit_state, row.level_pga_g
+
+
+def representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
+    """Choose, among the answers of one number, those that represent all.
+
+    These are the index of the deciding answer, and the PGA at capacity of its procedure. Where none decides, they are
+    those of the procedure with the least PGA at capacity, at the level nearest to it, and of the histories at this
+    level; where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and
+    replaces it only where a procedure has nothing else.
+    """
+    index = [row for row in rows if row.quantity == "index"]
+    if index:
+        decide = {(row.procedure, row.limit_state) for row in index}
+        return [*index, *(r for r in rows if r.quantity == "capacity_pga_g" and (r.procedure, r.limit_state) in decide)]
+    ultimate = {row.procedure for row in rows if row.limit_state != DAMAGE}
+    rows = [row for row in rows if row.limit_state != DAMAGE or row.procedure not in ultimate]
+    ratios = [row for row in rows if row.quantity == "demand_capacity"]
+    known = [row for row in rows if row.quantity == "capacity_pga_g" and row.at_base]
+    if not known:
+        return sorted(ratios, key=lambda row: answer_value(row, "base") or 0.0)[-1:]
+    least = min(known, key=lambda row: row.at_base or inf)
+    levels = sorted({row.level_pga_g or 0.0 for row in ratios})
+    near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))), default=None)
+    there = [row for row in ratios if row.level_pga_g == near]
+    own = [row for row in there if (row.procedure, row.limit_state) == (least.procedure, least.limit_state)]
+    return [least, *own[:1], *[row for row in there if uses_histories(row.procedure)][:1]]
+
+
+def answer_value(row: SensitivityResult, at: InputValue) -> float | None:
+    """Return the answer in a case: infinite where the body overturns, None where it is not known."""
+    found = {"base": row.at_base, "low": row.at_low, "high": row.at_high}[at]
+    return inf if found is None and outcome_at(row, at) == Outcome.FAIL else found
+
+
+def outcome_at(row: SensitivityResult, at: InputValue) -> Outcome | None:
+    """Return the verdict in a case; None where it was not assessed."""
+    return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
+
+
+def span(row: SensitivityResult) -> float:
+    """Return the width of the range of an answer; 0 where it is not known, or overturns in all cases."""
+    known = [found for at in INPUT_VALUES if (found := answer_value(row, at)) is not None]
+    return max(known) - min(known) if known and min(known) < inf else 0.0
+
+
+def is_negligible(row: SensitivityResult) -> bool:
+    """Return whether an answer hardly changes."""
+    return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
+
+
+def changes_outcome(row: SensitivityResult, side: Bound) -> bool:
+    """Return whether a verdict changes from pass to fail or back."""
+    return {row.verdict_base, outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
+
+
+def fails(rows: Sequence[SensitivityResult], at: InputValue) -> bool:
+    """Return whether any check fails in a case."""
+    return any(outcome_at(row, at) == Outcome.FAIL for row in rows)

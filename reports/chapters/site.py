@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import chain
@@ -10,41 +10,45 @@ from itertools import chain
 from scipy.constants import g
 
 from assess.messages.message import Quantity
-from assess.results import Results, SpectrumResult
-from reports.chapters import actions, suite
+from assess.results import LoadResult, Results, SpectrumResult
+from reports.chapters import suite
 from reports.chapters.assumptions import stated_source
-from reports.chapters.index_text import OWN
-from reports.document import NOTHING, Block, Cell, Column, Figure, Prose, Row, Section, Table, nonempty
+from reports.chapters.verdict_texts import OWN_BASIS
+from reports.document import NOTHING, Block, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
 from reports.figures import spectrum as spectrum_figure
-from reports.figures import suite as suite_figure
-from reports.language.spectrum_parameters import NAMES, parameter_rows
-from reports.language.texts import Paragraph, Term, Text, Verbatim, listing, quantity, say
-from reports.project_text import project_text
+from reports.figures import spectrum as suite_figure
+from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, names, quantity, say
+from reports.language.value_names import PARAMETER_NAMES, parameter_rows
+from reports.project_values import project_text
+from reports.titles import mechanism_number
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")
-ABREAST = 3  # parameters in a row
-ON_PAGE_1 = (NAMES["limit_state"][0], NAMES["use_coefficient"][0])
+PAIRS_IN_ROW = 3  # parameters in a row
+ON_PAGE_1 = (PARAMETER_NAMES["limit_state"][0], PARAMETER_NAMES["use_coefficient"][0])
 
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter."""
-    parts = [Section(say("Site and action"), 0, tuple(_hazard(results)), starts_page=True), actions.section(results)]
+    parts = [
+        Section(say("Site and action"), 0, tuple(_action_blocks(results)), starts_page=True),
+        combination_section(results),
+    ]
     if results.records:
-        parts.append(Section(say("Records"), 1, tuple(_records(results))))
+        parts.append(Section(say("Records"), 1, tuple(_record_blocks(results))))
     return parts
 
 
-def _hazard(results: Results) -> Iterator[Block]:
+def _action_blocks(results: Results) -> Iterator[Block]:
     if results.spectrum is None:
         yield Prose((say("The project gives no spectrum of the site."),))
         return
     yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
-    yield parameters(results, results.spectrum)
-    yield from nonempty(hazard(results))
-    yield from nonempty(calculated_parameters(results, results.spectrum))
+    yield parameters_table(results, results.spectrum)
+    yield from nonempty(hazard_table(results))
+    yield from nonempty(calculated_parameters_table(results, results.spectrum))
     figures = tuple(_figures(results, results.spectrum))
-    yield Row(figures) if len(figures) > 1 else figures[0]
+    yield FigureRow(figures) if len(figures) > 1 else figures[0]
 
 
 def _action(results: Results) -> Text:
@@ -67,7 +71,7 @@ def _action(results: Results) -> Text:
 def _state(results: Results) -> Text:
     assert results.verdict is not None
     stated, decide = results.verdict.action.limit_state, results.verdict.limit_states
-    known = (stated,) if stated else tuple(state for state in decide if state != OWN)
+    known = (stated,) if stated else tuple(state for state in decide if state != OWN_BASIS)
     return listing(map(Verbatim, known)) if known else say("no limit state stated")
 
 
@@ -79,20 +83,26 @@ def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:
     caption = say("Elastic response spectrum of the site and of the records as scaled to it.")
     if not results.records:
         caption = say("Elastic response spectrum of the site.")
-    yield Figure("spectrum", caption, partial(spectrum_figure.draw, target, results.records))
+    yield Figure("spectrum", caption, partial(spectrum_figure.draw_scaled_spectra, target, results.records))
     if results.ground_motion is not None:
         caption = say("Records, their mean and the target, with the limits that the deciding code sets to the mean.")
-        yield Figure("suite", caption, partial(suite_figure.draw, results))
+        yield Figure("suite", caption, partial(suite_figure.draw_suite, results))
 
 
-def parameters(results: Results, spectrum: SpectrumResult) -> Table:
+def parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters of the spectrum that are given or defaults, with their sources."""
     told = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
     columns = (Column(say("Parameter")), Column(say("Value")), Column(say("Source")))
-    return Table("site", say("The elastic response spectrum of the site."), columns, tuple(_once(told)), small=True)
+    return Table(
+        "site",
+        say("The elastic response spectrum of the site."),
+        columns,
+        tuple(_without_repeated_sources(told)),
+        small=True,
+    )
 
 
-def hazard(results: Results) -> Table:
+def hazard_table(results: Results) -> Table:
     """Tabulate the hazard over return periods; no rows where the project gives one spectrum."""
     found = results.project.get(f"{SPECTRUM}.hazard")
     given = found.value if found is not None and isinstance(found.value, list | tuple) else ()
@@ -106,7 +116,7 @@ def hazard(results: Results) -> Table:
     return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated_parameters(results: Results, spectrum: SpectrumResult) -> Table:
+def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
     found: list[tuple[Cell, ...]] = [
         (name, _short(value))
@@ -114,10 +124,10 @@ def calculated_parameters(results: Results, spectrum: SpectrumResult) -> Table:
         if source == CALCULATED and name not in ON_PAGE_1
     ]
     blank: tuple[Cell, ...] = (NOTHING, NOTHING)
-    found += [blank] * (-len(found) % ABREAST)
-    high = len(found) // ABREAST
+    found += [blank] * (-len(found) % PAIRS_IN_ROW)
+    high = len(found) // PAIRS_IN_ROW
     rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
-    columns = (Column(say("Parameter")), Column(say("Value"), share=0.1)) * ABREAST
+    columns = (Column(say("Parameter")), Column(say("Value"), share=0.1)) * PAIRS_IN_ROW
     return Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
 
 
@@ -136,7 +146,7 @@ def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Te
     yield say("Peak ground acceleration, Sₐ(0)"), pga, _origin(results, "pga")
 
 
-def _once(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
+def _without_repeated_sources(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
     """Yield the rows, with a source that is repeated said once."""
     before: Cell = None
     for name, value, source in rows:
@@ -159,10 +169,102 @@ def _origin(results: Results, name: str) -> Text:
     return say("given")
 
 
-def _records(results: Results) -> Iterator[Block]:
-    yield from nonempty(suite.records(results))
-    told = tuple(suite.sentences(results))
+def _record_blocks(results: Results) -> Iterator[Block]:
+    yield from nonempty(suite.records_table(results))
+    told = tuple(suite.suite_sentences(results))
     if told:
         yield Prose((Paragraph(told),))
-    if not suite.complies(results):
-        yield from nonempty(suite.requirements(results))
+    if not suite.meets_requirements(results):
+        yield from nonempty(suite.basis_requirements_table(results))
+
+
+_LOADS_AS_GIVEN = say(
+    "The loads of the project are used as given, without coefficients of the program: their values must already be "
+    "those of this combination."
+)
+
+COMBINATIONS: Mapping[str, Phrase] = {
+    "ntc2018": say(
+        "Combination: E + G₁ + G₂ + P + Σ ψ₂ Q, with the masses of G₁ + G₂ + Σ ψ₂ Q (NTC 2018, eq. 2.5.5 and 2.5.7)."
+    ),
+    "dmi2008": say("Combination: E + G₁ + G₂ + P + Σ ψ₂ Q, with the masses of G₁ + G₂ + Σ ψ₂ Q (NTC 2008, 2.5.3)."),
+    "ec8": say("Combination: G + P + A_Ed + Σ ψ₂ Q (EN 1990, 6.4.3.4)."),
+    "nzsee2017": say("Combination: G + E_u + ψ_E Q (AS/NZS 1170.0, 4.2.2)."),
+}
+"""The seismic combination of the basis of the verdict."""
+NO_LOAD_FACTORS = say("The seismic action is combined with the loads of the project; no load factors are applied.")
+
+
+def combination_section(results: Results) -> Section:
+    """Return what acts on the mechanisms, in which combination and directions."""
+    basis = "" if results.verdict is None else results.verdict.basis
+    blocks: tuple[Block, ...] = (
+        Prose(
+            (
+                Paragraph((COMBINATIONS.get(basis, NO_LOAD_FACTORS), *_weights(results))),
+                Paragraph(tuple(_directions(results))),
+            )
+        ),
+        *nonempty(loads_table(results)),
+    )
+    return Section(say("Combination of actions"), 1, blocks)
+
+
+def _weights(results: Results) -> Iterator[Text]:
+    yield say("The weight of the moving masonry acts in every mechanism, as a permanent load and as a mass.")
+    given = [mechanism for mechanism in results.mechanisms if mechanism.kind == "equivalent-block"]
+    if given:
+        yield say("Loads on equivalent blocks are part of their rocking parameters, as the project gives them.")
+    if any(mechanism.loads for mechanism in results.mechanisms):
+        yield _LOADS_AS_GIVEN
+    elif len(given) < len(results.mechanisms):
+        yield say("The project gives no other loads: no floor, roof, tie or force.")
+
+
+def _directions(results: Results) -> Iterator[Text]:
+    yield say(
+        "Each mechanism moves in one vertical plane, and the horizontal ground motion acts in that plane, in both "
+        "polarities. The horizontal component at right angles to it is not combined with it."
+    )
+    given = results.project.get("site.vertical_ratio")
+    ratio = 0.0 if given is None or given.value is None else float(given.value)
+    if ratio > 0.0:
+        yield say(
+            "A vertical ground motion of {ratio} times the horizontal one enters the approximate method of ASCE 43-05 "
+            "by its factor F_V; the other methods and the time histories have none.",
+            ratio=quantity(ratio),
+        )
+    else:
+        yield say("No vertical ground motion is applied.")
+
+
+def loads_table(results: Results) -> Table:
+    """Tabulate the loads that act, a row for loads that are alike in several mechanisms."""
+    groups: dict[tuple[object, ...], tuple[LoadResult, list[str]]] = {}
+    for mechanism in results.mechanisms:
+        for load in mechanism.loads:
+            alike = (load.name, load.kind, load.bearing, load.mass_kg, load.force_n)
+            groups.setdefault(alike, (load, []))[1].append(mechanism_number(results, mechanism.name))
+    rows = tuple(_load_row(load, of) for load, of in groups.values())
+    columns = (
+        Column(say("Load")),
+        Column(say("Mechanisms")),
+        Column(say("Acts as")),
+        Column(say("Mass"), "mass"),
+        Column(say("Force along"), "force"),
+        Column(say("Force up"), "force"),
+    )
+    caption = say("Loads besides the weight of the masonry, as given; forces along the direction of motion and up.")
+    return Table("actions", caption, columns, rows, small=True)
+
+
+def _load_row(load: LoadResult, of: list[str]) -> tuple[Cell, ...]:
+    along, up = load.force_n or (None, None)
+    return (Verbatim(load.name), names(of), acts_as(load), load.mass_kg, along, up)
+
+
+def acts_as(load: LoadResult) -> Text:
+    """Return what a load does in the combination."""
+    if load.kind == "mass":
+        return say("weight and mass") if load.bearing else say("horizontal mass only")
+    return say("tie force") if load.kind == "tie" else say("force")

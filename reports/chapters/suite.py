@@ -1,16 +1,18 @@
-"""The records of the suite, and what the rules of the basis require of them."""
+"""The suite of records: what the chapter on the site says of it, and annex D with every step and requirement."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from assess.messages.message import DIMENSIONS
-from assess.results import RecordResult, RequirementResult, Results
-from reports.document import NOTHING, Cell, Column, Graded, Outcome, Table
-from reports.figures.suite import CODES
-from reports.language.texts import Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
+from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
+from reports.chapters.cells import MECHANISM
+from reports.document import NOTHING, Block, Cell, Column, Outcome, OutcomeCell, Prose, Section, Table, nonempty
+from reports.figures.spectrum import SUITE_CODES_OF_BASES
+from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
+from reports.titles import numbered_title
 
-MET: Mapping[str, tuple[Outcome, Phrase]] = {
+REQUIREMENT_OUTCOMES: Mapping[str, tuple[Outcome, Phrase]] = {
     "met": ("pass", say("met")),
     "not met": ("fail", say("not met")),
     "not answered": ("incomplete", say("not answered")),
@@ -19,7 +21,7 @@ SIGNS: Mapping[str, str] = {">=": "≥", "<=": "≤"}
 FIGURES = 3
 
 
-def records(results: Results) -> Table:
+def records_table(results: Results) -> Table:
     """Tabulate the records as scaled, all artificial ones in one row; no rows where there are no others."""
     columns = (
         Column(say("Record")),
@@ -33,11 +35,11 @@ def records(results: Results) -> Table:
         return Table("suite-records", NOTHING, (), ())
     recorded = tuple(record for record in results.records if record.path)
     artificial = tuple(record for record in results.records if not record.path)
-    rows = tuple(map(_row, recorded)) + ((_artificial_row(artificial),) if artificial else ())
+    rows = tuple(map(_record_row, recorded)) + ((_artificial_row(artificial),) if artificial else ())
     return Table("suite-records", say("Records, as scaled to the spectrum of the site."), columns, rows, small=True)
 
 
-def _row(record: RecordResult) -> tuple[Cell, ...]:
+def _record_row(record: RecordResult) -> tuple[Cell, ...]:
     texts = (record.id, event_name(record), record.station, record.component)
     scaled = (quantity(record.scale_factor), quantity(record.pga_g, "ground acceleration", FIGURES))
     return (*(Verbatim(text) if text else None for text in texts), *scaled)
@@ -45,11 +47,11 @@ def _row(record: RecordResult) -> tuple[Cell, ...]:
 
 def _artificial_row(records: tuple[RecordResult, ...]) -> tuple[Cell, ...]:
     label = say_count("{number} artificial record", "{number} artificial records", len(records))
-    factors = _span([record.scale_factor for record in records], "ratio")
-    return (label, None, None, None, factors, _span([record.pga_g for record in records], "ground acceleration"))
+    factors = _range_text([record.scale_factor for record in records], "ratio")
+    return (label, None, None, None, factors, _range_text([record.pga_g for record in records], "ground acceleration"))
 
 
-def _span(values: list[float], dimension: str) -> Text:
+def _range_text(values: list[float], dimension: str) -> Text:
     """Return the range of numbers; one number where they are alike as shown."""
     least, most = quantity(min(values), dimension, FIGURES), quantity(max(values), dimension, FIGURES)
     if most.value - least.value <= 5e-4 * most.value:
@@ -63,27 +65,27 @@ def event_name(record: RecordResult) -> str:
     return record.event if year in record.event else f"{record.event} {year}".strip()
 
 
-def of_basis(results: Results) -> tuple[RequirementResult, ...]:
+def requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
     """Return the requirements of the code that belongs to the basis; none without records or basis."""
-    code = "" if results.verdict is None else CODES.get(results.verdict.basis, "")
+    code = "" if results.verdict is None else SUITE_CODES_OF_BASES.get(results.verdict.basis, "")
     motion = results.ground_motion
     return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
 
 
-def complies(results: Results) -> bool:
+def meets_requirements(results: Results) -> bool:
     """Return whether the suite meets every requirement of the code that belongs to the basis."""
-    return all(rule.verdict == "met" for rule in of_basis(results))
+    return all(rule.verdict == "met" for rule in requirements_of_basis(results))
 
 
-def sentences(results: Results) -> Iterator[Text]:
+def suite_sentences(results: Results) -> Iterator[Text]:
     """Yield over which periods the suite was fitted, and whether it meets the rules of the basis."""
-    motion, rules = results.ground_motion, of_basis(results)
+    motion, rules = results.ground_motion, requirements_of_basis(results)
     if results.records and all(not record.path for record in results.records):
         yield say_count(
             "The suite has {number} artificial record, of PGA {pga} as scaled to the spectrum of the site.",
             "The suite has {number} artificial records, of PGA {pga} as scaled to the spectrum of the site.",
             len(results.records),
-            pga=_span([record.pga_g for record in results.records], "ground acceleration"),
+            pga=_range_text([record.pga_g for record in results.records], "ground acceleration"),
         )
     if motion is not None:
         yield say(
@@ -135,7 +137,7 @@ def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
         )
 
 
-def requirements(results: Results) -> Table:
+def basis_requirements_table(results: Results) -> Table:
     """Tabulate the requirements of the code that belongs to the basis."""
     columns = (
         Column(say("Requirement")),
@@ -144,14 +146,14 @@ def requirements(results: Results) -> Table:
         Column(say("Limit")),
         Column(say("Outcome")),
     )
-    rules = of_basis(results)
+    rules = requirements_of_basis(results)
     caption = say("The suite against the rules of {code}.", code=Verbatim(rules[0].code if rules else ""))
-    return Table("suite-rules", caption, columns, tuple(map(_rule_row, rules)), small=True)
+    return Table("suite-rules", caption, columns, tuple(map(_basis_requirement_row, rules)), small=True)
 
 
-def _rule_row(rule: RequirementResult) -> tuple[Cell, ...]:
-    colour, word = MET[rule.verdict]
-    return (Term(rule.what), Term(rule.clause), *found_and_limit(rule), Graded(colour, word))
+def _basis_requirement_row(rule: RequirementResult) -> tuple[Cell, ...]:
+    colour, word = REQUIREMENT_OUTCOMES[rule.verdict]
+    return (Term(rule.what), Term(rule.clause), *found_and_limit(rule), OutcomeCell(colour, word))
 
 
 def found_and_limit(rule: RequirementResult) -> tuple[Cell, Cell]:
@@ -159,3 +161,164 @@ def found_and_limit(rule: RequirementResult) -> tuple[Cell, Cell]:
     dimension = DIMENSIONS.get(rule.unit, "ratio")
     found = None if rule.value is None else quantity(rule.value, dimension)
     return found, say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=quantity(rule.limit, dimension))
+
+
+MARK = "D"
+FIT_WORDS = {"suite": say("the mean of the suite"), "each": say("each record by itself")}
+
+
+def sections(results: Results) -> list[Section]:
+    """Return the annex; none without records."""
+    motion = results.ground_motion
+    if motion is None and not results.records:
+        return []
+    blocks: list[Block] = []
+    if motion is not None:
+        blocks += [
+            Prose(selection_sentences(motion)),
+            *nonempty(equivalent_periods_table(results, motion)),
+            *nonempty(selection_steps_table(motion)),
+        ]
+        blocks += nonempty(requirements_table(motion))
+    blocks += [*nonempty(amplification_table(results)), *nonempty(processing_table(results))]
+    return [Section(say("Suite of records"), 0, tuple(blocks), starts_page=True, mark=MARK)]
+
+
+def selection_sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
+    """Return the range of periods, and the rules of the selection."""
+    over = say(
+        "The records are compared with the target from {low} to {high}, both ends included ({source}). The mean "
+        "squared difference of the logarithms of their mean and the target is {misfit}.",
+        low=quantity(motion.from_s, "time"),
+        high=quantity(motion.to_s, "time"),
+        source=Term(motion.source),
+        misfit=quantity(motion.misfit),
+    )
+    made = (made_for_sentence(motion.made_for),) if motion.made_for else ()
+    lock = (*made, *((lock_sentence(motion.lock),) if motion.lock else ()))
+    chosen = motion.selection
+    if chosen is None:
+        return (over, *lock)
+    rules: list[Text] = [
+        say("no two of one earthquake") if chosen.one_per_event else say("several of one earthquake allowed")
+    ]
+    if chosen.components == "together":
+        rules.append(say("components of a recording kept together with one factor"))
+    rule = say(
+        "They were chosen so that {fits} fits best, with scale factors from {least} to {largest}, {rules}.",
+        fits=FIT_WORDS[chosen.fit],
+        least=quantity(chosen.least_factor),
+        largest=quantity(chosen.largest_factor),
+        rules=Listing(tuple(rules)),
+    )
+    return (over, rule, *lock)
+
+
+def equivalent_periods_table(results: Results, motion: GroundMotionResult) -> Table:
+    """Tabulate the equivalent periods of the mechanisms."""
+    columns = (MECHANISM, Column(say("Shortest"), "time"), Column(say("Longest"), "time"))
+    known = {each.name for each in results.mechanisms}
+    rows = tuple(
+        (
+            numbered_title(results, one.mechanism) if one.mechanism in known else Verbatim(one.mechanism),
+            one.shortest_s,
+            one.longest_s,
+        )
+        for one in motion.equivalent_periods
+    )
+    caption = say(
+        "Equivalent periods, used as T₁ in the clauses on records because a rocking body has no natural period: the "
+        "period of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
+    )
+    return Table("equivalent-periods", caption, columns, rows, small=True)
+
+
+def selection_steps_table(motion: GroundMotionResult) -> Table:
+    """Tabulate the number of records left after each step of the selection."""
+    steps = () if motion.selection is None else motion.selection.remaining
+    rows = tuple((Term(one.step), one.number) for one in steps)
+    columns = (Column(say("Records")), Column(say("Number")))
+    return Table("selection", say("Records left after each step of the selection."), columns, rows, small=True)
+
+
+def amplification_table(results: Results) -> Table:
+    """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
+    raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
+    factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
+    columns = (Column(say("Record"), share=0.25), *(Column(numbered_title(results, m.name), "ratio") for m in raised))
+    rows: tuple[tuple[Cell, ...], ...] = tuple(
+        (Verbatim(r.id), *(of.get(r.id) for of in factors)) for r in (results.records if raised else ())
+    )
+    caption = say(
+        "Scale factors for the amplification up to the base of each mechanism above the ground (as thesis Table 8.9): "
+        "peak acceleration there over that of the ground."
+    )
+    return Table("amplification", caption, columns, rows, small=True)
+
+
+def requirements_table(motion: GroundMotionResult) -> Table:
+    """Tabulate the requirements of each code on the suite."""
+    columns = (
+        Column(say("Code")),
+        Column(say("Clause")),
+        Column(say("Requirement"), share=0.26),
+        Column(say("Found")),
+        Column(say("Limit")),
+        Column(say("Periods")),
+        Column(say("Outcome")),
+        Column(say("Remark"), share=0.2),
+    )
+    caption = say(
+        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only where their "
+        "requirements are met; the others are for information. T₁ is replaced by the smallest and the largest "
+        "equivalent period."
+    )
+    rows = tuple(_requirement_row(one) for one in motion.requirements)
+    return Table("requirements", caption, columns, rows, small=True)
+
+
+def _requirement_row(one: RequirementResult) -> tuple[Cell, ...]:
+    over = (
+        None
+        if one.from_s is None or one.to_s is None
+        else say("{low} to {high}", low=quantity(one.from_s, "time", 3), high=quantity(one.to_s, "time", 3))
+    )
+    return (
+        Verbatim(one.code),
+        Term(one.clause),
+        Term(one.what),
+        *found_and_limit(one),
+        over,
+        REQUIREMENT_OUTCOMES[one.verdict][1],
+        Listing((*(one.remarks or map(Term, _nonempty((one.remark,)))), *map(Term, _nonempty((one.caveat,)))), ""),
+    )
+
+
+def _nonempty(texts: Iterable[str]) -> list[str]:
+    return [text for text in texts if text]
+
+
+def _processing_steps(record: RecordResult) -> tuple[Text, ...]:
+    """Return what was done to a record; lines of its file are verbatim, and older results hold the English alone."""
+    texts = tuple(Verbatim(each) if isinstance(each, str) else each for each in record.processing)
+    return texts or tuple(map(Term, record.trail))
+
+
+def processing_table(results: Results) -> Table:
+    """Tabulate the origin and the processing of each record."""
+    columns = (
+        Column(say("Record"), share=0.18),
+        Column(say("Station"), share=0.15),
+        Column(say("File"), share=0.22),
+        Column(say("Processing, in order")),
+    )
+    rows = tuple(
+        (
+            Verbatim(record.id),
+            Verbatim(record.station),
+            Verbatim(record.path),
+            Listing(_processing_steps(record), ""),
+        )
+        for record in results.records
+    )
+    return Table("processing", say("Origin and processing of the records."), columns, rows, small=True)

@@ -7,11 +7,11 @@ from functools import partial
 
 from assess.messages.message import distinct
 from assess.results import Results
-from assess.results.uncertainty import UncertainAnswer, UncertainInput, UncertaintyResult
+from assess.results.variations import UncertainAnswer, UncertainInput, UncertaintyResult
 from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, value_cell
-from reports.chapters.index_text import state_text
-from reports.document import Block, Cell, Column, Figure, Items, Prose, Row, Section, Table, nonempty
-from reports.figures import uncertainty as figure
+from reports.chapters.verdict_texts import state_text
+from reports.document import Block, BulletList, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
+from reports.figures import sensitivity as figure
 from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
 from reports.titles import file_stem, numbered_title, procedure_title
 
@@ -49,16 +49,16 @@ def sections(results: Results) -> list[Section]:
     return [Section(say("Uncertainty"), 0, tuple(blocks))]
 
 
-def others(results: Results) -> list[Section]:
+def annex_sections(results: Results) -> list[Section]:
     """Return for the annex the inputs, the answers that the chapter has no room for, and what was noted."""
     found = results.uncertainty
     if found is None or not found.answers:
         return []
     shown = shown_answers(found)
-    blocks: list[Block] = [*nonempty(inputs(found)), *nonempty(_table(results, shown, "uncertainty-answers"))]
+    blocks: list[Block] = [*nonempty(inputs_table(found)), *nonempty(_table(results, shown, "uncertainty-answers"))]
     blocks += [figures(results, each) for each in _spread_out(shown)[1:]]
     notes = (*distinct(found.notes), *dict.fromkeys(_remarks(results, shown)))
-    blocks += [Items(notes)] if notes else []
+    blocks += [BulletList(notes)] if notes else []
     return [Section(say("Uncertainty of all answers"), 1, tuple(blocks))]
 
 
@@ -85,10 +85,10 @@ def _findings(results: Results, found: UncertaintyResult) -> Iterator[Text]:
         seed=count(found.seed),
     )
     yield say("The probability of failing is the share of samples that fail: of these values alone, not of records.")
-    yield from idle_densities(results, found)
+    yield from densities_without_effect(results, found)
 
 
-def idle_densities(results: Results, found: UncertaintyResult) -> Iterator[Text]:
+def densities_without_effect(results: Results, found: UncertaintyResult) -> Iterator[Text]:
     """Yield that densities change no answer of a mechanism, for those of which that is so."""
     mechanisms: dict[tuple[str, ...], list[str]] = {}
     for name in dict.fromkeys(answer.mechanism for answer in found.answers):
@@ -115,7 +115,7 @@ def _spread_out(answers: list[UncertainAnswer]) -> list[UncertainAnswer]:
     return [each for each in answers if figure.rank_influences(each)]
 
 
-def figures(results: Results, answer: UncertainAnswer) -> Row:
+def figures(results: Results, answer: UncertainAnswer) -> FigureRow:
     """Return the distribution of an answer beside its influences."""
     found = results.uncertainty
     place = 0 if found is None else found.answers.index(answer) + 1
@@ -128,7 +128,7 @@ def figures(results: Results, answer: UncertainAnswer) -> Row:
     )
     spread = Figure(f"{stem}-distribution", caption, partial(figure.draw_distribution, answer))
     caption = say("What this answer hangs on: to the right, a larger value makes it worse.")
-    return Row((spread, Figure(f"{stem}-influences", caption, partial(figure.draw_influences, answer))))
+    return FigureRow((spread, Figure(f"{stem}-influences", caption, partial(figure.draw_influences, answer))))
 
 
 def _stem(results: Results, name: str) -> str:
@@ -159,7 +159,7 @@ def _row(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:
         each.quantiles[MEDIAN],
         None if each.probability is None else PERCENT * each.probability,
         _interval(each),
-        figure.group_name(strongest[0]) if strongest else say("none of the values"),
+        figure.input_group_name(strongest[0]) if strongest else say("none of the values"),
     )
 
 
@@ -170,7 +170,7 @@ def _interval(each: UncertainAnswer) -> Text | None:
     return say("{low} to {high}", low=low, high=high)
 
 
-def inputs(found: UncertaintyResult) -> Table:
+def inputs_table(found: UncertaintyResult) -> Table:
     """Tabulate the uncertain inputs, each mean with its unit."""
     columns = (KEY, Column(say("Mean")), *SPREAD)
     rows = tuple(
@@ -191,7 +191,7 @@ def _means(found: UncertaintyResult) -> Table:
     return Table("uncertainty-means", say("Uncertain values, in SI."), columns, rows)
 
 
-def data(results: Results) -> Iterator[Table]:
+def data_tables(results: Results) -> Iterator[Table]:
     """Yield every number, for the spreadsheet and the CSV files."""
     found = results.uncertainty
     if found is None:

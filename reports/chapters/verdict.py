@@ -1,30 +1,35 @@
-"""Page 1: the verdict, its basis and conditions, what is missing, and the answer of each mechanism."""
+"""Page 1: the verdict, its basis and conditions, what is missing, and each mechanism by the methods that answer."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from assess.codes.verdict import Decision, Verdict
-from assess.codes.verdict_text import relevant_warnings
+from assess.codes.check import Check, Outcome
+from assess.codes.histories import ratio_figures
+from assess.codes.verdict import Decision, MechanismVerdict, Verdict, relevant_warnings
 from assess.messages.message import Message, Quantity
-from assess.results import Results, SpectrumResult
-from reports.chapters import missing_inputs, premises, verdict_matrix
-from reports.chapters.checklist import not_examined_text
+from assess.results import MechanismResult, Results, SpectrumResult
+from reports import governing
+from reports.chapters import verdict_texts
+from reports.chapters.cells import outcome_cell
 from reports.chapters.front_matter import use_class_of
-from reports.chapters.index_text import (
-    OWN,
+from reports.chapters.key_plan import not_examined_text
+from reports.chapters.verdict_texts import (
+    DEMAND_CAPACITY,
+    OWN_BASIS,
     building_index_text,
-    is_lowered,
+    has_reduced_target,
+    index_name,
+    index_symbol,
     least_margin,
     margin_text,
+    outcome_text,
     target_text,
 )
-from reports.chapters.mechanism_keys import split_key
-from reports.chapters.mechanism_list import mechanism_list
-from reports.document import NOTHING, Banner, Block, Facts, Items, Prose, Section
-from reports.language.spectrum_parameters import parameter_rows
+from reports.document import NOTHING, Banner, Block, BulletList, Cell, Column, Facts, OutcomeCell, Prose, Section, Table
 from reports.language.texts import (
+    Paragraph,
     Phrase,
     Term,
     Text,
@@ -36,10 +41,12 @@ from reports.language.texts import (
     say,
     say_count,
 )
-from reports.project_text import project_text
-from reports.titles import numbered_title, procedure_title
+from reports.language.value_names import parameter_rows
+from reports.project_values import project_text, split_key
+from reports.titles import mechanism_list, numbered_title, procedure_title
 
-MANY = 6  # points of a list; page 1 holds no more
+MAX_POINTS = 6  # points of a list; page 1 holds no more
+
 LIMIT_STATES: Mapping[str, Phrase] = {
     "SLV": say("SLV (life safety)"),
     "SLC": say("SLC (collapse prevention)"),
@@ -51,6 +58,7 @@ LIMIT_STATES: Mapping[str, Phrase] = {
     "CP": say("CP (collapse prevention)"),
     "NCR": say("NCR (near collapse)"),
 }
+
 ESSENTIAL: Mapping[str, Phrase] = {
     "soil": say("subsoil category {value}"),
     "ground_type": say("ground type {value}"),
@@ -63,6 +71,7 @@ ESSENTIAL: Mapping[str, Phrase] = {
     "s_d1": say("S_D1 = {value}"),
 }
 """The parameters of the spectrum that page 1 shows."""
+
 WORKS: Mapping[str, Phrase] = {
     "repair": say("local repair"),
     "improvement": say("improvement"),
@@ -78,11 +87,11 @@ def sections(results: Results) -> list[Section]:
         return [Section(say("Verdict"), 0, (Prose((words,)),))]
     blocks: list[Block] = [
         Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
-        Facts(tuple(basis(results, found))),
+        Facts(tuple(basis_facts(results, found))),
         *short_list(say("The verdict is subject to these conditions:"), conditions(results, found)),
         *_missing(found, results),
         *short_list(say("Warnings that bear on the verdict:"), warnings(results)),
-        verdict_matrix.table(results, found),
+        matrix(results, found),
     ]
     return [Section(say("Verdict"), 0, tuple(blocks))]
 
@@ -102,7 +111,7 @@ def headline(found: Verdict) -> Text:
 def _all_hold(found: Verdict, pga: Quantity) -> Text:
     """Return that the action is borne, or that share of it which is the target."""
     target = target_text(found)
-    if is_lowered(found) and target is not None:
+    if has_reduced_target(found) and target is not None:
         return say_count(
             "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
             "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
@@ -146,13 +155,13 @@ def _some_are_open(found: Verdict, pga: Quantity) -> Text:
 
 def conditions(results: Results, found: Verdict) -> list[Text]:
     """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
-    return [*found.conditions, *(premises.premises(results) if found.basis else ())]
+    return [*found.conditions, *(verdict_texts.stated_premises(results) if found.basis else ())]
 
 
-def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
+def basis_facts(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
     yield say("Code"), _code(results, found)
-    if found.limit_states and found.basis != OWN:
+    if found.limit_states and found.basis != OWN_BASIS:
         states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in found.limit_states)
         yield say("Limit state"), states
     yield say("Site’s own action"), action_text(results, found)
@@ -160,7 +169,7 @@ def basis(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
         yield say("Spectrum"), spectrum_text(results.spectrum)
     if found.methods:
         yield say("Methods that may decide"), listing(map(procedure_title, found.methods))
-    known = premises.knowledge(results)
+    known = verdict_texts.knowledge_text(results)
     if known is not None:
         yield say("Knowledge level"), known
     yield from _measures(results, found)
@@ -186,7 +195,7 @@ def _code(results: Results, found: Verdict) -> Text:
     """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
     if not found.basis:
         return say("none named")
-    if found.basis == OWN:
+    if found.basis == OWN_BASIS:
         return Verbatim(found.clauses[0][0])
     annex, edition = results.report.national_annex, Term(found.edition)
     if not annex:
@@ -232,12 +241,12 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
-    blocks = short_list(say("What is missing:"), missing_inputs.missing_texts(results, found))
-    if missing_inputs.fits_page_1(results, found):
-        blocks += missing_inputs.paste(results, found)
+    blocks = short_list(say("What is missing:"), verdict_texts.missing_texts(results, found))
+    if verdict_texts.fits_page_1(results, found):
+        blocks += verdict_texts.blocks_to_paste(results, found)
     else:
         blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
-    return [*blocks, *missing_inputs.provisional(found)]
+    return [*blocks, *verdict_texts.provisional_outcome(found)]
 
 
 def warnings(results: Results) -> list[Text]:
@@ -272,7 +281,7 @@ def _owner(results: Results, where: str) -> str:
 
 def is_shortened(points: Sequence[Text]) -> bool:
     """Return whether page 1 shows only the first of these points."""
-    return len(points) > MANY + 1
+    return len(points) > MAX_POINTS + 1
 
 
 def short_list(title: Text, points: Sequence[Text]) -> list[Block]:
@@ -280,10 +289,160 @@ def short_list(title: Text, points: Sequence[Text]) -> list[Block]:
     if not points:
         return []
     if not is_shortened(points):
-        return [Prose((title,)), Items(tuple(points))]
+        return [Prose((title,)), BulletList(tuple(points))]
     rest = say_count(
         "and {number} other, under Scope and limits",
         "and {number} others, under Scope and limits",
-        len(points) - MANY,
+        len(points) - MAX_POINTS,
     )
-    return [Prose((title,)), Items((*points[:MANY], rest))]
+    return [Prose((title,)), BulletList((*points[:MAX_POINTS], rest))]
+
+
+ZETA = "zeta_E"
+ZETA_DEFINITION = say("ζ_E is the PGA at capacity over the PGA required, both as a_g S at the ground (NTC 2018, 8.3).")
+LEAST_RATIO = 0.001  # ratio that is written as a number
+MAX_COLUMNS = 8  # columns that can be read on a page
+
+
+@dataclass(frozen=True)
+class MethodColumn:
+    """A method as a column: procedure, and limit state where the procedure has several."""
+
+    procedure: str
+    limit_state: str
+    several: bool = False
+
+    @property
+    def title(self) -> Text:
+        """The heading of the column."""
+        name = procedure_title(self.procedure)
+        if not self.several:
+            return name
+        return say("{procedure}, {limit_state}", procedure=name, limit_state=Verbatim(self.limit_state))
+
+
+def matrix(results: Results, found: Verdict) -> Table:
+    """Tabulate mechanism by answer: the deciding one in the colour of its outcome, the others in grey."""
+    has_index = found.index is not None and found.index.name != DEMAND_CAPACITY
+    shown, folded = split_methods(answering_methods(results), found, MAX_COLUMNS - 3 - has_index)
+    columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Holds up to PGA"))]
+    columns += [Column(index_symbol(found.index.name))] if has_index and found.index is not None else []
+    columns += [Column(say("D/C, {method}", method=method.title)) for method in shown]
+    columns += [Column(say("Largest D/C of the other methods"))] if folded else []
+    rows = []
+    for one in found.mechanisms:
+        mechanism = next(each for each in results.mechanisms if each.name == one.mechanism)
+        rows.append(
+            (
+                numbered_title(results, one.mechanism),
+                OutcomeCell(one.outcome.value, outcome_text(one.outcome, near=one.at_the_limit)),
+                margin_text(one, found.action),
+                *((_index_cell(one),) if has_index else ()),
+                *(method_cell(results, mechanism, one, method) for method in shown),
+                *((least_favourable_cell(results, mechanism, folded),) if folded else ()),
+            )
+        )
+    return Table("verdict", matrix_caption(found), tuple(columns), tuple(rows), small=True)
+
+
+def matrix_caption(found: Verdict) -> Text:
+    """Return the caption of the matrix."""
+    if not found.basis:
+        return say(
+            "Demand over capacity (D/C) of each mechanism at the site’s own action, by each method, for comparison."
+        )
+    words = say(
+        "Each mechanism at the site’s own action: verdict, the PGA up to which it holds by the deciding method, and "
+        "demand over capacity (D/C). The deciding answer is coloured; the others, in grey, are for comparison."
+    )
+    return words if index_name(found) != ZETA else Paragraph((words, ZETA_DEFINITION))
+
+
+def answering_methods(results: Results) -> list[MethodColumn]:
+    """Return the methods that answer for some mechanism at the site's own action, in order of appearance."""
+    checks = [check for mechanism in results.mechanisms for check in code_checks_at_site(results, mechanism)]
+    answered = [check for check in checks if check.verdict not in governing.UNANSWERED or check.role == "deciding"]
+    pairs = dict.fromkeys((check.procedure, check.limit_state) for check in answered)
+    procedures = [procedure for procedure, _ in pairs]
+    return [MethodColumn(procedure, state, procedures.count(procedure) > 1) for procedure, state in pairs]
+
+
+def code_checks_at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
+    """Return the checks of a mechanism by the letter of a code at the site's own action."""
+    return governing.code_checks(governing.checks_at_site(results, mechanism))
+
+
+def split_methods(
+    every: Sequence[MethodColumn], found: Verdict, most: int
+) -> tuple[list[MethodColumn], list[MethodColumn]]:
+    """Return the methods with a column of their own, those that may decide first, and those that share one."""
+    ranked = sorted(every, key=lambda method: _method_rank(method, found))
+    if len(ranked) <= most:
+        return ranked, []
+    return ranked[: most - 1], ranked[most - 1 :]
+
+
+def _method_rank(method: MethodColumn, found: Verdict) -> int:
+    decides = any(answer.procedure == method.procedure for one in found.mechanisms for answer in one.answers)
+    if decides:
+        return 0
+    if method.procedure in found.methods:
+        return 1
+    return 2 if method.procedure.startswith(f"{found.basis}-") else 3
+
+
+def method_cell(results: Results, mechanism: MechanismResult, one: MechanismVerdict, method: MethodColumn) -> Cell:
+    """Return the answer of one method; None where the method does not apply to the mechanism."""
+    checks = [check for check in code_checks_at_site(results, mechanism) if _is_by(check, method)]
+    found = next((check for check in checks if check.role == "deciding"), None) or governing.worst_check(tuple(checks))
+    if found is None or found.verdict == Outcome.NOT_APPLICABLE:
+        return None
+    if found.role == "deciding":
+        return OutcomeCell(outcome_cell(found, one.answers).outcome, ratio_text(found))
+    return OutcomeCell("comparison", ratio_text(found))
+
+
+def _is_by(check: Check, method: MethodColumn) -> bool:
+    return check.procedure == method.procedure and check.limit_state == method.limit_state
+
+
+def ratio_text(check: Check) -> Text:
+    """Return demand over capacity, or why there is no number."""
+    if check.verdict == Outcome.NOT_ANSWERED:
+        return say("not answered")
+    if check.unbounded == "overturned":
+        return say("overturns")
+    if check.unbounded:
+        return say("beyond the spectrum")
+    if check.ratio is None:
+        return say("fail") if check.verdict == Outcome.FAIL else say("pass")
+    if check.ratio == 0.0:
+        return say("no rocking")
+    if check.ratio < LEAST_RATIO:
+        return say("below {least}", least=quantity(LEAST_RATIO))
+    return quantity(check.ratio, figures=ratio_figures(check, most=3))
+
+
+def least_favourable_cell(results: Results, mechanism: MechanismResult, folded: Sequence[MethodColumn]) -> Cell:
+    """Return the least favourable answer of several methods with its title; None where none of them applies."""
+    pairs = [
+        (check, method)
+        for method in folded
+        for check in code_checks_at_site(results, mechanism)
+        if _is_by(check, method)
+    ]
+    answered = [(check, method) for check, method in pairs if check.verdict not in governing.UNANSWERED]
+    if not answered:
+        return None
+    check, method = max(answered, key=lambda pair: governing.severity(pair[0]))
+    return OutcomeCell("comparison", say("{ratio} ({method})", ratio=ratio_text(check), method=method.title))
+
+
+def _index_cell(one: MechanismVerdict) -> Cell:
+    """Return the least index of the deciding answers, with its grade if there are grades."""
+    found = [answer.index for answer in one.answers if answer.index is not None]
+    if not found:
+        return None
+    least = min(found, key=lambda index: index.value)
+    value = quantity(least.value, figures=least.figures)
+    return say("{value}, grade {grade}", value=value, grade=Verbatim(least.grade)) if least.grade else value

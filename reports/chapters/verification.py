@@ -2,40 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
+from functools import partial
 
 from assess.codes.families import THESIS_READINGS
-from assess.results.uses import USES
-from assess.results.verification import CaseResult, VerificationResults
-from reports.chapters import verification_case, verification_words
+from assess.results.solved_cases import USES
+from assess.results.verification import CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
 from reports.chapters.cells import OUTCOMES
-from reports.chapters.verification_figures import figures
-from reports.document import Banner, Block, Code, Column, Facts, Graded, Items, Prose, Section, Table, Writing
+from reports.document import (
+    Banner,
+    Block,
+    BulletList,
+    Cell,
+    Column,
+    Facts,
+    Figure,
+    FileLines,
+    OutcomeCell,
+    Prose,
+    Section,
+    Table,
+    WritingBox,
+    nonempty,
+)
+from reports.figures import verification as drawing
 from reports.figures.verification import STANDINGS
-from reports.language.texts import Text, Verbatim, count, listing, quantity, say, say_count
+from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
+from reports.titles import file_stem
 
 
 def sections(results: VerificationResults) -> list[Section]:
     """Return the chapters: outcome, program, theory and field of use, differences, cases, what is not covered."""
     return [
-        Section(say("Outcome"), 0, tuple(_outcome(results))),
-        Section(say("Program and how to run the cases again"), 0, tuple(_program(results))),
-        Section(say("Theory and field of use"), 0, tuple(verification_words.theory(results))),
-        Section(say("Differences"), 0, tuple(figures(results))),
-        Section(say("Solved cases"), 0, (Prose(verification_words.READING),)),
-        *(verification_case.section(each, place) for place, each in enumerate(results.cases, start=1)),
-        Section(say("What is not covered"), 0, tuple(_uncovered(results))),
-        Section(say("Judgement"), 0, tuple(_judgement())),
+        Section(say("Outcome"), 0, tuple(_outcome_blocks(results))),
+        Section(say("Program and how to run the cases again"), 0, tuple(_program_blocks(results))),
+        Section(say("Theory and field of use"), 0, tuple(theory_blocks(results))),
+        Section(say("Differences"), 0, tuple(difference_figures(results))),
+        Section(say("Solved cases"), 0, (Prose(READING),)),
+        *(case_section(each, place) for place, each in enumerate(results.cases, start=1)),
+        Section(say("What is not covered"), 0, tuple(_uncovered_blocks(results))),
+        Section(say("Judgement"), 0, tuple(_judgement_blocks())),
     ]
 
 
-def _outcome(results: VerificationResults) -> Iterator[Block]:
+def _outcome_blocks(results: VerificationResults) -> Iterator[Block]:
     deciding = {each.use for each in results.coverage} - set(THESIS_READINGS)
     bare = not deciding <= results.passed_uses
     partial = results.quick or results.left_out or results.foreign or bare or not results.evidence
     yield Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
     yield Prose(tuple(_totals(results)))
-    yield overview(results)
+    yield cases_table(results)
 
 
 def _headline(results: VerificationResults) -> Text:
@@ -127,7 +144,7 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
 
 
-def overview(results: VerificationResults) -> Table:
+def cases_table(results: VerificationResults) -> Table:
     """Tabulate the cases: source, standing, number of values, largest difference, outcome."""
     columns = (
         Column(say("Case"), share=0.36),
@@ -140,24 +157,24 @@ def overview(results: VerificationResults) -> Table:
     rows = tuple(
         (
             Verbatim(each.title),
-            Verbatim(verification_words.short(each.source.citation)),
+            Verbatim(author_and_year(each.source.citation)),
             STANDINGS[each.source.standing],
             len(each.values),
             max(each.shares, default=None),
-            _graded(each),
+            _outcome_cell(each),
         )
         for each in results.cases
     )
     return Table("cases", say("Solved cases, in the order of their pages."), columns, rows, small=True)
 
 
-def _graded(case: CaseResult) -> Graded:
+def _outcome_cell(case: CaseResult) -> OutcomeCell:
     """Return the outcome of a case; one that agrees and is no evidence is not coloured as one that is."""
     quiet = case.is_indicative and case.outcome == "pass"
-    return Graded("comparison" if quiet else case.outcome, OUTCOMES[case.outcome])
+    return OutcomeCell("comparison" if quiet else case.outcome, OUTCOMES[case.outcome])
 
 
-def _program(results: VerificationResults) -> Iterator[Block]:
+def _program_blocks(results: VerificationResults) -> Iterator[Block]:
     made = results.program
     said = (
         (say("Program"), made.name),
@@ -168,9 +185,9 @@ def _program(results: VerificationResults) -> Iterator[Block]:
         *((say("Project file"), f"{each.path}, SHA-256 {each.sha256}") for each in results.inputs),
     )
     yield Facts(tuple((label, Verbatim(text)) for label, text in said if text))
-    yield Prose(verification_words.RELIABILITY)
-    yield Prose(verification_words.AGAIN)
-    yield Code(("assess verify", "assess verify --cases cases", *_examples(results)))
+    yield Prose(RELIABILITY)
+    yield Prose(RERUN)
+    yield FileLines(("assess verify", "assess verify --cases cases", *_examples(results)))
 
 
 def _examples(results: VerificationResults) -> Iterator[str]:
@@ -180,15 +197,15 @@ def _examples(results: VerificationResults) -> Iterator[str]:
     yield from (f"assess run cases/{path}" for path in projects[:1])
 
 
-def _uncovered(results: VerificationResults) -> Iterator[Block]:
+def _uncovered_blocks(results: VerificationResults) -> Iterator[Block]:
     covered = results.passed_uses
     if results.coverage:
-        yield _coverage(results)
+        yield _coverage_table(results)
         bare = [each.use for each in results.coverage if each.use not in covered]
         words = say(
             "The project uses these, and no solved case that passes and is more than indicative exercises them: "
             "{uses}.",
-            uses=_words(bare),
+            uses=_uses_text(bare),
         )
         yield Prose((words if bare else say("A solved case that passes exercises each thing that the project uses."),))
     else:
@@ -202,35 +219,312 @@ def _uncovered(results: VerificationResults) -> Iterator[Block]:
                     ),
                 )
             )
-            yield Items(tuple(_named(use) for use in bare))
-    yield Prose(verification_words.LIMITS)
+            yield BulletList(tuple(_use_text(use) for use in bare))
+    yield Prose(LIMITS)
 
 
-def _coverage(results: VerificationResults) -> Table:
+def _coverage_table(results: VerificationResults) -> Table:
     columns = (Column(say("Used by the project"), share=0.45), Column(say("Cases that exercise it")))
     known = {each.key: each for each in results.cases}
     rows = tuple(
-        (_named(each.use), listing([_marked(known[key]) for key in each.cases], "") if each.cases else say("no case"))
+        (
+            _use_text(each.use),
+            listing([_case_with_mark(known[key]) for key in each.cases], "") if each.cases else say("no case"),
+        )
         for each in results.coverage
     )
     return Table("coverage", say("What the project uses, and the solved cases."), columns, rows, small=True)
 
 
-def _marked(case: CaseResult) -> Text:
+def _case_with_mark(case: CaseResult) -> Text:
     """Return the key of a case, with what keeps it from covering anything."""
     if case.outcome == "fail":
         return say("{case} (fails)", case=Verbatim(case.key))
     return say("{case} (indicative)", case=Verbatim(case.key)) if case.is_indicative else Verbatim(case.key)
 
 
-def _words(uses: list[str]) -> Text:
-    return listing([_named(use) for use in uses])
+def _uses_text(uses: list[str]) -> Text:
+    return listing([_use_text(use) for use in uses])
 
 
-def _named(use: str) -> Text:
+def _use_text(use: str) -> Text:
     return say("{word}: {meaning}", word=Verbatim(use), meaning=USES[use]) if use in USES else Verbatim(use)
 
 
-def _judgement() -> Iterator[Block]:
-    yield Prose((verification_words.JUDGEMENT,))
-    yield Writing(say("Engineer’s judgement of the program and of these cases"), 32.0)
+def _judgement_blocks() -> Iterator[Block]:
+    yield Prose((JUDGEMENT,))
+    yield WritingBox(say("Engineer’s judgement of the program and of these cases"), 32.0)
+
+
+def difference_figures(results: VerificationResults) -> Iterator[Prose | Figure]:
+    """Yield how to read them, differences over tolerance by source, and values of the program over those expected."""
+    yield Prose(
+        (
+            say(
+                "Each point is one value. Left of the line at 1 the difference is within the tolerance, whose reason "
+                "stands with the case; values that agree to more digits than are drawn stand at the left edge."
+            ),
+        )
+    )
+    shares = tuple(
+        (case.key.partition("/")[0], case.source.standing, share) for case in results.cases for share in case.shares
+    )
+    if shares:
+        caption = say("Difference of every value over its tolerance, by source.")
+        yield Figure("differences", caption, partial(drawing.draw_differences, shares))
+    pairs = tuple(
+        (value.reference, value.found)
+        for each in results.quantities
+        for value in each.values
+        if value.found is not None
+    )
+    caption = say("Value of the program against the expected one, without signs; zeros are left out.")
+    yield Figure("agreement", caption, partial(drawing.draw_agreement, pairs))
+
+
+FIGURES = 6  # of a value
+DIFFERENCE_FIGURES = 2  # figures of a difference
+PERCENT = 100.0
+
+
+def case_section(case: CaseResult, place: int) -> Section:
+    """Return the part of one case. place: among the cases, from 1 on."""
+    return Section(Verbatim(case.title), 1, tuple(_case_blocks(case, place)))
+
+
+def _case_blocks(case: CaseResult, place: int) -> Iterator[Block]:
+    yield Facts(
+        (
+            (say("Case"), Verbatim(case.key)),
+            (say("Source"), Verbatim(case.source.citation)),
+            (say("Standing"), STANDINGS[case.source.standing]),
+            (say("Place"), Verbatim(case.source.place)),
+            (say("Theory"), Verbatim(case.theory)),
+            (say("Field of use"), Verbatim(case.field)),
+            (say("Exercises"), listing(map(Verbatim, case.uses), "")),
+            (
+                say("Input files"),
+                listing((Verbatim(f"{each.path} (SHA-256 {each.sha256})") for each in case.inputs), ""),
+            ),
+        )
+    )
+    if case.fault:
+        yield Prose((say("The case could not be run: {fault}", fault=Verbatim(case.fault)),))
+    yield values_table(case, place)
+    yield BulletList((*_departures(case), *_tolerances_and_misprints(case)))
+
+
+def values_table(case: CaseResult, place: int) -> Table:
+    """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
+    columns = (
+        Column(say("Quantity"), share=0.26),
+        Column(say("Row"), share=0.15),
+        Column(say("Unit")),
+        Column(say("Expected")),
+        Column(say("Program")),
+        Column(say("Difference")),
+        Column(say("Tolerance")),
+        Column(say("Outcome")),
+    )
+    rows = tuple(_value_row(each, value) for each in case.quantities for value in each.values)
+    caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
+    return Table(f"case-{file_stem(case.key, place)}", caption, columns, rows, small=True)
+
+
+def _value_row(each: QuantityResult, value: ValueResult) -> tuple[Cell, ...]:
+    return (
+        Verbatim(each.name),
+        Verbatim(value.row),
+        Verbatim(each.unit or "–"),
+        quantity(value.expected, figures=FIGURES),
+        None if value.found is None else quantity(value.found, figures=FIGURES),
+        None if value.difference is None else quantity(value.difference, figures=DIFFERENCE_FIGURES),
+        quantity(each.tolerance.around(value.reference), figures=DIFFERENCE_FIGURES),
+        _value_outcome(value),
+    )
+
+
+def _value_outcome(value: ValueResult) -> OutcomeCell:
+    if value.outcome == "misprint":
+        return OutcomeCell("comparison", say("misprint"))
+    return OutcomeCell("pass", say("pass")) if value.outcome == "pass" else OutcomeCell("fail", say("fail"))
+
+
+def _departures(case: CaseResult) -> Iterator[Text]:
+    """Yield what the source prints and the program does not give."""
+    for each in case.departures:
+        yield say("Printed and not reproduced: {departure}.", departure=Verbatim(_sentence(each)))
+
+
+def _tolerances_and_misprints(case: CaseResult) -> Iterator[Text]:
+    """Yield each tolerance with its reason, then each misprint with its reading."""
+    shared: dict[Tolerance, list[QuantityResult]] = {}
+    for each in case.quantities:
+        shared.setdefault(each.tolerance, []).append(each)
+    for tolerance, quantities in shared.items():
+        of = say("all quantities") if len(shared) == 1 else listing(Verbatim(each.name) for each in quantities)
+        yield say(
+            "Tolerance of {quantities}: {tolerance}. {reason}.",
+            quantities=of,
+            tolerance=_tolerance(tolerance, quantities[0].unit),
+            reason=Verbatim(_sentence(tolerance.reason)),
+        )
+    for each in case.quantities:
+        for value in each.values:
+            if value.reading is not None:
+                yield say(
+                    "Misprint: {quantity}, {row}: {printed} is printed and read as {reading}. {reason}.",
+                    quantity=Verbatim(each.name),
+                    row=Verbatim(value.row or "–"),
+                    printed=quantity(value.expected, figures=FIGURES),
+                    reading=quantity(value.reading, figures=FIGURES),
+                    reason=Verbatim(_sentence(value.misprint)),
+                )
+
+
+def _tolerance(tolerance: Tolerance, unit: str) -> Text:
+    absolute = (
+        say("{value} {unit}", value=quantity(tolerance.absolute, figures=3), unit=Verbatim(unit))
+        if unit
+        else quantity(tolerance.absolute, figures=3)
+    )
+    relative = say("{share} of the value", share=quantity(PERCENT * tolerance.relative, "percent", 3))
+    if tolerance.absolute and tolerance.relative:
+        return say("{absolute} or {relative}, the larger", absolute=absolute, relative=relative)
+    return absolute if tolerance.absolute else relative if tolerance.relative else say("none, the values are equal")
+
+
+def _sentence(text: str) -> str:
+    """Return a text with a capital in front and without a full stop."""
+    bare = text.strip().rstrip(".")
+    return bare[:1].upper() + bare[1:]
+
+
+READING = (
+    say(
+        "Each case has its source, the equations that it shows and where they hold, the files to run it again, and "
+        "every value beside that of the program. Titles, theory and reasons are quoted from the files of the cases."
+    ),
+    say(
+        "Published: the value was read where the case says. Derived: no source prints the value. The authors of the "
+        "program computed it from formulas by another computation than the program’s; the formulas are those of the "
+        "source, and where the source itself could not be read, the case says so. Own arithmetic: the value was "
+        "computed by hand or by independent code, and no source prints it."
+    ),
+    say(
+        "Indicative: the value was read in the source, but sizes of the body, or the reading of a procedure, were "
+        "chosen here to suit such values. The case shows that the program gives values of that size; it is no evidence "
+        "that the program is right, and nothing counts as covered by it."
+    ),
+    say(
+        "“Printed and not reproduced” names values beside those of a case that the source prints and the program does "
+        "not give. They are in no table."
+    ),
+)
+
+RELIABILITY = (
+    say(
+        "Reliability: each case goes through the functions that an assessment calls. The expected values and their "
+        "tolerances stand in files of data that no computation of the program writes."
+    ),
+)
+
+RERUN = (
+    say(
+        "The folder cases beside this annex has every input file. These commands run all cases of the program, all "
+        "cases of that folder, one case, and a project of a case as any other project:"
+    ),
+)
+
+LIMITS = (
+    say(
+        "A case that passes shows that the program solves the equations of its source. It does not show that these "
+        "equations suit a building: survey, geometry, materials, restraints and the choice of mechanisms are the "
+        "engineer’s."
+    ),
+    say(
+        "Not verified by solved cases: three-dimensional rocking, sliding and rocking at once, masonry that falls "
+        "apart, and interaction with the soil; the program does not model them."
+    ),
+)
+
+JUDGEMENT = say(
+    "NTC 2018, 10.2, asks the designer to examine the documentation of the program and to judge beforehand whether it "
+    "is reliable and suits the case at hand. The designer does so here, having run the cases again or examined them."
+)
+
+THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
+    "single-block": (
+        say("I φ'' + M g R sin(α − φ) = −M R cos(α − φ) ü; an impact keeps the angular momentum about the new hinge."),
+        say("A rigid body that rocks about two edges or one without sliding."),
+    ),
+    "two-block": (
+        say("Two blocks between base, crack and top as a chain of one degree of freedom, by virtual work."),
+        say("Walls held at base and top that open at one crack; the top slides freely upwards."),
+    ),
+    "four-hinge": (
+        say("Three blocks between two fixed hinges as a chain of one degree of freedom, by virtual work."),
+        say("Portals, frames, side-aisle vaults and belfries without sliding at the hinges."),
+    ),
+    "arch": (
+        say("The four hinges at which the multiplier of the arch is least, then as three blocks."),
+        say("Arches of rigid voussoirs without tension and without sliding."),
+    ),
+    "equivalent-block": (
+        say(
+            "φ'' = p² (φ ∓ α − ü / g), the linearised equation of a block with frequency parameter p and slenderness α."
+        ),
+        say("Slender mechanisms given by published parameters."),
+    ),
+    "one-sided": (
+        say("The body rocks in one direction and rebounds from the structure behind it (thesis 3.45)."),
+        say("Façades and other bodies that lean against a building which does not move."),
+    ),
+    "flexible": (
+        say("Springs without tension up to their strength; resultant and moment of the joint follow at each rotation."),
+        say("Bodies on mortar joints or soft beds; plane sections of the joint, no memory of crushing."),
+    ),
+}
+"""Equations and field of use of each word that has them."""
+
+
+def theory_blocks(results: VerificationResults) -> Iterator[Block]:
+    """Yield the theory that all mechanisms share, then a table by mechanism with the cases that show it."""
+    yield Prose(
+        (
+            say(
+                "Every mechanism has one degree of freedom, the rotation φ of its leading block, and obeys I(φ) φ'' + "
+                "½ I'(φ) φ'² + restoring(φ) = −B(φ) ü − C(φ) ẅ, where ü and ẅ are the horizontal and the vertical "
+                "acceleration of the ground. Virtual work over the chain of blocks gives the inertia I, the "
+                "restoring moment, the excitation B and the lift C. The equation is integrated from event to event, "
+                "with a loss of velocity at each impact."
+            ),
+            say(
+                "Procedures of codes read the same tables: the multiplier that starts the motion, the capacity curve, "
+                "and the rotation that overturns. Spectra, scaling and the motion at height follow their clauses."
+            ),
+        )
+    )
+    yield from nonempty(_theory_table(results))
+
+
+def _theory_table(results: VerificationResults) -> Table:
+    columns = (
+        Column(say("Mechanism"), share=0.13),
+        Column(say("Theory")),
+        Column(say("Field of use")),
+        Column(say("Number of cases"), "ratio"),
+    )
+    rows = tuple(
+        (Verbatim(word), equations, suits, number)
+        for word, (equations, suits) in THEORY.items()
+        if (number := sum(word in each.uses for each in results.cases))
+    )
+    caption = say("Theory and field of use by mechanism; the page of each case says which it exercises.")
+    return Table("theory", caption, columns, rows, small=True)
+
+
+def author_and_year(citation: str) -> str:
+    """Return author and year of a citation, as far as the year in brackets; the citation if it has none."""
+    found = re.match(r".*?\((?:19|20)\d\d[a-z]?\)", citation)
+    return found[0] if found else citation

@@ -1,36 +1,51 @@
-"""All mechanisms on one axis: capacities, demands and curves (as thesis Figs. 8.6, 8.8, 8.12 and 8.13)."""
+"""What the procedures find: of all mechanisms on one axis (as thesis Figs. 8.6, 8.8, 8.12 and 8.13), and of one over
+PGA (8.6, 8.7).
+"""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.codes.check import Check, Outcome
-from assess.results import MechanismResult, Results
+from assess.results import HistoryResult, MechanismResult, Results
 from reports import governing
-from reports.figures.mechanism_pens import mechanism_pens
-from reports.figures.pga_rotation import one_per_procedure
-from reports.figures.style import FAIL, GRID, Pen, fold, label, legend_below, pen, report_style, sheet
-from reports.figures.ticks import number_by_decades
+from reports.figures.style import (
+    FAIL,
+    GRID,
+    HALF,
+    INK,
+    MUTED,
+    Pen,
+    fold,
+    label,
+    legend_below,
+    mechanism_pens,
+    number_by_decades,
+    pen,
+    report_style,
+    sheet,
+)
+from reports.joints import group_variants
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say
-from reports.titles import mechanism_number, numbered_title, short_title
-from reports.variants import group_variants
+from reports.titles import mechanism_number, numbered_title, short_check_title, short_title
 
 BEYOND = 2.5  # larger ratios are drawn at the edge [-]
-LINE, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
-FAR = 30.0  # largest over smallest PGA from which on the axis is logarithmic [-]
+ROW_HEIGHT, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
+LOGARITHMIC_FROM = 30.0  # largest over smallest PGA from which on the axis is logarithmic [-]
 PANELS = 4  # levels side by side
-NAME, NAMED = 26, 38  # characters of a line beside a row, of a name in the legend
+NAME_LENGTH, NAME_LENGTH_ALONE = 26, 38  # characters of a line beside a row, of a name in the legend
 
 
 @dataclass(frozen=True)
-class Dot:
+class ResultMark:
     """One answer: row, value on the axis, and the procedure's pen; marker: another than the procedure's, or empty."""
 
     row: float
@@ -45,12 +60,12 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
     found = {mechanism.name: governing.capacities(mechanism.checks) for mechanism in order}
     procedures = _procedures(order, {name for each in found.values() for name in each})
     dots = [
-        Dot(_height(row, procedures.index(name), len(procedures)), pga, name)
+        ResultMark(_height_in_row(row, procedures.index(name), len(procedures)), pga, name)
         for row, mechanism in enumerate(order)
         for name, pga in found[mechanism.name].items()
     ]
     with report_style():
-        figure = sheet(_tall(LINE * len(order), len(procedures)), locale)
+        figure = sheet(_figure_height(ROW_HEIGHT * len(order), len(procedures)), locale)
         axes = figure.subplots()
         _rows(axes, results, order, locale)
         _draw_dots(axes, dots)
@@ -65,7 +80,7 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
 
 def _span(axes: Axes, values: Sequence[float], locale: Locale) -> None:
     """Set the axis from zero, or a logarithmic one where the values are too far apart to be told on it."""
-    if max(values) <= FAR * min(values):
+    if max(values) <= LOGARITHMIC_FROM * min(values):
         axes.set_xlim(0.0, 1.05 * max(values))
         return
     axes.set(xscale="log", xlim=(0.8 * min(values), 1.25 * max(values)))
@@ -80,7 +95,7 @@ def draw_demands(results: Results, locale: Locale) -> Figure:
     columns = min(PANELS, len(levels)) or 1
     lines = -(-len(levels) // columns) or 1
     with report_style():
-        figure = sheet(_tall(lines * (LINE * len(order) + 0.2), len(procedures)), locale)
+        figure = sheet(_figure_height(lines * (ROW_HEIGHT * len(order) + 0.2), len(procedures)), locale)
         panels = figure.subplots(lines, columns, squeeze=False, sharey=True, sharex=True)
         for axes, level in zip(panels.flat, levels, strict=False):
             _rows(axes, results, order, locale)
@@ -104,7 +119,7 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
         left, right = figure.subplots(1, 2)
         procedure = curve_procedure(results)
         for mechanism in results.mechanisms:
-            name = label(locale.text(numbered_title(results, mechanism.name)), NAMED)
+            name = label(locale.text(numbered_title(results, mechanism.name)), NAME_LENGTH_ALONE)
             _rotation(left, mechanism, procedure, pens[mechanism.name], name)
             _moment(right, results, mechanism, pens[mechanism.name])
         own = governing.site_pga(results)
@@ -152,12 +167,12 @@ def _procedures(order: Sequence[MechanismResult], wanted: set[str]) -> list[str]
     return [name for name in every if name in wanted]
 
 
-def _height(row: int, place: int, count: int) -> float:
+def _height_in_row(row: int, place: int, count: int) -> float:
     """Return the height of a procedure's mark within a row."""
     return row - 0.3 + 0.6 * place / max(count - 1, 1)
 
 
-def _tall(rows: float, procedures: int) -> float:
+def _figure_height(rows: float, procedures: int) -> float:
     """Return the height [in] of a figure with so many rows and a legend of procedures."""
     return min(rows + 0.45 + 0.14 * (-(-procedures // 4) + 1), TALLEST)
 
@@ -167,24 +182,24 @@ def _rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale
     for line in range(len(order) - 1):
         axes.axhline(line + 0.5, color=GRID, linewidth=0.5)
     names = [locale.text(numbered_title(results, each.name)) for each in order]
-    if LINE * len(order) > TALLEST - ROOM:
+    if ROW_HEIGHT * len(order) > TALLEST - ROOM:
         names = [mechanism_number(results, each.name) for each in order]
-    axes.set_yticks(range(len(order)), [fold(name, width=NAME) for name in names])
+    axes.set_yticks(range(len(order)), [fold(name, width=NAME_LENGTH) for name in names])
     axes.set_ylim(len(order) - 0.5, -0.5)
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
 
 
-def _demands(order: Sequence[MechanismResult], level: float, procedures: Sequence[str]) -> list[Dot]:
+def _demands(order: Sequence[MechanismResult], level: float, procedures: Sequence[str]) -> list[ResultMark]:
     """Return the worst answer of each procedure at a level."""
     made = []
     for row, mechanism in enumerate(order):
-        for check in governing.worst_per_procedure(governing.at_level(mechanism.checks, level)):
+        for check in governing.worst_per_procedure(governing.checks_at_level(mechanism.checks, level)):
             kind = marker_kind(check)
             if kind:
                 at = BEYOND if kind != "inside" else float(check.ratio or 0.0)
-                height = _height(row, procedures.index(check.procedure), len(procedures))
-                made.append(Dot(height, at, check.procedure, {"overturned": "x", "beyond": ">"}.get(kind, "")))
+                height = _height_in_row(row, procedures.index(check.procedure), len(procedures))
+                made.append(ResultMark(height, at, check.procedure, {"overturned": "x", "beyond": ">"}.get(kind, "")))
     return made
 
 
@@ -199,17 +214,17 @@ def marker_kind(check: Check) -> str:
     return "beyond" if check.ratio > BEYOND else "inside"
 
 
-def _draw_dots(axes: Axes, dots: Sequence[Dot]) -> None:
+def _draw_dots(axes: Axes, dots: Sequence[ResultMark]) -> None:
     """Draw the answers that look alike as one line without ink between them."""
-    alike: dict[tuple[str, str], list[Dot]] = {}
+    alike: dict[tuple[str, str], list[ResultMark]] = {}
     for dot in dots:
         alike.setdefault((dot.procedure, dot.marker), []).append(dot)
     for (procedure, marker), group in alike.items():
         across, up = [dot.at for dot in group], [dot.row for dot in group]
-        axes.plot(across, up, **_look(procedure, marker), clip_on=False)  # type: ignore[arg-type]
+        axes.plot(across, up, **_marker_style(procedure, marker), clip_on=False)  # type: ignore[arg-type]
 
 
-def _look(procedure: str, marker: str = "") -> Mapping[str, object]:
+def _marker_style(procedure: str, marker: str = "") -> Mapping[str, object]:
     """Return how a mark is drawn: hollow for readings of the thesis."""
     ink = pen(procedure)
     return {
@@ -225,5 +240,76 @@ def _legend(figure: Figure, procedures: Sequence[str], locale: Locale) -> None:
     axes = figure.axes[0]
     lines = [each for each in axes.get_lines() if not str(each.get_label()).startswith("_")]
     for name in procedures:
-        lines += axes.plot([], [], label=label(locale.text(short_title(name)), 32), **_look(name))  # type: ignore[arg-type]
+        lines += axes.plot([], [], label=label(locale.text(short_title(name)), 32), **_marker_style(name))  # type: ignore[arg-type]
     figure.legend(handles=lines, loc="outside lower center", ncols=4)
+
+
+OVERTURNED_HEIGHT = 1.06  # where a record that overturned is drawn [-]
+AXES_HEIGHT, LEGEND_LINE = 1.85, 0.125  # of the axes, of a line of the legend [in]
+
+
+def draw_pga_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
+    """Draw phi / phi_ov [-] over PGA [g]: a curve for each procedure, allowables, levels, and maxima of records."""
+    shown = one_per_procedure(mechanism.checks)
+    with report_style():
+        figure = sheet(AXES_HEIGHT + LEGEND_LINE * (len(shown) // 2 + 3), locale, width=HALF)
+        axes = figure.subplots()
+        for check in shown:
+            _draw_procedure(axes, check, label(locale.text(short_check_title(check, mechanism.checks)), 30))
+        levels = sorted({check.level_pga_g for check in mechanism.checks})
+        _draw_levels(axes, levels, locale)
+        _draw_histories(axes, mechanism.histories, locale)
+        axes.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
+        axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
+        axes.set(xlim=(0.0, pga_axis_end(mechanism, levels)), ylim=(0.0, 1.12))
+        legend_below(figure, columns=2)
+        return figure
+
+
+def one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """Return the first check of each procedure and limit state that applies and has a PGA-rotation curve."""
+    first: dict[tuple[str, str], Check] = {}
+    for check in checks:
+        if check.pga_curve.pga_g and check.verdict != Outcome.NOT_APPLICABLE:
+            first.setdefault((check.procedure, check.limit_state), check)
+    return tuple(first.values())
+
+
+def _draw_procedure(axes: Axes, check: Check, name: str) -> None:
+    ink, curve = pen(check.procedure), check.pga_curve
+    axes.plot(curve.pga_g, curve.rotation_ratio, linestyle=ink.dash, color=ink.colour, label=name)
+    if check.capacity_pga_g is not None and check.capacity_rotation_ratio is not None:
+        at = ([check.capacity_pga_g], [check.capacity_rotation_ratio])
+        face = ink.colour if check.reading == "letter" else "white"
+        axes.plot(*at, marker=ink.marker, markersize=5, color=ink.colour, markerfacecolor=face, linestyle="none")
+
+
+def _draw_histories(axes: Axes, histories: tuple[HistoryResult, ...], locale: Locale) -> None:
+    standing = [(h.level_pga_g, abs(h.max_rotation_ratio)) for h in histories if h.max_rotation_ratio is not None]
+    fallen = [h.level_pga_g for h in histories if h.overturned]
+    dots: dict[str, Any] = {"linestyle": "none", "markersize": 4, "color": INK}
+    if standing:
+        name = locale.text(say("a record"))
+        axes.plot(*zip(*standing, strict=True), marker=".", alpha=0.7, label=name, **dots)
+    if fallen:
+        height, name = [OVERTURNED_HEIGHT] * len(fallen), locale.text(say("a record that overturned"))
+        axes.plot(fallen, height, marker="x", clip_on=False, label=name, **dots)
+
+
+def _draw_levels(axes: Axes, levels: list[float], locale: Locale) -> None:
+    """Draw the levels assessed and the rotation that overturns, and explain the marks of capacity."""
+    for level in levels:
+        axes.axvline(level, color=MUTED, linewidth=0.7, linestyle=(0, (2, 2)), zorder=0.5)
+    axes.axhline(1.0, color=FAIL, linewidth=0.8, label=locale.text(say("overturning rotation φₒᵥ")))
+    name = locale.text(say("allowable rotation"))
+    axes.plot([], [], marker="o", color=MUTED, linestyle="none", markersize=4, label=name)
+    if levels:
+        name = locale.text(say("levels assessed"))
+        axes.plot([], [], color=MUTED, linewidth=0.7, linestyle=(0, (2, 2)), label=name)
+
+
+def pga_axis_end(mechanism: MechanismResult, levels: list[float]) -> float:
+    """Return the end of the axis [g]: beyond every capacity, uplift and level."""
+    capacities = [check.capacity_pga_g for check in mechanism.checks if check.capacity_pga_g is not None]
+    uplifts = [check.uplift_pga_g for check in mechanism.checks if check.uplift_pga_g is not None]
+    return 1.12 * max([*capacities, *uplifts, *levels], default=1.0)

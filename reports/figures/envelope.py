@@ -11,22 +11,31 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from assess.results import EnvelopeResult, RecordResult, Results
-from assess.results.envelopes import CriticalBand
-from reports.figures.mechanism_pens import mechanism_pens
-from reports.figures.style import FAIL, INK, MUTED, Pen, label, legend_below, report_style, sheet
-from reports.figures.ticks import number_by_decades
+from assess.results.response import CriticalBand
+from reports.figures.style import (
+    FAIL,
+    INK,
+    MUTED,
+    Pen,
+    label,
+    legend_below,
+    mechanism_pens,
+    number_by_decades,
+    report_style,
+    sheet,
+)
 from reports.language.locale import Locale
 from reports.language.texts import say
 from reports.titles import mechanism_number, numbered_title
 from spectra.arrays import FloatArray
 
 PULSE = say("frequency of the pulse")
-ROCKS, FALLS = "#e7edf3", "#f2c1ad"
+ROCKS, OVERTURNS = "#e7edf3", "#f2c1ad"
 BEYOND = 1.25  # of the highest frequency with a bound, the end of the axis
 WIDE = 0.05  # of the axis: a band that can hold its name
 
 
-def draw(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -> Figure:
+def draw_envelope(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -> Figure:
     """Draw the outcome of pulses [g] over frequency [Hz]: white at rest, grey rocking, red overturned."""
     frequency, amplitude = np.array(one.frequency_hz), np.array(one.amplitude_g)
     with report_style():
@@ -34,8 +43,10 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -
         axes = figure.subplots()
         top = float(amplitude[-1])
         axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
-        fallen = cast("Any", _fallen(one, frequency, amplitude))
-        axes.add_collection(PolyCollection(fallen, facecolor=FALLS, edgecolor=FALLS, linewidth=0.2), autolim=False)
+        fallen = cast("Any", _overturning_rectangles(one, frequency, amplitude))
+        axes.add_collection(
+            PolyCollection(fallen, facecolor=OVERTURNS, edgecolor=OVERTURNS, linewidth=0.2), autolim=False
+        )
         axes.plot(frequency, one.uplift_g, "--", color=MUTED, linewidth=0.9, label=locale.text(say("rocking starts")))
         least = locale.text(say("least pulse that overturns"))
         axes.plot(frequency, _numbers(one.lower_bound_g), color=FAIL, label=least)
@@ -47,7 +58,7 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -
         return figure
 
 
-def _fallen(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> FloatArray:
+def _overturning_rectangles(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> FloatArray:
     """Return rectangles [k, 4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
     f, a = _between(frequency), _between(amplitude)
     found = []
@@ -78,7 +89,7 @@ def _dots(
         axes.plot(*at, "o", color=INK, markersize=3, label=locale.text(say("primary pulses of the records")))
 
 
-def bounds(results: Results, locale: Locale) -> Figure:
+def draw_envelope_bounds(results: Results, locale: Locale) -> Figure:
     """Draw the least pulse [g] that overturns each mechanism over frequency [Hz], and below it the critical one.
 
     Mechanisms that differ by their joints alone share a colour. Raises ValueError where none were compared.

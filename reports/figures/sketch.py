@@ -13,9 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
-from assess.results import Displaced, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
-from reports.figures.labels import Label, write
-from reports.figures.scale import Scale, table_scale
+from assess.results import DisplacedDrawing, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
 from reports.figures.style import (
     FIXED,
     HALF,
@@ -25,10 +23,14 @@ from reports.figures.style import (
     NEGATIVE,
     POSITIVE,
     STONE_EDGE,
+    Label,
+    Scale,
     bare_sheet,
     label,
     report_style,
     shade,
+    table_scale,
+    write_labels,
 )
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
@@ -53,7 +55,7 @@ class Window:
         return self.high[0] - self.low[0], self.high[1] - self.low[1]
 
 
-def draw(mechanism: MechanismResult, locale: Locale) -> Figure:
+def draw_sketch(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw the mechanism at rest, hinges, loads and centroids named, and beside it displaced to its positive side.
 
     The outline to which it is displaced on its negative side is dashed.
@@ -91,7 +93,7 @@ def extent_between(ring: Sequence[Point], low: float, high: float) -> tuple[floa
     return () if part.is_empty else (part.bounds[0], part.bounds[2])
 
 
-def drawn_points(scene: Drawing | Displaced) -> Iterator[Point]:
+def drawn_points(scene: Drawing | DisplacedDrawing) -> Iterator[Point]:
     """Yield every point that is drawn, except of arrows."""
     yield from (point for ring in scene.blocks for point in ring)
     yield from (hinge.at for hinge in scene.hinges)
@@ -150,7 +152,7 @@ def _at_rest(axes: Axes, drawing: Drawing, window: Window, locale: Locale) -> No
     _direction(axes)
     arrows = [np.array(arrow_ends(load, window.arrow)) for load in drawing.loads if load.towards is not None]
     shafts = [Label("", (x, z)) for tail, head in arrows for x, z in np.linspace(tail, head, 5).tolist()]
-    write(axes, [*names(drawing, window), *shafts])
+    write_labels(axes, [*names(drawing, window), *shafts])
 
 
 def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
@@ -188,10 +190,10 @@ def _turned(axes: Axes, drawing: Drawing, window: Window, locale: Locale) -> Non
     _loads(axes, displaced.loads, window)
     for hinge in displaced.hinges:
         _hinge(axes, hinge, POSITIVE)
-    write(axes, [Label(label(hinge.name, 14), hinge.at, POSITIVE) for hinge in displaced.hinges])
+    write_labels(axes, [Label(label(hinge.name, 14), hinge.at, POSITIVE) for hinge in displaced.hinges])
 
 
-def _outlines(axes: Axes, scene: Drawing | Displaced, *, linewidth: float) -> None:
+def _outlines(axes: Axes, scene: Drawing | DisplacedDrawing, *, linewidth: float) -> None:
     for ring, block in zip(scene.blocks, scene.block_of, strict=True):
         axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=linewidth))
 

@@ -9,8 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from assess.results.verification import Standing
-from reports.figures.style import FAIL, INK, MUTED, label, legend_below, report_style, sheet
-from reports.figures.ticks import LogTicks
+from reports.figures.style import FAIL, INK, MUTED, LogTicks, label, legend_below, report_style, sheet
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, say
 

@@ -1,7 +1,8 @@
-"""Lines of text: hidden characters shown as their code, and cuts to a length."""
+"""Letters of a line: hidden characters shown as their code, cuts to a length, index and power in formulas."""
 
 from __future__ import annotations
 
+import re
 import unicodedata
 
 _HIDDEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
@@ -29,3 +30,13 @@ def truncate_middle(text: str, limit: int) -> str:
 def character_code(mark: str) -> str:
     """Return the code of a character in brackets: ⟨U+0007⟩."""
     return f"⟨U+{ord(mark):04X}⟩"
+
+
+_INDEX_MARK = re.compile(r"(?<=[^\W\d_])_(?:\{([^{}]+)\}|([^\W_]+(?:,[^\W_]+)*))")
+_POWER_MARK = re.compile(r"\^(?:\{([^{}]+)\}|([-−]?[\w.]+))")
+
+
+def mark_up(escaped: str, *, index: tuple[str, str], power: tuple[str, str]) -> str:
+    """Put the given marks before and after each index and each power of an escaped formula."""
+    lowered = _INDEX_MARK.sub(lambda found: f"{index[0]}{found[1] or found[2]}{index[1]}", escaped)
+    return _POWER_MARK.sub(lambda found: f"{power[0]}{found[1] or found[2]}{power[1]}", lowered)

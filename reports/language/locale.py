@@ -1,19 +1,23 @@
-"""A language and a system of units: what turns the texts of a document into letters, once, from whole values."""
+"""A language and a system of units: what turns the texts of a document into letters, once, from whole values.
+
+`numeral` is the one place where a number is rounded for a reader.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import singledispatchmethod
+from math import isfinite
 
 from assess.messages.message import Message, Quantity
 from assess.messages.texts import TEXTS
 from reports.language.catalogue import ENGLISH, decimal_point, read_catalogue
-from reports.language.numerals import FIGURES, numeral
 from reports.language.texts import Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
-from reports.language.units import UNITS, WORDS, System, Unit
+from reports.language.units import UNIT_WORDS, UNITS, System, Unit
 
 _NARROW = "\u00a0"  # between a number and its unit and within units, so that no line breaks there
+FIGURES = 4
 
 
 @dataclass(frozen=True)
@@ -65,7 +69,7 @@ class Locale:
     @text.register
     def _(self, text: Message) -> str:
         english = TEXTS.get(text.key)
-        if english is None or _filled(english, text) != text.text:  # made by another version
+        if english is None or _fill_entry(english, text) != text.text:  # made by another version
             return text.text
         filled = {name: value if isinstance(value, str) else self.text(value) for name, value in text.values.items()}
         return self.word(english).format(**filled)
@@ -106,7 +110,7 @@ class Locale:
 
     def unit_name(self, unit: Unit) -> str:
         """Return the name of a unit in the language."""
-        return self.word(unit.name) if unit.name in WORDS else unit.name
+        return self.word(unit.name) if unit.name in UNIT_WORDS else unit.name
 
     def with_unit(self, number: str, unit: Unit) -> str:
         """Return a number and its unit: 1.234 m, 30°."""
@@ -120,9 +124,47 @@ class Locale:
         return f"{self.text(label)} [{unit or '-'}]" if dimension else self.text(label)
 
 
-def _filled(english: str, message: Message) -> str | None:
+def _fill_entry(english: str, message: Message) -> str | None:
     """Return an entry with the values of a message; None where it has other gaps."""
     try:
         return english.format(**message.values)
     except KeyError:
         return None
+
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_NOT_FINITE = {"inf": "∞", "-inf": "−∞", "nan": "—"}
+
+
+def numeral(value: float, *, figures: int = FIGURES, aligned: bool = False, point: str = ".") -> str:
+    """Return `value` to so many significant figures: 0.1, 12.34, 456700, 1.234×10⁶.
+
+    Parameters
+    ----------
+    value : the number
+    figures : significant figures
+    aligned : keep zeros at the end, 0.1000, as in a column
+    point : the decimal sign
+    """
+    if not isfinite(value):
+        return _NOT_FINITE[str(float(value))]
+    mantissa, power = f"{value:.{figures - 1}e}".split("e")
+    exponent = int(power)
+    whole = value == round(value) and abs(value) < 1e6
+    if value == 0 or (whole and figures > exponent and not aligned):
+        return f"{value:.0f}".replace("-", "−") if value else "0"
+    places = decimals(value, figures=figures)
+    if places is not None:
+        return _with_decimal_sign(f"{float(f'{mantissa}e{power}'):.{places}f}", aligned=aligned, point=point)
+    return f"{_with_decimal_sign(mantissa, aligned=aligned, point=point)}×10{str(exponent).translate(_SUPERSCRIPT)}"
+
+
+def decimals(value: float, *, figures: int) -> int | None:
+    """Return the decimals that show a finite number to so many significant figures; None for a power of ten."""
+    exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
+    return max(0, figures - 1 - exponent) if -4 <= exponent < 6 else None
+
+
+def _with_decimal_sign(text: str, *, aligned: bool, point: str) -> str:
+    shorter = text if aligned or "." not in text else text.rstrip("0").rstrip(".")
+    return shorter.replace("-", "−").replace(".", point)

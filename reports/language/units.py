@@ -26,7 +26,7 @@ class Unit:
 
 
 @dataclass(frozen=True)
-class Units:
+class DimensionUnits:
     """The units of one dimension in one system: that of tables, and those of single numbers, the smallest first."""
 
     table: Unit
@@ -37,17 +37,19 @@ class Units:
         return next((unit for unit in reversed(self.single) if abs(value) >= unit.size), self.single[0])
 
 
-def _one(name: str, size: float = 1.0) -> Units:
-    return Units(Unit(name, size), (Unit(name, size),))
+def _one(name: str, size: float = 1.0) -> DimensionUnits:
+    return DimensionUnits(Unit(name, size), (Unit(name, size),))
 
 
-def _several(table: str, **sizes: float) -> Units:
+def _several(table: str, **sizes: float) -> DimensionUnits:
     units = tuple(Unit(name.replace("_", " "), size) for name, size in sizes.items())
-    return Units(next(unit for unit in units if unit.name == table), units)
+    return DimensionUnits(next(unit for unit in units if unit.name == table), units)
 
 
-_PER_METRE = Units(Unit("GPa/m", giga), (Unit("Pa/m"), Unit("kPa/m", kilo), Unit("MPa/m", mega), Unit("GPa/m", giga)))
-_SI: Mapping[str, Units] = {
+_PER_METRE = DimensionUnits(
+    Unit("GPa/m", giga), (Unit("Pa/m"), Unit("kPa/m", kilo), Unit("MPa/m", mega), Unit("GPa/m", giga))
+)
+_SI: Mapping[str, DimensionUnits] = {
     "ratio": _one(""),
     "percent": _one("%"),
     "length": _one("m"),
@@ -78,7 +80,7 @@ _SI: Mapping[str, Units] = {
     "return period": _one("years"),
     "annual rate": _one("1/year"),
 }
-_US: Mapping[str, Units] = {
+_US: Mapping[str, DimensionUnits] = {
     "length": _one("ft", foot),
     "short length": _one("in", inch),
     "distance": _one("mi", mile),
@@ -99,6 +101,6 @@ _US: Mapping[str, Units] = {
     "stiffness": _several("psi/in", **{"psi/in": psi / inch, "ksi/in": kilo * psi / inch}),
     "rotational stiffness": _one("kip ft/rad", KIP * foot),
 }
-UNITS: Mapping[System, Mapping[str, Units]] = {"SI": _SI, "US": {**_SI, **_US}}
-WORDS = ("years", "1/year")
+UNITS: Mapping[System, Mapping[str, DimensionUnits]] = {"SI": _SI, "US": {**_SI, **_US}}
+UNIT_WORDS = ("years", "1/year")
 """Units that are words of a language."""

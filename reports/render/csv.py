@@ -10,9 +10,7 @@ from pathlib import Path
 from reports.document import Document, Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
-from reports.render.cell_text import PlainCell, plain_cell
-from reports.render.frame_words import STAMP
-from reports.render.sheet_table import as_table
+from reports.render.table_text import STAMP, PlainCell, plain_cell, sheet_as_table
 from spectra.formulas import harmless_cell
 
 
@@ -23,7 +21,7 @@ def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
     point in every language.
     """
     locale = document.writer
-    everything = (*document.tables, *(as_table(sheet, locale) for sheet in document.sheets))
+    everything = (*document.tables, *(sheet_as_table(sheet, locale) for sheet in document.sheets))
     return tuple(_write(table, folder, locale, stamp=document.stamp) for table in everything)
 
 

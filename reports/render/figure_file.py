@@ -7,16 +7,15 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from assess.outputs.single import write_file
+from assess.outputs.writing import write_file
 from reports.figures.style import report_style
-from reports.render.svg import picture, write_svg
-from reports.render.vector import trace_figure
+from reports.render.vector import svg_picture, trace_figure, write_svg
 
 DPI = 200
 
 
 def _svg(figure: Figure, path: Path, creator: str) -> None:
-    write_svg(picture(trace_figure(figure)), path, creator=creator)
+    write_svg(svg_picture(trace_figure(figure)), path, creator=creator)
 
 
 def _pdf(figure: Figure, path: Path, creator: str) -> None:

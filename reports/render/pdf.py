@@ -1,14 +1,34 @@
-"""The document as a PDF to sign: the same document gives the same bytes."""
+"""The document as a PDF to sign: the same document gives the same bytes.
+
+What stays together, where a page begins, what is made to fit; the contents; margins, running head, foot with "page x
+of y", bookmarks.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import datetime
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import chain, pairwise
+from math import ceil
 from pathlib import Path
+from typing import Any
 
 from reportlab import rl_config
+from reportlab.lib.colors import HexColor
+from reportlab.lib.pagesizes import A4, LETTER
 from reportlab.lib.units import mm
-from reportlab.platypus import Flowable, Spacer
+from reportlab.pdfgen.canvas import Canvas
+from reportlab.platypus import (
+    BaseDocTemplate,
+    CondPageBreak,
+    Flowable,
+    Frame,
+    KeepTogether,
+    PageTemplate,
+    Paragraph,
+    Spacer,
+)
 from reportlab.platypus import Table as Grid
 
 from reports.document import (
@@ -17,43 +37,51 @@ from reports.document import (
     Document,
     Facts,
     Figure,
+    FigureRow,
     Photograph,
-    Row,
     Section,
     Sheet,
     Signatures,
     Table,
-    Writing,
+    WritingBox,
 )
+from reports.figures.style import GRID, printable
 from reports.language.lettering import truncate
 from reports.language.locale import Locale
-from reports.language.texts import Verbatim
-from reports.render.contents import contents
-from reports.render.flow import PageStart, Part
-from reports.render.frame_words import CONTENTS
-from reports.render.page import DeferredCanvas, Heading, Pages
-from reports.render.pdf_blocks import Blocks, photograph
-from reports.render.processes import processes
-from reports.render.typeset import BARE, paragraph, register_fonts
-from reports.render.vector import Drawings, trace_figures
+from reports.language.texts import Verbatim, count, say
+from reports.render.pdf_blocks import BlockFlowables, PagedTable, PlacedFigure, photograph
+from reports.render.table_text import CONTENTS, program_and_stamp
+from reports.render.typeset import (
+    BARE,
+    REGULAR,
+    STYLES,
+    cut_to_width,
+    markup,
+    paragraph,
+    register_fonts,
+    set_letters,
+    width_of,
+)
+from reports.render.vector import TracedFigures, document_processes, trace_figures
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
-
 _LONGEST_TITLE, _LONGEST_FACT = 120, 160
 _LOGO = (42 * mm, 18 * mm)
-_OPENING = 2  # chapters before the contents
-_SHORT = 8  # rows of a table that stays on one page
-_WHOLE = (Figure, Row, Photograph, Facts, Writing, Signatures, Banner)
+_OPENING_CHAPTERS = 2  # chapters before the contents
+_SHORT_TABLE = 8  # rows of a table that stays on one page
+_WHOLE_BLOCKS = (Figure, FigureRow, Photograph, Facts, WritingBox, Signatures, Banner)
 
 
 class Story:
     """The flowables of a document."""
 
-    def __init__(self, document: Document, locale: Locale, drawings: Drawings, pages: Pages) -> None:
+    def __init__(self, document: Document, locale: Locale, drawings: TracedFigures, pages: Pages) -> None:
         self.document, self.locale, self.pages = document, locale, pages
-        self.blocks = Blocks(locale, drawings, pages.width, pages.height)
+        self.blocks = BlockFlowables(locale, drawings, pages.width, pages.height)
         chapters = [place for place, section in enumerate(document.sections) if section.level == 0]
-        self.opening = chapters[_OPENING] if len(chapters) > _OPENING else 0  # sections before the contents
+        self.opening = (
+            chapters[_OPENING_CHAPTERS] if len(chapters) > _OPENING_CHAPTERS else 0
+        )  # sections before the contents
         self.headings = [Heading(each, locale, f"section-{n}") for n, each in enumerate(document.sections)]
 
     def flowables(self) -> Iterator[Flowable]:
@@ -69,7 +97,7 @@ class Story:
             for part in parts:
                 yield from part.place()
 
-    def _parts(self, first: int, end: int) -> Iterator[Part]:
+    def _parts(self, first: int, end: int) -> Iterator[PagePart]:
         """Yield the parts of sections; headings without blocks stay with the next one."""
         held: list[Flowable] = []
         for place in range(first, end):
@@ -78,22 +106,22 @@ class Story:
             if _is_signed(section):  # with the next one, so that nobody signs a page with nothing else on it
                 held += chain.from_iterable(map(self.blocks.of, section.blocks))
                 if place + 1 == end or not _is_signed(self.document.sections[place + 1]):
-                    yield Part(held, is_whole=True)
+                    yield PagePart(held, is_whole=True)
                     held = []
                 continue
             for block in section.blocks:
-                yield Part(
+                yield PagePart(
                     [*held, *self.blocks.of(block)], _is_whole(block), bool(held) or isinstance(block, Table | Sheet)
                 )
                 held = []
             if place + 1 == self.opening:
                 yield self._contents()
         if held:
-            yield Part(held)
+            yield PagePart(held)
 
-    def _contents(self) -> Part:
-        listed = contents(self.headings, self.pages.numbers, self.pages.width)
-        return Part([paragraph(self.locale.text(CONTENTS), "heading-1"), listed, Spacer(1, 6)], is_whole=True)
+    def _contents(self) -> PagePart:
+        listed = contents_lines(self.headings, self.pages.numbers, self.pages.width)
+        return PagePart([paragraph(self.locale.text(CONTENTS), "heading-1"), listed, Spacer(1, 6)], is_whole=True)
 
     def _title(self) -> Iterator[Flowable]:
         text, logo = self.locale.text, self.document.logo
@@ -115,19 +143,277 @@ class Story:
 
 def _is_signed(section: Section) -> bool:
     """Return whether somebody writes or signs in the section."""
-    return any(isinstance(block, Writing | Signatures) for block in section.blocks)
+    return any(isinstance(block, WritingBox | Signatures) for block in section.blocks)
 
 
 def _is_whole(block: Block) -> bool:
-    return isinstance(block, _WHOLE) or (isinstance(block, Table) and len(block.rows) <= _SHORT)
+    return isinstance(block, _WHOLE_BLOCKS) or (isinstance(block, Table) and len(block.rows) <= _SHORT_TABLE)
 
 
-def write_pdf(document: Document, path: Path, *, drawings: Drawings | None = None) -> Path:
+def write_pdf(document: Document, path: Path, *, drawings: TracedFigures | None = None) -> Path:
     """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
     register_fonts()
     locale = document.writer
     pages = Pages(path, document, locale)
-    with processes(1, document) as here:
+    with document_processes(1, document) as here:
         figures = drawings or trace_figures(document, here)
     pages.build(list(Story(document, locale, figures, pages).flowables()), canvasmaker=DeferredCanvas)
     return path
+
+
+ROOM_TO_BEGIN = 24 * mm
+"""What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
+_LEAST_LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
+_SMALLEST_FIGURE = 0.7  # reduction of figures
+_SLACK = 8.0  # of a page that is filled to its end: spaces that the parts put between each other [pt]
+
+
+@dataclass(frozen=True)
+class PagePart:
+    """Flowables that follow each other.
+
+    is_whole : on one page
+    needs_room : begins where there is `ROOM`, and more before a table that starts with a high row
+    """
+
+    flowables: list[Flowable]
+    is_whole: bool = False
+    needs_room: bool = False
+
+    def place(self) -> Iterator[Flowable]:
+        """Yield what the part puts into the story."""
+        if self.is_whole:
+            yield KeepTogether(self.flowables)
+            return
+        if self.needs_room:
+            starts = (flowable.start for flowable in self.flowables if isinstance(flowable, PagedTable))
+            yield PageUnlessRoom(ROOM_TO_BEGIN + max(starts, default=0.0), self.flowables)
+        yield from self.flowables
+
+
+class PageUnlessRoom(CondPageBreak):
+    """Begins a page where there is neither this room [pt] nor enough for all that follows."""
+
+    def __init__(self, height: float, flowables: Sequence[Flowable]) -> None:
+        super().__init__(height)
+        self.flowables = flowables
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        self.height = min(self.height, height_of(self.flowables, aW, self.height))
+        width, height = super().wrap(aW, aH)
+        return float(width), float(height)
+
+
+def height_of(flowables: Sequence[Flowable], width: float, limit: float) -> float:
+    """Return the height of flowables one below the other [pt]; some value beyond `limit` where it is higher."""
+    height = space = 0.0
+    for flowable in flowables:
+        height += flowable.wrap(width, limit)[1] + max(space, flowable.getSpaceBefore())
+        space = flowable.getSpaceAfter()
+        if height > limit:
+            break
+    return height
+
+
+class PageStart(CondPageBreak):
+    """Begins a page, unless this one is nearly empty.
+
+    Where the parts after it need a little more than the page, their figures are reduced until it has room for all.
+    """
+
+    def __init__(self, page: float, parts: Sequence[PagePart], drawings: Sequence[PlacedFigure]) -> None:
+        super().__init__(_LEAST_LEFT * page)
+        self.page, self.drawings = page, drawings
+        self.flowables = list(chain.from_iterable(part.flowables for part in parts))
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        if aH >= self.height and self._needs_a_page(aW, aH):
+            self.height = self.page
+        if self.drawings:
+            self._reduce(aW, (self.page if aH < self.height else aH) - _SLACK)
+        width, height = super().wrap(aW, aH)
+        return float(width), float(height)
+
+    def _needs_a_page(self, width: float, room: float) -> bool:
+        """Return whether all parts fit on a page of their own and not on what is left of this one."""
+        return room < self._height(width, _SMALLEST_FIGURE, 1.5 * self.page) <= self.page
+
+    def _reduce(self, width: float, room: float) -> None:
+        whole = self._height(width, 1.0, 1.5 * room)
+        if whole <= room or whole > 1.5 * room:
+            return
+        least = self._height(width, _SMALLEST_FIGURE, 1.5 * room)
+        share = (room - least) / (whole - least) if least <= room and least < whole else 1.0
+        self._set(_SMALLEST_FIGURE + (1 - _SMALLEST_FIGURE) * share)
+
+    def _height(self, width: float, reduction: float, limit: float) -> float:
+        """Return the height of all parts [pt] with figures so reduced; some value beyond `limit` where it is higher."""
+        self._set(reduction)
+        return height_of(self.flowables, width, limit)
+
+    def _set(self, reduction: float) -> None:
+        for drawing in self.drawings:
+            drawing.reduction = reduction
+
+
+LINES_IN_COLUMN = 10  # lines up to which they stand in one column
+_CONTENTS_STYLE = "contents"
+_ROOM_FOR_NUMBER, _COLUMN_GAP = 27.0, 14.0  # left for dots and number; between two columns [pt]
+_DOT = " ."
+
+
+class ContentsLine(Flowable):
+    """The line of one heading. numbers: of the pages by the headings' keys, complete when the pages are."""
+
+    def __init__(self, heading: Heading, numbers: Mapping[str, int]) -> None:
+        super().__init__()
+        self.heading, self.numbers = heading, numbers
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        self.width, self.height = aW, STYLES[_CONTENTS_STYLE].leading
+        return self.width, self.height
+
+    def draw(self) -> None:
+        canvas = self.canv
+        assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
+        set_letters(canvas, _CONTENTS_STYLE)
+        text = cut_to_width(self.heading.short, self.width - _ROOM_FOR_NUMBER, _CONTENTS_STYLE)
+        canvas.drawString(0, self.height - STYLES[_CONTENTS_STYLE].fontSize, text)
+        canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.height), relative=1)
+        self.free = self.width - width_of(text, _CONTENTS_STYLE)
+        canvas.later(f"page-of-{self.heading.key}", self._number)
+
+    def _number(self, canvas: Canvas) -> None:
+        """Draw dots and number at the right end."""
+        set_letters(canvas, _CONTENTS_STYLE)
+        number = f" {self.numbers[self.heading.key]}"
+        dots = _DOT * int((self.free - width_of(number, _CONTENTS_STYLE)) / width_of(_DOT, _CONTENTS_STYLE))
+        canvas.drawRightString(self.width, self.height - STYLES[_CONTENTS_STYLE].fontSize, dots + number)
+
+
+def contents_lines(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
+    """Return the lines of the chapters and of the mechanisms, in two columns where they are many."""
+    entries = [ContentsLine(each, numbers) for each in headings if each.level == 0]
+    high = len(entries) if len(entries) <= LINES_IN_COLUMN else ceil(len(entries) / 2)
+    rows = [[entries[place], *entries[place + high : place + high + 1]] for place in range(high)]
+    wide = (width - _COLUMN_GAP) / 2
+    if high == len(entries):
+        return Grid(rows, colWidths=[width], style=BARE)
+    whole = [[*row, "", ""][:2] for row in rows]
+    return Grid([[one, "", other] for one, other in whole], colWidths=[wide, _COLUMN_GAP, wide], style=BARE)
+
+
+PAPER = {"A4": A4, "letter": LETTER}
+_SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
+_HEAD, _FOOT = 5 * mm, 10 * mm  # of the running head above the text, of the foot above the edge
+_LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each part of the running head
+_RUNNING_SHARE, _HEAD_GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
+
+
+def pdf_date(date: str) -> str:
+    """Return a date like 2026-05-12 as the properties of a PDF have it; empty for one that is not written so."""
+    try:
+        return f"D:{datetime.date.fromisoformat(date):%Y%m%d}000000Z"
+    except ValueError:
+        return ""
+
+
+class DeferredCanvas(Canvas):
+    """A canvas on which room is left for what is known only when all pages are there: one pass over them is enough."""
+
+    def __init__(self, *given: Any, **named: Any) -> None:
+        super().__init__(*given, **named)
+        self._late: dict[str, Callable[[Canvas], None]] = {}
+
+    def later(self, name: str, draw: Callable[[Canvas], None]) -> None:
+        """Show here what `draw` draws at the end, within a page from the present origin on; name: used once."""
+        self._late[name] = draw
+        self.doForm(name)
+
+    def save(self) -> None:
+        """Draw what was left for later, and write the file."""
+        for name, draw in self._late.items():
+            self.beginForm(name)
+            draw(self)
+            self.endForm()
+        super().save()
+
+
+class Heading(Paragraph):
+    """A section heading, which `Pages` puts into the contents and the bookmarks.
+
+    short : the text for contents and bookmarks
+    key : of its place in the file
+    """
+
+    def __init__(self, section: Section, locale: Locale, key: str) -> None:
+        text = " ".join(part for part in (section.mark, locale.text(section.title)) if part)
+        super().__init__(markup(truncate(text, 2 * _LONGEST)), STYLES[f"heading-{min(section.level, 1)}"])
+        self.short, self.level, self.key = truncate(printable(text), _LONGEST), section.level, key
+
+    def split(self, aW: float, aH: float) -> list[Flowable]:
+        """Return nothing: a heading goes to the next page whole."""
+        return []
+
+
+class Pages(BaseDocTemplate):
+    """The document template. numbers: of the pages of the headings, by their keys, as they become known."""
+
+    def __init__(self, path: Path, document: Document, locale: Locale) -> None:
+        self.document, self.locale = document, locale
+        self.numbers: dict[str, int] = {}
+        self._depth = -1
+        text = locale.text
+        super().__init__(
+            str(path),
+            pagesize=PAPER[document.paper],
+            leftMargin=_SIDE,
+            rightMargin=_SIDE,
+            topMargin=_TOP,
+            bottomMargin=_BOTTOM,
+            title=truncate(printable(text(document.title)), 200),
+            author=truncate(printable(document.author), 200),
+            subject=printable(text(document.subject)),
+            creator=printable(text(program_and_stamp(document))),
+            producer=document.program,
+            invariant=1,
+            lang=locale.language,
+            initialFontName=REGULAR,
+            pageCompression=1,
+        )
+        frame = Frame(_SIDE, _BOTTOM, self.width, self.height, 0, 0, 0, 0, id="text")
+        self.addPageTemplates(PageTemplate("page", [frame], onPage=self._furniture))
+
+    def afterFlowable(self, flowable: object) -> None:  # noqa: N802 - reportlab's name
+        """Enter a heading into contents and bookmarks."""
+        if isinstance(flowable, Heading):
+            self._depth = min(flowable.level, self._depth + 1)  # a bookmark is at most one below the one before
+            self.canv.bookmarkPage(flowable.key)
+            self.canv.addOutlineEntry(flowable.short, flowable.key, self._depth, closed=self._depth)
+            self.numbers[flowable.key] = self.page
+
+    def _furniture(self, canvas: Canvas, _: object) -> None:
+        assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
+        made = pdf_date(self.document.date)
+        if made:
+            canvas.setDateFormatter(lambda *_: made)
+        left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + _HEAD
+        text, document, page = self.locale.text, self.document, self.page
+        canvas.saveState()
+        set_letters(canvas, "running")
+        canvas.setStrokeColor(HexColor(GRID))
+        said = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
+        running = cut_to_width(" · ".join(said), _RUNNING_SHARE * self.width, "running")
+        room = self.width - width_of(running, "running") - _HEAD_GAP
+        canvas.drawString(left, head, cut_to_width(printable(text(document.title)), room, "running"))
+        canvas.drawRightString(right, head, running)
+        canvas.line(left, head - 3.5, right, head - 3.5)
+        canvas.drawString(left, _FOOT, truncate(printable(text(program_and_stamp(document))), _LONGEST))
+        canvas.later(f"number-{page}", lambda canvas: self._number(canvas, page))
+        canvas.restoreState()
+
+    def _number(self, canvas: Canvas, page: int) -> None:
+        """Draw the number of a page, when the last page has its number."""
+        set_letters(canvas, "running")
+        number = say("page {page} of {total}", page=count(page), total=count(self.page))
+        canvas.drawRightString(_SIDE + self.width, _FOOT, self.locale.text(number))

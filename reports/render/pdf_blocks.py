@@ -1,55 +1,70 @@
-"""The blocks of a document as what reportlab puts on pages."""
+"""The blocks of a document as what reportlab puts on pages: text, tables whose rows and heads go on over pages,
+figures.
+"""
 
 from __future__ import annotations
 
 import base64
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
-from functools import singledispatchmethod
+from functools import cache, singledispatchmethod
 from io import BytesIO
+from itertools import groupby
 from math import ceil
+from typing import Any
 
+from matplotlib.path import Path
 from PIL import Image as Pillow
-from reportlab.lib.colors import HexColor
+from reportlab.lib.colors import Color, HexColor
 from reportlab.lib.units import mm
-from reportlab.platypus import Flowable, Image, Paragraph, Spacer
+from reportlab.pdfgen.canvas import Canvas
+from reportlab.platypus import Flowable, Image, LongTable, Paragraph, Spacer
 from reportlab.platypus import Table as Grid
 
 from reports.document import (
     Banner,
     Block,
-    Code,
+    BulletList,
+    Cell,
+    Column,
     Facts,
     Figure,
-    Items,
+    FigureRow,
+    FileLines,
+    OutcomeCell,
     Photograph,
     Prose,
-    Row,
     Sheet,
     Signatures,
     Table,
-    Writing,
+    WritingBox,
 )
-from reports.figures.style import BANNER, MUTED
+from reports.figures.style import BANNER, GRID, MUTED, printable
 from reports.language.lettering import truncate
 from reports.language.locale import Locale
-from reports.language.texts import Kind, Text
-from reports.render.frame_words import SIGNATURE_HEADS, verdict_word
-from reports.render.pdf_marks import replay
-from reports.render.pdf_tables import TINT, sheet_grid, table_grid
-from reports.render.typeset import BARE, BOLD, REGULAR, STYLES, markup, paragraph, titled_caption, width_of
-from reports.render.vector import Drawings, FigureMarks
+from reports.language.texts import Kind, Text, Verbatim
+from reports.render.table_text import (
+    SHEET_HEADS,
+    SIGNATURE_HEADS,
+    SheetRow,
+    column_texts,
+    is_numeric,
+    sheet_rows,
+    verdict_word,
+)
+from reports.render.typeset import BARE, BOLD, REGULAR, STYLES, formula, markup, paragraph, titled_caption, width_of
+from reports.render.vector import FigureMarks, Letters, Rectangle, Rgba, Stroke, TracedFigures
 
 _CAPTION = 26 * mm  # left for a caption below a figure as high as the page
 _PHOTOGRAPH = 95 * mm  # height of a photograph at most
 _PIXEL = 72 / 150  # of a photograph [pt]
-_GAP = 8.0  # between figures side by side [pt]
+_FIGURE_GAP = 8.0  # between figures side by side [pt]
 _LONGEST_CAPTION, _LONGEST_NAME = 500, 60  # letters
-_LONG = 120  # letters: a longer text is not measured
+_LONGEST_MEASURED = 120  # letters: a longer text is not measured
 _VERDICT_MARGINS = 18.0  # of the left cell of the banner [pt]
 
 
-class Drawing(Flowable):
+class PlacedFigure(Flowable):
     """A traced figure on the page, fetched only when it is placed: until then it may be in the making."""
 
     def __init__(self, drawing: Future[FigureMarks], room: tuple[float, float]) -> None:
@@ -73,20 +88,20 @@ class Drawing(Flowable):
 
     def draw(self) -> None:
         self.canv.scale(self.factor, self.factor)
-        replay(self.figure, self.canv, font=REGULAR, bold=BOLD)
+        draw_marks(self.figure, self.canv, font=REGULAR, bold=BOLD)
 
 
-class Blocks:
+class BlockFlowables:
     """Makes flowables of blocks.
 
     width, height : of the text on a page [pt]
     placed : the figures made so far
     """
 
-    def __init__(self, locale: Locale, drawings: Drawings, width: float, height: float) -> None:
+    def __init__(self, locale: Locale, drawings: TracedFigures, width: float, height: float) -> None:
         self.locale, self.drawings, self.width, self.height = locale, drawings, width, height
         self.text = locale.text
-        self.placed: list[Drawing] = []
+        self.placed: list[PlacedFigure] = []
 
     @singledispatchmethod
     def of(self, block: Block) -> list[Flowable]:
@@ -98,11 +113,11 @@ class Blocks:
         return [paragraph(self.text(each), "body") for each in block.paragraphs]
 
     @of.register
-    def _(self, block: Items) -> list[Flowable]:
+    def _(self, block: BulletList) -> list[Flowable]:
         return [paragraph(self.text(each), "item", bullet="•") for each in block.points] + [Spacer(1, 3)]
 
     @of.register
-    def _(self, block: Code) -> list[Flowable]:
+    def _(self, block: FileLines) -> list[Flowable]:
         return [*(paragraph(line, "code") for line in block.lines), Spacer(1, 6)]
 
     @of.register
@@ -118,12 +133,12 @@ class Blocks:
         return [*self._figure(block, (self.width, self.height - _CAPTION)), Spacer(1, 6)]
 
     @of.register
-    def _(self, block: Row) -> list[Flowable]:
-        wide = (self.width - _GAP * (len(block.figures) - 1)) / len(block.figures)
+    def _(self, block: FigureRow) -> list[Flowable]:
+        wide = (self.width - _FIGURE_GAP * (len(block.figures) - 1)) / len(block.figures)
         cells = [self._figure(figure, (wide, self.height - _CAPTION)) for figure in block.figures]
-        widths = [wide + _GAP] * (len(cells) - 1) + [wide]
+        widths = [wide + _FIGURE_GAP] * (len(cells) - 1) + [wide]
         grid = Grid([list(row) for row in zip(*cells, strict=True)], colWidths=widths, spaceAfter=5)
-        grid.setStyle([*BARE, ("RIGHTPADDING", (0, 0), (-2, -1), _GAP), ("BOTTOMPADDING", (0, 0), (-1, 0), 2)])
+        grid.setStyle([*BARE, ("RIGHTPADDING", (0, 0), (-2, -1), _FIGURE_GAP), ("BOTTOMPADDING", (0, 0), (-1, 0), 2)])
         grid.setStyle([("VALIGN", (0, 0), (-1, 0), "MIDDLE"), ("VALIGN", (0, 1), (-1, 1), "TOP")])
         return [grid]
 
@@ -137,7 +152,7 @@ class Blocks:
         return [self._facts(block.pairs)] if block.pairs else []
 
     @of.register
-    def _(self, block: Writing) -> list[Flowable]:
+    def _(self, block: WritingBox) -> list[Flowable]:
         box = Grid([[""]], colWidths=[self.width], rowHeights=[block.height * mm], spaceAfter=8)
         box.setStyle([("BOX", (0, 0), (-1, -1), 0.6, HexColor(MUTED))])
         return [paragraph(self.text(block.title), "caption"), box]
@@ -156,7 +171,7 @@ class Blocks:
     def _(self, block: Banner) -> list[Flowable]:
         ink, word = HexColor(BANNER[block.outcome]), self.text(verdict_word(block))
         widths = [0.3 * self.width, 0.7 * self.width]
-        size = _fitting(word, widths[0] - _VERDICT_MARGINS)
+        size = _verdict_size(word, widths[0] - _VERDICT_MARGINS)
         style = STYLES["verdict"].clone("banner", textColor=ink, fontSize=size, leading=1.25 * size)
         cells = [
             Paragraph(markup(word), style),
@@ -178,15 +193,15 @@ class Blocks:
         return titled_caption(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
 
     def _figure(self, block: Figure, room: tuple[float, float]) -> list[Flowable]:
-        drawing = Drawing(self.drawings[block.name], room)
+        drawing = PlacedFigure(self.drawings[block.name], room)
         self.placed.append(drawing)
         return [drawing, self._caption("Figure", block.name, block.caption)]
 
     def _facts(self, pairs: Sequence[tuple[Text, Text]]) -> Flowable:
         """Return the facts in two columns, or in twice two where all are short."""
         written = [(self.text(label), self.text(said)) for label, said in pairs]
-        label = min(0.3 * self.width, 8 + max(width_of(name[:_LONG], "muted") for name, _ in written))
-        widest = 8 + max(width_of(said[:_LONG], "cell") for _, said in written)
+        label = min(0.3 * self.width, 8 + max(width_of(name[:_LONGEST_MEASURED], "muted") for name, _ in written))
+        widest = 8 + max(width_of(said[:_LONGEST_MEASURED], "cell") for _, said in written)
         twice = len(written) > 3 and label + widest < self.width / 2
         high = ceil(len(written) / 2) if twice else len(written)
         cells = [[paragraph(name, "muted"), paragraph(said, "cell")] for name, said in written]
@@ -212,7 +227,264 @@ def photograph(block: Photograph, width: float, height: float) -> Image | None:
     return Image(BytesIO(data), width=across * factor, height=up * factor)
 
 
-def _fitting(text: str, width: float) -> float:
+def _verdict_size(text: str, width: float) -> float:
     """Return the size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
     widest = max(width_of(word, "verdict") for word in text.split())
     return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
+
+
+TINT: Mapping[str, str] = {"pass": "#dcefe6", "fail": "#f8dfd6", "incomplete": "#faeccb", "comparison": "#e9ecef"}
+INK_OF: Mapping[str, str] = {**BANNER, "comparison": MUTED}
+_PADDING = 3.0  # left and right of a cell [pt]
+_WIDEST, _LEAST = 0.5, 62.0  # share of the table that a text may ask for; width up to which words are not broken [pt]
+_LOOSEST = 1.7  # a table is stretched so many times at most to fill its line
+_DIVIDED = 260.0  # a row that has so much room and needs more is divided [pt]
+_NARROWEST = 0.04  # share of the table that is left for a column without one
+_LONGEST_HEAD = 120  # letters
+_LONGEST_MEASURED_CELL = 120  # letters: a longer text is not measured
+_SHEET_SHARES = (0.11, 0.33, 0.39, 0.17)
+
+_TABLE_STYLE: tuple[Any, ...] = (
+    ("VALIGN", (0, 0), (-1, 0), "BOTTOM"),
+    ("VALIGN", (0, 1), (-1, -1), "TOP"),
+    ("LINEBELOW", (0, 0), (-1, 0), 0.7, HexColor(MUTED)),
+    ("LINEBELOW", (0, 1), (-1, -1), 0.3, HexColor(GRID)),
+    ("LEFTPADDING", (0, 0), (-1, -1), _PADDING),
+    ("RIGHTPADDING", (0, 0), (-1, -1), _PADDING),
+    ("TOPPADDING", (0, 0), (-1, -1), 1.4),
+    ("BOTTOMPADDING", (0, 0), (-1, -1), 1.9),
+)
+
+
+class PagedTable(LongTable):
+    """A table that goes on over pages; a row is divided only where it is higher than a good part of a page.
+
+    start : height of the head and the first row, of which a higher one may be divided [pt]
+    """
+
+    start = 0.0
+
+    def split(self, aW: float, aH: float) -> list[Any]:
+        self.splitInRow = int(aH > _DIVIDED)
+        return list(super().split(aW, aH))
+
+
+def table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
+    """Return a table as wide as its cells need, at most `width` [pt]; with the head again on each page."""
+    prefix = "small-" if table.small else ""
+    columns = [tuple(row[place] for row in table.rows) for place in range(len(table.columns))]
+    texts = (column_texts(*each, locale) for each in zip(columns, table.columns, strict=True))
+    rows = [list(map(printable, row)) for row in zip(*texts, strict=True)]
+    right = list(map(is_numeric, columns))
+    heads = [printable(_head(column, locale)) for column in table.columns]
+    widths = column_widths([heads, *rows], [column.share for column in table.columns], width, f"{prefix}head")
+    styles = [f"{prefix}{'number' if each else 'cell'}" for each in right]
+    shown = [f"{prefix}head{'-number' if each else ''}" for each in right]
+    made: list[list[Any]] = [[paragraph(*each) for each in zip(heads, shown, strict=True)]]
+    for place, cells in enumerate(table.rows):
+        colour = MUTED if place in table.muted else ""
+        made.append([_cell(*each, colour) for each in zip(cells, rows[place], styles, widths, strict=True)])
+    of = STYLES[f"{prefix}cell"]
+    letters = [
+        ("FONT", (0, 0), (-1, -1), of.fontName, of.fontSize, of.leading),
+        ("TEXTCOLOR", (0, 0), (-1, -1), of.textColor),
+    ]
+    sides = [("ALIGN", (place, 0), (place, -1), "RIGHT") for place, each in enumerate(right) if each]
+    return _grid(made, widths, [*letters, *sides, *_tints(table)])
+
+
+def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> PagedTable:
+    """Return a calculation sheet, `width` [pt] wide."""
+    heads = [paragraph(locale.text(head), "head") for head in SHEET_HEADS]
+    rows = [_step(row) for row in sheet_rows(sheet, locale)]
+    return _grid([list(heads), *rows], [share * width for share in _SHEET_SHARES], [])
+
+
+def _head(column: Column, locale: Locale) -> str:
+    """Return the head of a column, whose unit is kept where the label is cut."""
+    label = truncate(locale.text(column.label), _LONGEST_HEAD)
+    return locale.heading(Verbatim(label), column.dimension)
+
+
+def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width: float, style: str) -> list[float]:
+    """Return the widths of columns [pt]: those with a share of `width` have it, the others what their cells need.
+
+    rows : texts, the heads first, which may be folded
+    shares : of the width, 0 for a column that shares what is left
+    """
+    free = [place for place, share in enumerate(shares) if not share]
+    whole = max(1.0, sum(shares) + _NARROWEST * len(free))
+    given = [share * width / whole for share in shares]
+    columns = [[row[place] for row in rows] for place in free]
+    least = [_padded(max(_word_width(text, style) for text in column)) for column in columns]
+    lines = [[min(_WIDEST * width, _padded(_line_width(text, style))) for text in column] for column in columns]
+    wanted = [max(low, *each[1:], 0.0) for low, each in zip(least, lines, strict=True)]
+    easy = [max(want, each[0]) for want, each in zip(wanted, lines, strict=True)]
+    found = _shared(least, wanted, easy, width - sum(given), fills=len(free) < len(shares))
+    for place, own in zip(free, found, strict=True):
+        given[place] = own
+    return given
+
+
+def _shared(
+    least: Sequence[float], wanted: Sequence[float], easy: Sequence[float], left: float, *, fills: bool
+) -> list[float]:
+    """Return what each column gets of the width that is `left`, all of it where it `fills` a line.
+
+    Needs are: `least`, of the longest words; `wanted`, of the longest lines; `easy`, with the head on one line too.
+    """
+    if sum(easy) <= left:
+        return [each * min(left / sum(easy), left if fills else _LOOSEST) for each in easy]
+    floors = (wanted, least, [0.0] * len(least))
+    floor, enough = next(pair for pair in zip(floors, (easy, wanted, least), strict=True) if sum(pair[0]) <= left)
+    return _filled(floor, enough, left)
+
+
+def _padded(width: float) -> float:
+    return width + 2 * _PADDING + 1
+
+
+def _filled(floor: Sequence[float], wanted: Sequence[float], left: float) -> list[float]:
+    """Return widths from `floor` up to what is `wanted`, the same more for each until nothing is left."""
+    widths, spare = list(floor), left - sum(floor)
+    order = sorted(range(len(floor)), key=lambda place: wanted[place] - floor[place])
+    for waiting, place in zip(range(len(order), 0, -1), order, strict=True):
+        more = min(wanted[place] - floor[place], spare / waiting)
+        widths[place], spare = floor[place] + more, spare - more
+    return widths
+
+
+def _line_width(text: str, style: str) -> float:
+    return (
+        width_of(text, style)
+        if len(text) <= _LONGEST_MEASURED_CELL
+        else 0.6 * float(STYLES[style].fontSize) * len(text)
+    )
+
+
+def _word_width(text: str, style: str) -> float:
+    return min(_LEAST, max((width_of(word, style) for word in text[:_LONGEST_MEASURED_CELL].split(" ")), default=0.0))
+
+
+def _cell(cell: Cell, text: str, style: str, width: float, colour: str) -> str | Paragraph:
+    """Return the text itself where one line has room for it, which reportlab draws at once, else a paragraph."""
+    if isinstance(cell, OutcomeCell):
+        ink = HexColor(INK_OF[cell.outcome])
+        return Paragraph(f"<b>{markup(text)}</b>", STYLES[style].clone(f"{style}-{cell.outcome}", textColor=ink))
+    if not colour and len(text) <= _LONGEST_MEASURED_CELL and width_of(text, style) <= width - 2 * _PADDING:
+        return text
+    return paragraph(text, style, colour=colour)
+
+
+def _step(row: SheetRow) -> list[Any]:
+    style = STYLES["formula"]
+    clause = f'<br/><font color="{MUTED}">{markup(row.clause)}</font>' if row.clause else ""
+    numbers = f"<br/>{formula(row.numbers)}" if row.numbers else ""
+    beside = f"<br/>({markup(row.beside)})" if row.beside else ""
+    texts = (
+        formula(row.symbol),
+        formula(row.description) + clause,
+        formula(row.formula) + numbers,
+        markup(row.result) + beside,
+    )
+    return [Paragraph(text, style) for text in texts]
+
+
+def _tints(table: Table) -> Iterator[tuple[Any, ...]]:
+    for row, cells in enumerate(table.rows, start=1):
+        for column, cell in enumerate(cells):
+            if isinstance(cell, OutcomeCell):
+                yield ("BACKGROUND", (column, row), (column, row), HexColor(TINT[cell.outcome]))
+
+
+def _grid(rows: Sequence[list[Any]], widths: Sequence[float], look: Sequence[Any]) -> PagedTable:
+    made = PagedTable(rows, colWidths=widths, repeatRows=1, hAlign="LEFT", spaceAfter=8, style=[*_TABLE_STYLE, *look])
+    made.start = min(_DIVIDED, sum(_height(row, widths) for row in rows[:2]))
+    return made
+
+
+def _height(row: Sequence[Any], widths: Sequence[float]) -> float:
+    """Return the height of a row [pt]; one of single lines alone is lower than what is anyway left for it."""
+    cells = zip(row, widths, strict=True)
+    return max((cell.wrap(wide - 2 * _PADDING, 0)[1] for cell, wide in cells if isinstance(cell, Paragraph)), default=0)
+
+
+_CAP = {"butt": 0, "projecting": 2, "round": 1}
+_JOIN = {"miter": 0, "round": 1, "bevel": 2}
+_PLACE = "%.2f %.2f"  # a hundredth of a point is less than paper holds
+_OPERATORS = {int(Path.MOVETO): f"{_PLACE} m", int(Path.LINETO): f"{_PLACE} l", int(Path.CLOSEPOLY): "h"}
+_PAINT = {(True, True): "B", (True, False): "S", (False, True): "f", (False, False): "n"}  # a line, a filling
+
+_SETTING: Mapping[str, Callable[[Canvas, Any], None]] = {
+    "line": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} RG".format(*ink)),
+    "opacity of lines": lambda canvas, alpha: canvas.setStrokeAlpha(alpha),
+    "width": lambda canvas, width: canvas.addLiteral(f"{width:.3f} w"),
+    "cap": lambda canvas, cap: canvas.setLineCap(_CAP[cap]),
+    "join": lambda canvas, join: canvas.setLineJoin(_JOIN[join]),
+    "dashes": lambda canvas, dashes: canvas.setDash(list(dashes[0]), dashes[1]),
+    "filling": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} rg".format(*ink)),
+    "opacity of fillings": lambda canvas, alpha: canvas.setFillAlpha(alpha),
+}
+
+
+def draw_marks(traced: FigureMarks, canvas: Canvas, *, font: str, bold: str) -> None:
+    """Draw the marks with the lower left corner at the canvas' origin, in the registered fonts `font` and `bold`."""
+    for clip, marks in groupby(traced.marks, key=lambda mark: mark.clip if isinstance(mark, Stroke) else None):
+        canvas.saveState()
+        _clip(clip, canvas)
+        held: dict[str, object] = {}
+        for mark in marks:
+            if isinstance(mark, Stroke):
+                _stroke(mark, held, canvas)
+            else:
+                _write(mark, canvas, bold if mark.bold else font)
+        canvas.restoreState()
+
+
+def _clip(window: Rectangle | None, canvas: Canvas) -> None:
+    if window is not None:
+        outline = canvas.beginPath()
+        outline.rect(*window)
+        canvas.clipPath(outline, stroke=0, fill=0)
+
+
+def _stroke(mark: Stroke, held: dict[str, object], canvas: Canvas) -> None:
+    """Draw one outline; what is `held` already is not set again."""
+    for name, value in (*_line(mark), *_filling(mark.filling)):
+        if held.get(name) != value:
+            held[name] = value
+            _SETTING[name](canvas, value)
+    paint = _PAINT[mark.line is not None, mark.filling is not None]
+    canvas.addLiteral(f"n {operators(mark.codes, mark.numbers)} {paint}")
+
+
+def _line(mark: Stroke) -> tuple[tuple[str, object], ...]:
+    if mark.line is None:
+        return ()
+    ink = (("line", mark.line[:3]), ("opacity of lines", mark.line[3]))
+    return (*ink, ("width", mark.width), ("cap", mark.cap), ("join", mark.join), ("dashes", mark.dashes))
+
+
+def _filling(ink: Rgba | None) -> tuple[tuple[str, object], ...]:
+    return () if ink is None else (("filling", ink[:3]), ("opacity of fillings", ink[3]))
+
+
+def operators(codes: bytes, numbers: tuple[float, ...]) -> str:
+    """Return an outline in the operators of PDF."""
+    return _shape(codes) % numbers
+
+
+@cache
+def _shape(codes: bytes) -> str:
+    """Return the operators with room for the numbers: outlines are ten thousands, shapes of them a hundred."""
+    return " ".join([_OPERATORS[code] for code in codes])
+
+
+def _write(mark: Letters, canvas: Canvas, font: str) -> None:
+    canvas.saveState()
+    canvas.translate(mark.x, mark.y)
+    canvas.rotate(mark.angle)
+    canvas.setFillColor(Color(*mark.colour))
+    canvas.setFont(font, mark.size)
+    canvas.drawString(0, 0, mark.text)
+    canvas.restoreState()

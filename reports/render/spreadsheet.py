@@ -14,15 +14,12 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import Cell, Column, Document, Graded, Link, Sheet, Table
+from reports.document import Cell, Column, Document, Link, OutcomeCell, Sheet, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.lettering import truncate, visible
-from reports.language.locale import Locale
-from reports.language.numerals import decimals, numeral
+from reports.language.locale import Locale, decimals, numeral
 from reports.language.texts import Kind, say
-from reports.render.cell_text import NOTHING, PlainCell, is_numeric, plain_cell
-from reports.render.frame_words import origin
-from reports.render.sheet_table import as_table
+from reports.render.table_text import NOTHING, PlainCell, is_numeric, plain_cell, program_and_stamp, sheet_as_table
 from spectra.formulas import is_formula
 
 CONTENTS, SHEETS = say("contents"), say("calculation sheets")
@@ -34,21 +31,21 @@ _LONG = 500  # rows; numbers of longer tables have no format, but where people l
 _MOST_LINKS, _LONGEST_LINK = 60_000, 2_000  # of a sheet, of which Excel opens no more; characters
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
-Look = dict[str, str | int]
+CellFormat = dict[str, str | int]
 """How a cell looks, in xlsxwriter's words."""
-_BOLD: Look = {"font_color": INK, "bold": 1}
-_GREY: Look = {"font_color": MUTED}
-_LINK: Look = {"font_color": "#00588a", "underline": 1}
-_TITLE: Look = {"bold": 1, "font_size": 14}
-_OUTCOMES: dict[str, Look] = {
+_BOLD: CellFormat = {"font_color": INK, "bold": 1}
+_GREY: CellFormat = {"font_color": MUTED}
+_LINK: CellFormat = {"font_color": "#00588a", "underline": 1}
+_TITLE: CellFormat = {"bold": 1, "font_size": 14}
+_OUTCOMES: dict[str, CellFormat] = {
     "pass": {"font_color": PASS, "bg_color": "#E3F1EC", "bold": 1},
     "fail": {"font_color": FAIL, "bg_color": "#FBE9E2", "bold": 1},
     "incomplete": {"font_color": BANNER["incomplete"], "bg_color": "#F8F0DD"},
     "comparison": {**_GREY, "italic": 1},
 }
-_HEAD: Look = {**_BOLD, "bg_color": "#E3E8ED", "bottom": 1, "bottom_color": "#6B7680", "text_wrap": 1}
-_WRAPPED: Look = {"text_wrap": 1, "valign": "top"}
-_Listed = tuple[str, int, Kind, Table | Sheet]
+_HEAD: CellFormat = {**_BOLD, "bg_color": "#E3E8ED", "bottom": 1, "bottom_color": "#6B7680", "text_wrap": 1}
+_WRAPPED: CellFormat = {"text_wrap": 1, "valign": "top"}
+_ListedSheet = tuple[str, int, Kind, Table | Sheet]
 """A line of the contents: the name of a worksheet, the row there, what it shows."""
 
 
@@ -60,14 +57,14 @@ class _Book:
     locale: Locale
     made: dict[tuple[tuple[str, str | int], ...], Format] = field(default_factory=dict)
 
-    def format(self, look: Look) -> Format | None:
+    def format(self, look: CellFormat) -> Format | None:
         """Return the format of a look; None for that of every cell."""
         key = tuple(look.items())
         if key and key not in self.made:
             self.made[key] = self.book.add_format(look)
         return self.made.get(key)
 
-    def write(self, sheet: Worksheet, place: int, at: int, cell: PlainCell, look: Look) -> None:
+    def write(self, sheet: Worksheet, place: int, at: int, cell: PlainCell, look: CellFormat) -> None:
         """Write a value at full precision, or text that is never taken for anything else."""
         made = self.format(look)
         if isinstance(cell, bool):
@@ -91,19 +88,19 @@ def write_xlsx(document: Document, path: Path) -> Path:
     with Workbook(str(path), {"in_memory": True}) as made:
         book = _Book(made, locale)
         made.set_properties(_properties(document))
-        listed: list[_Listed] = [
+        listed: list[_ListedSheet] = [
             *((name, 1, "Table", table) for name, table in zip(names, document.tables, strict=True)),
             *((last, start + 1, "Sheet", each) for start, each in zip(starts, document.sheets, strict=False)),
         ]
         _contents(made.add_worksheet(contents), document, listed, book)
         for table, name in zip(document.tables, names, strict=True):
             sheet = made.add_worksheet(name)
-            _alone(sheet, table, book)
+            _write_table_sheet(sheet, table, book)
             if table.sifted:
                 sheet.activate()  # what people look for a row in
         sheet = made.add_worksheet(last)
         for start, each in zip(starts, document.sheets, strict=False):
-            _table(sheet, as_table(each, locale), start, book)
+            _table(sheet, sheet_as_table(each, locale), start, book)
         _finish(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12), head=None)
     return path
 
@@ -141,10 +138,10 @@ def _properties(document: Document) -> dict[str, object]:
     return {"created": _CREATED, **{key: truncate(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}}
 
 
-def _contents(sheet: Worksheet, document: Document, listed: Iterable[_Listed], book: _Book) -> None:
+def _contents(sheet: Worksheet, document: Document, listed: Iterable[_ListedSheet], book: _Book) -> None:
     locale = book.locale
     book.write(sheet, 0, 0, locale.text(document.title), _TITLE)
-    book.write(sheet, 1, 0, f"{locale.text(document.subject)}; {locale.text(origin(document))}", _GREY)
+    book.write(sheet, 1, 0, f"{locale.text(document.subject)}; {locale.text(program_and_stamp(document))}", _GREY)
     _head(sheet, 3, _HEADS, [False] * 3, book)
     for place, (name, row, kind, block) in enumerate(listed, start=4):
         sheet.write_url(place, 0, f"internal:'{name}'!A{row}", book.format(_LINK), name)
@@ -155,7 +152,7 @@ def _contents(sheet: Worksheet, document: Document, listed: Iterable[_Listed], b
     _finish(sheet, (34, 14, 100), head=3)
 
 
-def _alone(sheet: Worksheet, table: Table, book: _Book) -> None:
+def _write_table_sheet(sheet: Worksheet, table: Table, book: _Book) -> None:
     """Write a table on its own sheet, its head in sight and ready to be filtered."""
     _table(sheet, table, 0, book)
     sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
@@ -177,7 +174,9 @@ def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
                 _link(sheet, start + 2 + place, at, cell, book, few=place * links < _MOST_LINKS)
                 continue
             plain = plain_cell(cell, column, book.locale)
-            colours = _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, Graded) else {}
+            colours = (
+                _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, OutcomeCell) else {}
+            )
             shape = _shape(plain, column) if table.sifted or len(table.rows) <= _LONG else {}
             book.write(sheet, start + 2 + place, at, plain, {**colours, **_quoted(plain), **shape})
 
@@ -193,18 +192,18 @@ def _link(sheet: Worksheet, place: int, at: int, link: Link, book: _Book, *, few
 
 def _head(sheet: Worksheet, place: int, columns: Iterable[Column], numeric: Iterable[bool], book: _Book) -> None:
     for at, (column, number) in enumerate(zip(columns, numeric, strict=True)):
-        side: Look = {"align": "right"} if number else {"valign": "top"}
+        side: CellFormat = {"align": "right"} if number else {"valign": "top"}
         book.write(sheet, place, at, book.locale.heading(column.label, column.dimension), {**_HEAD, **side})
 
 
-def _shape(cell: PlainCell, column: Column) -> Look:
+def _shape(cell: PlainCell, column: Column) -> CellFormat:
     """Return a number to the figures of its column, and a long text in several lines."""
     if isinstance(cell, float) and isfinite(cell):
         return {"num_format": number_format(cell, column.figures)}
     return _WRAPPED if isinstance(cell, str) and len(cell) > _WIDEST else {}
 
 
-def _quoted(cell: PlainCell) -> Look:
+def _quoted(cell: PlainCell) -> CellFormat:
     """Return text that stays text also where somebody edits its cell."""
     return {"quote_prefix": 1} if isinstance(cell, str) and is_formula(cell) else {}
 

@@ -14,10 +14,8 @@ from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Paragraph
 
-from reports.figures.font import font_file, printable
-from reports.figures.style import INK, MUTED, PAPER
-from reports.language.formula import mark_up
-from reports.language.lettering import truncate
+from reports.figures.style import INK, MUTED, PAPER, font_file, printable
+from reports.language.lettering import mark_up, truncate
 
 REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
 _FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from assess.verification.case import CaseFile
-from assess.verification.read import read_cases
+from assess.verification.case_files import CaseFile, read_cases
 from assess.verification.verify import compare_case
 from docs.ext import gallery
 from docs.ext.case_figures import difference_share, draw_agreement

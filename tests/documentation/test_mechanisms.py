@@ -9,7 +9,7 @@ import pytest
 
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.study.study import Study
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "mechanisms.md"

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from assess.cli.tables.summary import summary
-from records.writing import at2_text
+from assess.cli.tables.analysis import run_text
+from records.processing import at2_text
 from tests.support.motions import noise
 
 PAGE = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
@@ -47,7 +47,7 @@ def test_the_motion_and_the_answers_are_there(session):
 
 
 def test_the_shell_prints_what_the_run_gives(session):
-    printed = summary(session["run"].results).splitlines()
+    printed = run_text(session["run"].results).splitlines()
     shown = re.findall(r"^ {4}((?:mechanism|overturning)\b.*)$", PAGE, re.MULTILINE)
     assert len(shown) == 2
     assert [line for line in shown if line not in printed] == []

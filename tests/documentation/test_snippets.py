@@ -14,7 +14,8 @@ import typer.main
 from jsonschema import Draft202012Validator
 
 from assess.cli.app import app
-from assess.project.schema import json_schema, load
+from assess.project.json_schema import json_schema
+from assess.project.project_file import load
 from tests.support.projects import as_editors_see
 
 ROOT = Path(__file__).resolve().parents[2]

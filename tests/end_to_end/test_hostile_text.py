@@ -16,7 +16,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from assess import cli
-from reports.figures.font import printable
+from reports.figures.style import printable
 from reports.language.lettering import visible
 from reports.render.csv import field
 

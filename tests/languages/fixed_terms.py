@@ -75,28 +75,29 @@ OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("claus
 """Further keywords, of single functions."""
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {
-    "records/formats/cosmos_header.py": ("PLACES",),
-    "assess/study/grounding.py": ("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
-    "assess/study/floor_input.py": ("SUITE", "CIRCULAR", "OF_MOTIONS", "OF_CIRCULAR"),
+    "records/formats/cosmos.py": ("PLACES",),
+    "assess/study/amplification.py": (
+        *("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
+        *("FLOOR_FACTORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
+    ),
+    "assess/study/context.py": ("OF_SUITE", "OF_CIRCOLARE", "DAMPING_OF_SUITE", "DAMPING_OF_CIRCOLARE"),
     "spectra/ntc.py": ("CLAUSES",),
-    "assess/study/periods.py": ("FITTED_OVER",),
-    "assess/study/amplification.py": ("FLOORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
+    "assess/study/suite_rules.py": ("FITTED_OVER",),
     "assess/project/variables.py": ("FULL", "SWEPT"),
-    "assess/study/controls/convergence.py": ("RATIO", "TIME", "OVERTURNING"),
-    "assess/study/controls/energy.py": ("QUANTITY",),
-    "assess/study/controls/equilibrium.py": ("VERTICAL", "HORIZONTAL"),
-    "assess/study/controls/hand_multiplier.py": ("QUANTITY",),
-    "records/compliance/requirement.py": ("CAVEAT",),
+    "assess/study/history_controls.py": (
+        *("LARGEST_ROTATION", "OVERTURNING_TIME", "OVERTURNING_ROTATION", "ENERGY_BALANCE"),
+    ),
+    "assess/study/controls.py": ("VERTICAL", "HORIZONTAL", "UPLIFT_MULTIPLIER"),
+    "records/compliance/suite.py": ("CAVEAT",),
     "records/selection.py": ("STEPS",),
-    "assess/codes/asce41_13/clauses.py": ("PLACES",),
-    "assess/codes/asce41_13/slenderness.py": ("PERMITTED", "SEISMICITY"),
-    "assess/codes/en1998_1/clauses.py": ("ELEMENTS",),
+    "assess/codes/asce41_13.py": ("PLACES", "PERMITTED", "SEISMICITY"),
+    "assess/codes/en1998_1.py": ("ELEMENTS",),
 }
 """Constants that reach results by a way that is not followed."""
 RETURNED: Mapping[str, tuple[str, ...]] = {
     "assess/study/ground_motion.py": ("source_of",),
     "assess/study/amplification.py": ("given_frequency", "given_effective_height"),
-    "assess/codes/asce41_13/slenderness.py": ("_source",),
+    "assess/codes/asce41_13.py": ("_source",),
     "assess/project/variables.py": ("stiff_geometry",),
 }
 """Functions that return terms."""

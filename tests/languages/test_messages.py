@@ -14,9 +14,9 @@ from assess.examples import copy_example
 from assess.messages.message import Message
 from assess.messages.texts import TEXTS
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results.json import dumps, loads
-from assess.study.run import run
+from assess.study.run import run_study
 from tests.support.examples import example_study
 from tests.support.places import SOURCES
 
@@ -63,7 +63,7 @@ def composed(data: object) -> set[tuple[str, str, str]]:
 
 @pytest.mark.parametrize("name", QUICK)
 def test_no_message_of_results_holds_a_sentence(name: str, tmp_path: Path) -> None:
-    results = run(build(load(copy_example(name, tmp_path / name))))
+    results = run_study(build(load(copy_example(name, tmp_path / name))))
     assert next(messages_in(results), None) is not None
     assert composed(results) == set()
     assert set(messages_in(loads(dumps(results)))) == set(messages_in(results))

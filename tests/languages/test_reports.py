@@ -11,15 +11,15 @@ import pytest
 
 from assess.examples import copy_example
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results import Results
-from assess.study.run import run
+from assess.study.run import run_study
 from reports.assessment import assessment
 from reports.chapters.data_tables import tables
 from reports.document import Sheet
 from reports.language.locale import Locale
 from reports.language.texts import Term, Text, Verbatim, listing, say
-from reports.render.sheet_rows import sheet_rows
+from reports.render.table_text import sheet_rows
 from tests.languages.test_catalogues import OTHERS
 from tools.catalogue import is_symbolic
 
@@ -66,7 +66,7 @@ def unknown_words(results: Results, language: str) -> set[str]:
 @pytest.mark.parametrize("language", OTHERS)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_every_word_of_a_report_has_an_entry(name: str, language: str, tmp_path: Path) -> None:
-    results = run(build(load(copy_example(name, tmp_path / name))))
+    results = run_study(build(load(copy_example(name, tmp_path / name))))
     assert unknown_words(results, language) == set()
 
 

@@ -12,10 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely.affinity import rotate, scale, translate
 
-from assess.interfaces.contact import contact, thresholds
-from assess.interfaces.law import JointLaw
-from assess.interfaces.section import mirror
-from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.interfaces.contact import JointLaw, contact, thresholds
+from assess.interfaces.section import annulus, circle, hollow_rectangle, mirror, polygon, rectangle
 from tests.support.strategies import regions
 
 K, F = 3e8, 2.5e6

@@ -14,10 +14,10 @@ import pytest
 
 from assess.errors import AssessError
 from assess.project.build import build
-from assess.project.keys import Place, places_of, with_value
-from assess.project.schema import load
-from assess.study.parameters import parameters
-from assess.study.run import run
+from assess.project.keys import KeyedValue, keyed_values, with_value
+from assess.project.project_file import load
+from assess.study.mechanism_results import parameters
+from assess.study.run import run_study
 from spectra.spectrum import SpectrumError
 
 SITE = """
@@ -125,11 +125,11 @@ def project(folder: Path, raw: dict[str, Any]) -> Path:
     return file
 
 
-def keys(folder: Path, name: str) -> Iterator[Place]:
+def keys(folder: Path, name: str) -> Iterator[KeyedValue]:
     """The numbers of a mechanism that it has not from others, and for one of them those of all other tables."""
     content = load(project(folder, raw_of(name))).content
     beside = {"site": "", "loaded": "bodies", "portal": "bodies.d"}
-    for key, place in places_of(content).items():
+    for key, place in keyed_values(content).items():
         own = "mechanisms" not in key if name == "site" else "direction" not in key
         own = own and key.startswith(("mechanisms", beside.get(name, "mechanisms")))
         if place.is_number and own and key != "format":
@@ -194,7 +194,7 @@ def test_what_stands_only_by_a_tie_that_ends_is_not_answered(tmp_path: Path) -> 
     text = f"{SITE}[mechanisms.k]\n{loaded}".replace("thickness = 0.5", "thickness = 0.001")
     text = text.replace("levels = [1.0]", 'levels = [1.0]\nprocedures = ["dmi2008-nonlinear", "ntc2018-nonlinear"]')
     (tmp_path / "project.toml").write_text(text)
-    (result,) = run(build(load(tmp_path))).mechanisms
+    (result,) = run_study(build(load(tmp_path))).mechanisms
     assert {check.verdict for check in result.checks} == {"not-answered"}
     assert all(check.demand is None and check.capacity is None for check in result.checks)
 
@@ -203,4 +203,4 @@ def test_a_plate_that_hums_on_its_joint_is_refused_before_its_histories(tmp_path
     text = f"{SITE}[mechanisms.k]\n{MECHANISMS['on a joint']}".replace("height = 4", "height = 1e-9")
     (tmp_path / "project.toml").write_text(text)
     with pytest.raises(AssessError, match=r"moves on its joints at .* Hz, beyond the 1e\+05 Hz histories can follow"):
-        run(build(load(tmp_path)))
+        run_study(build(load(tmp_path)))

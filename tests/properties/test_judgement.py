@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from assess.codes.verdict import Decision
-from assess.study.run import run
+from assess.study.run import run_study
 from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
 SOURCES = {
@@ -40,7 +40,7 @@ def judged(tmp_path: Path, *, pga=0.25, thickness=0.5, base=0.0, loads=()):
         mechanisms={"wall": lines(block(direction=[1, 0, 0]), f"loads = [{', '.join(loads)}]")},
         records={"synthetic": {"count": 1, "seed": 1, "duration": "25 s"}},
     )
-    found = run(study_of(tmp_path, text), jobs=1).verdict
+    found = run_study(study_of(tmp_path, text), jobs=1).verdict
     return RANK[found.outcome], found.index.value
 
 

@@ -8,14 +8,14 @@ from typing import get_args
 import pytest
 
 import assess
-from assess.mechanisms.impact import ONE_SIDED, TWO_SIDED
+from assess.mechanisms.restitution import ONE_SIDED, TWO_SIDED
 from assess.model.assembly import BUILDERS
 from assess.model.definitions import Definition, EquivalentBlock
 from assess.project import sections
-from assess.project.definitions import CHAINED
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
-from assess.study.wall_size import SUPPORTS
-from reports.chapters.mechanism_words import KINDS
+from assess.project.structure import CHAINED
+from assess.study.context import SUPPORTS
+from reports.chapters.mechanism_page import KINDS
 from tests.properties.test_mechanisms import CASES
 
 ROOT = Path(__file__).parents[2]
@@ -30,11 +30,11 @@ every_kind = pytest.mark.parametrize("kind", MECHANISMS)
 @every_kind
 def test_tables_by_kind(kind: str) -> None:
     tables = (
-        ("TWO_SIDED of assess/mechanisms/impact.py", TWO_SIDED),
-        ("ONE_SIDED of assess/mechanisms/impact.py", ONE_SIDED),
-        ("SUPPORTS of assess/study/wall_size.py", SUPPORTS),
+        ("TWO_SIDED of assess/mechanisms/restitution.py", TWO_SIDED),
+        ("ONE_SIDED of assess/mechanisms/restitution.py", ONE_SIDED),
+        ("SUPPORTS of assess/study/context.py", SUPPORTS),
         ("the unions at the end of assess/project/sections/mechanisms.py", SECTIONS),
-        ("KINDS of reports/chapters/mechanism_words.py", KINDS),
+        ("KINDS of reports/chapters/mechanism_page.py", KINDS),
     )
     missing = [where for where, table in tables if kind not in table]
     assert not missing, f'add "{kind}" to {"; ".join(missing)}'
@@ -49,7 +49,7 @@ def test_section_and_definition_have_one_name_and_lead_to_a_builder(kind: str) -
     assert getattr(sections, section.__name__, None) is section, "add it to assess/project/sections/__init__.py"
     if kind in BY_PARAMETERS:
         return
-    assert section in CHAINED, f"add {section.__name__} to CHAINED of assess/project/definitions.py"
+    assert section in CHAINED, f"add {section.__name__} to CHAINED of assess/project/structure.py"
     definition = CHAINED[section]
     assert definition in get_args(Definition), f"add {definition.__name__} to the unions of assess/model/definitions.py"
     assert definition in BUILDERS, f"add {definition.__name__} to BUILDERS of assess/model/assembly.py"
@@ -65,9 +65,7 @@ def test_every_definition_has_its_kind() -> None:
 @every_kind
 def test_python_has_a_verb_for_it(kind: str) -> None:
     verb = kind.replace("-", "_")
-    assert verb in assess.__all__, (
-        f"add {verb}, of assess/study/block_kinds.py, to __all__ and _HOMES of assess/__init__.py"
-    )
+    assert verb in assess.__all__, f"add {verb}, of assess/study/block.py, to __all__ and _HOMES of assess/__init__.py"
     assert callable(getattr(assess, verb))
 
 

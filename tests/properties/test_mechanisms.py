@@ -15,21 +15,19 @@ from scipy.integrate import quad
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import join_planar, planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie, mirror_load, pull_at_rest
-from assess.mechanisms.arch import divide_arch, weakest_hinges
-from assess.mechanisms.chain import Block, Chain, mirror_chain, mirror_point
-from assess.mechanisms.face import Face
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point
 from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.impact import find_restitution
-from assess.mechanisms.motion import move, trace_point
+from assess.mechanisms.hinge_forces import hinge_forces, incipient_motion
+from assess.mechanisms.mechanism import Face
+from assess.mechanisms.restitution import find_restitution
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.statics import incipient_motion
-from assess.mechanisms.table import branch
 from assess.mechanisms.two_block import two_block
-from assess.mechanisms.virtual_work import virtual_work
+from assess.mechanisms.virtual_work import move, trace_point, virtual_work
+from assess.model.arches import divide_arch, weakest_hinges
 from assess.oscillator import energy, interpolant, multiplier
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 
 LOOKS_DOWN = (0.0, -1.0)
 TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
@@ -71,7 +69,7 @@ def body_of(block):
 def rectangle(x, z, width, height, *, density=2000.0):
     """A block of 1 m length by its lower left corner."""
     mass = density * width * height
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def arch():
@@ -82,9 +80,9 @@ def arch():
     voussoirs = []
     for k in range(9):
         middle, reach = (angles[k] + angles[k + 1]) / 2, 5.5 + k / 40
-        block = Block(1000.0 + 40 * k, (reach * cos(middle), reach * sin(middle)), 300.0)
+        block = RigidBlock(1000.0 + 40 * k, (reach * cos(middle), reach * sin(middle)), 300.0)
         voussoirs.append(body_of(block))
-    found = weakest_hinges([Block(v.mass, v.centroid, v.inertia) for v in voussoirs], joints, name="a")
+    found = weakest_hinges([RigidBlock(v.mass, v.centroid, v.inertia) for v in voussoirs], joints, name="a")
     chain = divide_arch(voussoirs, found)[1]
     lower, upper = (tuple(joints[k][face] for k in found.joints) for face in (0, 1))
     back = tuple(
@@ -94,10 +92,10 @@ def arch():
 
 
 WALL = rectangle(-0.4, 0.0, 0.8, 5.0)
-LEANING = Block(9000.0, (0.15, 2.6), 21000.0)
+LEANING = RigidBlock(9000.0, (0.15, 2.6), 21000.0)
 HALVES = rectangle(-0.25, 0.0, 0.5, 2.6), rectangle(-0.25, 2.6, 0.5, 1.6)
 PORTAL = rectangle(0.0, 0.0, 0.8, 4.0), rectangle(0.0, 4.0, 4.6, 0.7), rectangle(3.8, 0.0, 0.8, 4.0)
-UNEVEN = rectangle(0.0, 0.0, 0.8, 4.0), Block(7000.0, (2.4, 4.9), 15000.0), rectangle(3.6, 1.2, 1.0, 3.4)
+UNEVEN = rectangle(0.0, 0.0, 0.8, 4.0), RigidBlock(7000.0, (2.4, 4.9), 15000.0), rectangle(3.6, 1.2, 1.0, 3.4)
 EDGES = ((0.25, 0.0), (-0.25, 2.6), (0.25, 4.2)), ((-0.25, 0.0), (0.25, 2.6), (-0.25, 4.2))
 LEGS = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
 
@@ -130,7 +128,7 @@ EVERY = pytest.mark.parametrize("case", CASES.values(), ids=CASES)
 
 def sides(case):
     """Each chain with its branch."""
-    return [(chain, branch(chain, restitution=0.9, name="m")) for chain in case.chains()]
+    return [(chain, rigid_branch(chain, restitution=0.9, name="m")) for chain in case.chains()]
 
 
 def potential(chain, rotation):
@@ -218,7 +216,7 @@ def test_balance_of_every_block_gives_the_multiplier_of_virtual_work(case):
 def image(case):
     """The whole mirrored in the vertical through the origin."""
     return Case(
-        tuple(Block(b.mass, mirror_point(b.centroid), b.inertia) for b in case.blocks),
+        tuple(RigidBlock(b.mass, mirror_point(b.centroid), b.inertia) for b in case.blocks),
         tuple(mirror_point(each) for each in case.back),
         tuple(mirror_point(each) for each in case.front),
         tuple(mirror_load(each) for each in case.loads),
@@ -256,7 +254,7 @@ def scaled(case, s):
         else:
             anchor = each.anchor and tuple(s * x for x in each.anchor)
             loads.append(replace(each, at=at, anchor=anchor, pull=s**3 * each.pull))
-    blocks = tuple(Block(s**3 * b.mass, tuple(s * x for x in b.centroid), s**5 * b.inertia) for b in case.blocks)
+    blocks = tuple(RigidBlock(s**3 * b.mass, tuple(s * x for x in b.centroid), s**5 * b.inertia) for b in case.blocks)
     front, back = (tuple((s * x, s * z) for x, z in hinges) for hinges in (case.front, case.back))
     return Case(blocks, front, back, tuple(loads), case.kind)
 
@@ -307,7 +305,7 @@ def test_a_bearing_mass_is_a_body_welded_on(case):
     mass = case.blocks[last].mass / 5
     bodies = [body_of(case.blocks[last]), planar_body_from_values(mass=mass, centroid=at, inertia=0.0, name="floor")]
     joint = join_planar(bodies, name="b")
-    block = Block(joint.mass, joint.centroid, joint.inertia)
+    block = RigidBlock(joint.mass, joint.centroid, joint.inertia)
     heavier = replace(case, blocks=(*case.blocks[:-1], block))
     loaded = replace(case, loads=(*case.loads, PointMass("floor", mass, at, True, last)))
     assert heavier.mechanism().restitution == pytest.approx(loaded.mechanism().restitution, rel=1e-12)
@@ -337,7 +335,7 @@ def jogged(point, way, by):
 def frames(draw):
     """Two legs and a beam whose masses, centres and hinges lie about those of an uneven frame."""
     blocks = tuple(
-        Block(b.mass * draw(SOME), jogged(b.centroid, draw(ASIDE), 0.2), b.inertia * draw(SOME)) for b in UNEVEN
+        RigidBlock(b.mass * draw(SOME), jogged(b.centroid, draw(ASIDE), 0.2), b.inertia * draw(SOME)) for b in UNEVEN
     )
     return blocks, *(tuple(jogged(hinge, draw(ASIDE), 0.3) for hinge in hinges) for hinges in LEGS)
 

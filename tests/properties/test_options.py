@@ -13,8 +13,8 @@ import typer
 
 from assess.cli import main
 from assess.cli.app import app
+from records.processing import at2_text
 from records.record import make_record
-from records.writing import at2_text
 from tests.support.projects import published, tables_toml
 
 VALUES = ("nan", "inf", "-1", "0", "1e300")

@@ -12,18 +12,18 @@ from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.codes.applicability import apply_procedure
-from assess.codes.asce41_13.clauses import Options as Asce41Options
-from assess.codes.asce43_05.clauses import Options as Asce43Options
+from assess.codes.asce41_13 import Asce41Options
+from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
+from assess.codes.histories import SuiteResponse
 from assess.codes.registry import PROCEDURES, CodeOptions, procedure
-from assess.codes.suite import Suite
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
+from assess.mechanisms.mechanism import Face
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8
@@ -31,7 +31,7 @@ from spectra.nzs1170_5 import site_spectrum as nzs1170_5
 from spectra.table import table_spectrum
 
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.35, 0.6))
-SUITES = tuple(Suite(level, (0.01, 0.02, 0.1, 0.2, 0.3), "positive") for level in LEVELS)
+SUITES = tuple(SuiteResponse(level, (0.01, 0.02, 0.1, 0.2, 0.3), "positive") for level in LEVELS)
 EVERY = pytest.mark.parametrize("name", PROCEDURES)
 BY_SIZE = "asce41-13-ht"  # judges the wall's size, not its rocking
 OWN_PERIODS = (BY_SIZE, "nzsee2017-face-loaded")  # clauses with periods or heights of their own, which do not scale
@@ -287,7 +287,7 @@ def test_a_lower_action_never_makes_an_answer_worse(name, elevation):
     levels = tuple(np.geomspace(0.01, 2.0, 25) * g)
     shares = np.minimum(np.geomspace(0.01, 2.0, 25), 0.99)
     suites = tuple(
-        Suite(level, (*((share,) * 6), None if share > 0.9 else share), "positive")
+        SuiteResponse(level, (*((share,) * 6), None if share > 0.9 else share), "positive")
         for level, share in zip(levels, shares, strict=True)
     )
     where = dataclasses.replace(
@@ -303,7 +303,7 @@ def test_a_record_that_turns_farther_never_makes_an_answer_better(name, turned):
     first, *others = turned
     before = None
     for farther in (first, 1.1 * first, 1.2 * first, None):
-        suite = Suite(LEVELS[0], (farther, *others), "positive")
+        suite = SuiteResponse(LEVELS[0], (farther, *others), "positive")
         where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), extra_suites=(suite,))
         checks = answers(name, context=where)
         assert before is None or not any(worse(then, now) for then, now in zip(before, checks, strict=True))
@@ -316,14 +316,14 @@ def test_unknown_procedure_lists_the_known_ones():
 
 
 def test_fewer_than_five_records_decide_nothing():
-    few = dataclasses.replace(site(), suites=(Suite(LEVELS[0], (0.1, 0.2), "positive"),), incremental=())
+    few = dataclasses.replace(site(), suites=(SuiteResponse(LEVELS[0], (0.1, 0.2), "positive"),), incremental=())
     (check,) = answers("asce43-05-history", context=few)
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.TOO_FEW_RECORDS)
     assert check.rotation_ratio == pytest.approx(0.15)
 
 
 def test_one_record_that_overturns_fails_the_level():
-    fallen = dataclasses.replace(site(), suites=(Suite(LEVELS[0], (0.1, None, 0.0, 0.0, 0.0), "negative"),))
+    fallen = dataclasses.replace(site(), suites=(SuiteResponse(LEVELS[0], (0.1, None, 0.0, 0.0, 0.0), "negative"),))
     (check,) = answers("asce43-05-history", context=fallen)
     assert (check.verdict, check.demand, check.branch) == ("fail", None, "negative")
 

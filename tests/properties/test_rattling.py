@@ -21,12 +21,12 @@ from assess.dynamics.kernel.columns import IMPACTS
 from assess.dynamics.kernel.march import make_march
 from assess.dynamics.packing import Equation, pack
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from records.record import Record, make_record
 
 MOST = {"rigid": 16.0, "linearised": 5.0, "on joints": 30.0}
@@ -38,7 +38,7 @@ KINDS: dict[str, Equation] = {"rigid": "exact", "linearised": "linearised", "on 
 def rigid(rng: np.random.Generator) -> Oscillator:
     """A block, one time in three with a wall behind it; every kind of bounce, also none and without loss."""
     alpha, p, restitution = rng.uniform(0.05, 0.4), rng.uniform(0.8, 4.0), rng.choice([0.0, 0.3, 0.7, 0.9, 0.99, 1.0])
-    side = plain_branch(SingleBlock(1.0, 1.0, alpha, g / p**2), restitution=restitution)
+    side = plain_branch(RockingBlock(1.0, 1.0, alpha, g / p**2), restitution=restitution)
     return Oscillator(side, side if rng.random() < 2 / 3 else None, 1.0)
 
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import pytest
 
-from assess.codes.calculation_step import Input, Step, substitute
+from assess.codes.calculation_sheet import Input, Step, substitute
 from assess.codes.registry import PROCEDURES
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.readings import LINES

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess.codes.calculation_step import Input, Step, substitute
+from assess.codes.calculation_sheet import Input, Step, substitute
 from assess.codes.registry import PROCEDURES
 from assess.examples import copy_example
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.study.run import run_study
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.sheets import comes_to
 from tests.support.subjects import subjects
@@ -95,7 +95,7 @@ def test_words_are_no_formula(words: str) -> None:
 
 @pytest.mark.parametrize("name", ["single_wall", "casa_grande_table"])
 def test_the_sheets_of_an_example_can_be_redone(name: str, tmp_path: Path) -> None:
-    results = run(build(load(copy_example(name, tmp_path / name))), jobs=1)
+    results = run_study(build(load(copy_example(name, tmp_path / name))), jobs=1)
     worked = [step for each in results.mechanisms for check in each.checks for step in check.steps if step.inputs]
     assert len(worked) > 20
     for step in worked:

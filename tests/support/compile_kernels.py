@@ -25,12 +25,11 @@ def compile_exact() -> None:
 
 def compile_joints_and_records() -> None:
     """Contact of joints; response spectra and motions of floors."""
-    from assess.interfaces.contact import contact, thresholds
-    from assess.interfaces.law import JointLaw
-    from assess.interfaces.shapes import rectangle
-    from records.floor_motion import floor_motion
+    from assess.amplification import floor_motion
+    from assess.interfaces.contact import JointLaw, contact, thresholds
+    from assess.interfaces.section import rectangle
     from records.response import response_spectrum
-    from records.synthetic import artificial
+    from records.synthetic import artificial_records
     from spectra.asce7 import design_spectrum
     from tests.support.motions import noise
 
@@ -39,15 +38,14 @@ def compile_joints_and_records() -> None:
     thresholds(section, law, normal_force=2e5)
     response_spectrum(noise(npts=50), [0.0, 0.5])
     floor_motion(noise(npts=50), frequency=2.5, shape=1.2)
-    artificial(design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0), count=1, seed=1, duration=10.0)
+    artificial_records(design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0), count=1, seed=1, duration=10.0)
 
 
 def _compile_dynamics(equation: str, *, shapes: tuple[str, ...]) -> None:
-    from assess.dynamics.envelope import envelope
     from assess.dynamics.history import peaks, product
-    from assess.dynamics.pulse_response import PulseJobs, outcomes
+    from assess.dynamics.pulses import PulseJobs, envelope, pulse_outcomes
     from assess.oscillator import Oscillator
-    from records.pulses import SHAPES
+    from records.pulses import PULSE_SHAPES
     from tests.support.blocks import block
     from tests.support.motions import noise
 
@@ -56,8 +54,8 @@ def _compile_dynamics(equation: str, *, shapes: tuple[str, ...]) -> None:
     first, frequency = np.zeros(1, dtype=np.int64), np.array([1.0, 2.0])
     for name in shapes:
         jobs = PulseJobs(first, first, np.array([3.0]))
-        outcomes([body], SHAPES[name], frequency, jobs, equation=equation, threads=1)
-        envelope(body, SHAPES[name], frequency, np.array([1.0, 3.0]), equation=equation, threads=1)
+        pulse_outcomes([body], PULSE_SHAPES[name], frequency, jobs, equation=equation, threads=1)
+        envelope(body, PULSE_SHAPES[name], frequency, np.array([1.0, 3.0]), equation=equation, threads=1)
 
 
 def compile_kernels(processes: int = 2) -> None:

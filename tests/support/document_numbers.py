@@ -17,14 +17,14 @@ from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.assessment import assessment
-from reports.chapters.controls import EXACT
+from reports.chapters.declaration import WITHIN_ROUNDING
 from reports.document import Column, Document, Figure, Table
 from reports.language.locale import Locale
 from reports.language.units import UNITS
-from reports.render.cell_text import cell_text
+from reports.render.table_text import cell_text
 from tests.support.written_numbers import read_number
 
-FIXED = (EXACT,)
+FIXED = (WITHIN_ROUNDING,)
 """Numbers of the program that a sentence names: below which difference a control is within rounding."""
 
 
@@ -133,7 +133,7 @@ def _of_each_procedure(mechanism: MechanismResult) -> list[float]:
     """Return the PGA at capacity of a mechanism by each method of a code [g], those that it withstands at all."""
     return [
         each
-        for each in governing.capacities(governing.with_answer(governing.code_checks(mechanism.checks))).values()
+        for each in governing.capacities(governing.answered_checks(governing.code_checks(mechanism.checks))).values()
         if each > 0.0
     ]
 

@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 
 from assess.examples import copy_example
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.study.study import Study
 
 

@@ -25,7 +25,7 @@ from assess.results.fragility import (
     StateResult,
     Trend,
 )
-from assess.results.inputs import Input, Program, Resolved
+from assess.results.inputs import Input, Program, ResolvedValue
 from spectra.arrays import FloatArray
 
 PGA = MeasureResult("pga", "ground acceleration", "ground")
@@ -201,7 +201,7 @@ def fragility_results(*, language: str = "en", units: str = "SI", paper: str = "
         (mechanism("front", "Front wall", 0.42), mechanism("parapet", "Parapet", 0.23, seed=2)),
         (hazard(),),
         "1a2b-3c4d-5e6f-7a8b",
-        project={key: Resolved(value, True) for key, value in given.items()},
+        project={key: ResolvedValue(value, True) for key, value in given.items()},
     )
 
 

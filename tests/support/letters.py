@@ -7,16 +7,16 @@ from collections.abc import Iterable
 from reports.document import (
     Banner,
     Block,
+    BulletList,
     Cell,
-    Code,
     Facts,
-    Graded,
-    Items,
+    FileLines,
+    OutcomeCell,
     Prose,
     Section,
     Signatures,
     Table,
-    Writing,
+    WritingBox,
 )
 from reports.language.locale import Locale
 from reports.language.texts import Text
@@ -33,7 +33,7 @@ def cell_letters(cell: Cell) -> str:
     """A cell: numbers as they are, a dash for none."""
     if cell is None:
         return "–"
-    if isinstance(cell, Graded):
+    if isinstance(cell, OutcomeCell):
         return letters(cell.text)
     return str(cell) if isinstance(cell, bool | int | float) else letters(cell)
 
@@ -51,9 +51,9 @@ def lines(sections: Iterable[Section]) -> list[str]:
 def _lines(block: Block) -> list[str]:
     if isinstance(block, Prose):
         return [letters(each) for each in block.paragraphs]
-    if isinstance(block, Items):
+    if isinstance(block, BulletList):
         return [letters(each) for each in block.points]
-    if isinstance(block, Code):
+    if isinstance(block, FileLines):
         return list(block.lines)
     if isinstance(block, Banner):
         return [letters(block.headline)]
@@ -63,7 +63,7 @@ def _lines(block: Block) -> list[str]:
         return [" | ".join(row) for row in rows(block)]
     if isinstance(block, Signatures):
         return [f"{letters(role)}: {letters(name)}" for role, name in block.places]
-    return [letters(block.title)] if isinstance(block, Writing) else []
+    return [letters(block.title)] if isinstance(block, WritingBox) else []
 
 
 def table_of(sections: Iterable[Section], name: str) -> Table:

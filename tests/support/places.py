@@ -23,5 +23,5 @@ needs_real_records = pytest.mark.skipif(not (REAL_RECORDS / "INDEX.csv").exists(
 
 
 def place_of(path: str) -> Path:
-    """Return the place of a path as documents write it, `assess/cli/run.py` or `docs/records.md`."""
+    """Return the place of a path as documents write it, `assess/cli/analysis.py` or `docs/records.md`."""
     return (SOURCES if path.split("/")[0] in PACKAGES else ROOT) / path

@@ -13,14 +13,14 @@ from dataclasses import astuple
 from pathlib import Path
 
 from assess.errors import HeldError, ProjectError
-from assess.portfolio.batch import Order, Portfolio, run_batch
-from assess.portfolio.executors import Opened, processes
+from assess.portfolio.batch import BatchOptions, Portfolio, run_batch
+from assess.portfolio.executors import OpenExecutor, processes
 from assess.portfolio.projects import Task
-from assess.portfolio.row import Row
+from assess.portfolio.row import ProjectRow
 from assess.portfolio.tasks import Job
 
 
-def act(job: Job) -> Row:
+def act(job: Job) -> ProjectRow:
     """Return a row, or do what the task's content says instead; a runner."""
     what, _, where = (job.task.content or "").partition(" ")
     if what == "wrong":
@@ -44,7 +44,9 @@ def act(job: Job) -> Row:
             file.write(f"{job.task.key}\n")
     margin = int(job.task.sha256[:6], 16) / 0x800000
     outcome, code = ("pass", 0) if margin >= 1.0 else ("fail", 1)
-    return Row(job.task.key, job.task.title, job.task.sha256, "done", outcome=outcome, margin=margin, exit_code=code)
+    return ProjectRow(
+        job.task.key, job.task.title, job.task.sha256, "done", outcome=outcome, margin=margin, exit_code=code
+    )
 
 
 def _first(where: str) -> bool:
@@ -66,19 +68,19 @@ def hash_of(key: str) -> int:
     return sum(ord(c) * 7919 ** (n + 1) for n, c in enumerate(key)) % 0x1000000
 
 
-def write_rows(rows: Sequence[Row], folder: Path) -> None:
+def write_rows(rows: Sequence[ProjectRow], folder: Path) -> None:
     """Write the rows as they are."""
     (folder / "ranked.csv").write_text("".join(f"{astuple(row)!r}\n" for row in rows), encoding="utf-8")
 
 
 @contextmanager
-def threads() -> Iterator[Opened]:
+def threads() -> Iterator[OpenExecutor]:
     """Open an executor of two threads; an engine."""
     with ThreadPoolExecutor(2) as pool:
-        yield Opened(pool, lambda: 2, 2, (BrokenExecutor,), 2, lambda: None)
+        yield OpenExecutor(pool, lambda: 2, 2, (BrokenExecutor,), 2, lambda: None)
 
 
-def assess(tasks: Sequence[Task], order: Order, *, engine=threads, said: list[str] | None = None) -> Portfolio:  # type: ignore[no-untyped-def]
+def assess(tasks: Sequence[Task], order: BatchOptions, *, engine=threads, said: list[str] | None = None) -> Portfolio:  # type: ignore[no-untyped-def]
     """Assess tasks by what their contents say."""
     lines = [] if said is None else said
     return run_batch(tasks, order, runner=act, engine=engine, write=write_rows, tell=lines.append)
@@ -91,5 +93,5 @@ def table(folder: Path) -> bytes:
 
 if __name__ == "__main__":  # python -m tests.support.portfolios FOLDER NUMBER SECONDS: a portfolio to be killed
     place, number, seconds = sys.argv[1:]
-    order = Order(Path(place), "rows", resume=True)
+    order = BatchOptions(Path(place), "rows", resume=True)
     assess([task(str(n), f"sleep {seconds}") for n in range(int(number))], order, engine=processes(2))

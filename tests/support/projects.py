@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.study.study import Study
 
 Table = dict[str, Any]

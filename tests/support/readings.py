@@ -12,7 +12,7 @@ from math import inf, isclose, pi, sqrt
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.worst_branch import branch_of
+from assess.codes.check import branch_of
 from assess.hinge_forces import HingeForces
 from assess.oscillator import Branch, interpolant
 from tests.support.sheet import Sheet

@@ -10,34 +10,34 @@ from math import radians
 from matplotlib.figure import Figure as Drawn
 from PIL import Image
 
-from assess.codes.calculation_step import Step, step
+from assess.codes.calculation_sheet import Step, step
 from assess.messages.message import message
 from reports.document import (
     NOTHING,
     Banner,
     Block,
+    BulletList,
     Cell,
-    Code,
+    ColouredFaces,
     Column,
     Document,
     Facts,
     Figure,
-    Graded,
-    Items,
-    Model,
-    Part,
+    FigureRow,
+    FileLines,
+    OutcomeCell,
     Photograph,
-    Place,
+    Point,
     Prose,
-    Row,
     Section,
     Sheet,
     Signatures,
+    SpatialModel,
     Table,
     Wire,
-    Writing,
+    WritingBox,
 )
-from reports.figures.font import printable
+from reports.figures.style import printable
 from reports.language.locale import Locale
 from reports.language.texts import (
     Paragraph,
@@ -86,7 +86,7 @@ def _sections(tall: int) -> tuple[Section, ...]:
         Section(say("Key plan"), 0, (_figure("key-plan", model=_model()), _wide_table(tall)), mark="2"),
         Section(hostile("mechanism"), 0, _mechanism(), starts_page=True, mark="M1"),
         Section(say("Answers"), 1, (_narrow_table(),)),
-        Section(say("Signatures"), 0, (_signatures(), Writing(say("Judgement of the engineer"))), mark="3"),
+        Section(say("Signatures"), 0, (_signatures(), WritingBox(say("Judgement of the engineer"))), mark="3"),
         Section(say("Calculation sheets"), 0, (_sheet(),), starts_page=True, mark="A"),
     )
 
@@ -98,7 +98,7 @@ def _verdict() -> tuple[Block, ...]:
         Banner("fail", hostile("headline"), near=True),
         Banner("incomplete", say("Nothing has been answered.")),
         Facts(((say("Basis"), hostile("basis")), (say("Height"), quantity(12.3456, "length")))),
-        Items((hostile("point"), say_count("{number} wall", "{number} walls", 3))),
+        BulletList((hostile("point"), say_count("{number} wall", "{number} walls", 3))),
     )
 
 
@@ -116,9 +116,9 @@ def _mechanism() -> tuple[Block, ...]:
     both = listing((hostile("listed"), quantity(1234.5, "force"), count(4)))
     return (
         Prose((sentence, Paragraph((Term("natural frequency"), both)), said, names(("Wall 6 m", "Wall, 7")))),
-        Row((_figure("row-1"), _figure("row-2"))),
+        FigureRow((_figure("row-1"), _figure("row-2"))),
         _photograph("photograph"),
-        Code((HOSTILE, "[report]", 'title = "x"')),
+        FileLines((HOSTILE, "[report]", 'title = "x"')),
     )
 
 
@@ -128,7 +128,7 @@ def _photograph(name: str) -> Photograph:
     return Photograph(name, hostile(name), "image/png", 120, 80, b64encode(stream.getvalue()).decode())
 
 
-def _figure(name: str, model: Model | None = None) -> Figure:
+def _figure(name: str, model: SpatialModel | None = None) -> Figure:
     return Figure(name, hostile(f"caption-{name}"), partial(draw_sample, name), model)
 
 
@@ -143,7 +143,7 @@ def draw_sample(name: str, locale: Locale) -> Drawn:
     return figure
 
 
-def _model() -> Model:
+def _model() -> SpatialModel:
     """Return two boxes, one upon the other, each with its number."""
     low, lower = box((0.0, 0.0, 0.0), (4.0, 0.6, 3.0))
     high, upper = box((0.0, 0.0, 3.0), (4.0, 0.6, 5.0))
@@ -153,11 +153,11 @@ def _model() -> Model:
         Wire(((2.0, -0.5, 4.0), (2.0, -1.5, 4.5)), "#1b2733", hostile("wire").text),
         Wire(((0.0, 0.0, 3.0), (4.0, 0.0, 3.0)), "#c1121f", dashed=True),
     )
-    parts = (Part("#b3380e", lower), Part("#00694c", shifted))
-    return Model((*low, *high), parts, wires, "#6f6350", radians(35), (-1.2, 0.4))
+    parts = (ColouredFaces("#b3380e", lower), ColouredFaces("#00694c", shifted))
+    return SpatialModel((*low, *high), parts, wires, "#6f6350", radians(35), (-1.2, 0.4))
 
 
-def box(low: Place, high: Place) -> tuple[tuple[Place, ...], tuple[tuple[int, int, int], ...]]:
+def box(low: Point, high: Point) -> tuple[tuple[Point, ...], tuple[tuple[int, int, int], ...]]:
     """Return the corners and the faces of a box."""
     corners = tuple((x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2]))
     quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
@@ -166,7 +166,10 @@ def box(low: Place, high: Place) -> tuple[tuple[Place, ...], tuple[tuple[int, in
 
 def _narrow_table() -> Table:
     columns = (Column(say("Level"), "ground acceleration"), Column(say("Answer")))
-    rows: tuple[tuple[Cell, ...], ...] = ((0.1, Graded("pass", say("holds"))), (0.25, Graded("fail", say("fails"))))
+    rows: tuple[tuple[Cell, ...], ...] = (
+        (0.1, OutcomeCell("pass", say("holds"))),
+        (0.25, OutcomeCell("fail", say("fails"))),
+    )
     return Table("narrow", say("A table that fits."), columns, rows)
 
 
@@ -187,10 +190,10 @@ def _wide_table(tall: int) -> Table:
 
 def _wide_row(place: int) -> tuple[Cell, ...]:
     graded: tuple[Cell, ...] = (
-        Graded("pass", say("holds to {factor} x the site's PGA", factor=quantity(2.7, figures=2))),
-        Graded("fail", hostile("graded")) if place == 1 else Graded("fail", Verbatim("1.31")),
-        Graded("incomplete", say("not answered")),
-        Graded("comparison", Verbatim("0.84")),
+        OutcomeCell("pass", say("holds to {factor} x the site's PGA", factor=quantity(2.7, figures=2))),
+        OutcomeCell("fail", hostile("graded")) if place == 1 else OutcomeCell("fail", Verbatim("1.31")),
+        OutcomeCell("incomplete", say("not answered")),
+        OutcomeCell("comparison", Verbatim("0.84")),
         None,
         quantity(0.0123456, "length"),
     )

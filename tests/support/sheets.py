@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import floor, isclose, log10
 
-from assess.codes.calculation_step import RESULT_FIGURES, substitute
+from assess.codes.calculation_sheet import RESULT_FIGURES, substitute
 from assess.codes.check import Step
 from assess.messages.message import DIMENSIONS
 from tests.support.formula import NoFormulaError, evaluate

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.context import Building, Context
-from assess.codes.italian.curves import Curves
+from assess.codes.italian_limit_states import BranchCurves
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum
 
@@ -37,7 +37,7 @@ STRAIGHT = Branch(
 CURVATURE = 8000.0 * (2.0 * np.pi) ** 2 / 0.2  # c: the stiffness at rest is 0.2 c = I (2 pi / 1 s)^2
 SOFT = replace(STRAIGHT, restoring=CURVATURE * PHI * (0.2 - PHI), overturning_flexible=0.2)
 OSCILLATOR = Oscillator(STRAIGHT, STRAIGHT, MASS)
-CURVES = Curves("positive", STRAIGHT, STRAIGHT, STRAIGHT, (), MASS)
+CURVES = BranchCurves("positive", STRAIGHT, STRAIGHT, STRAIGHT, (), MASS)
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
 GROUND = Context(SPECTRUM, (SPECTRUM.pga,), 0.0, 0.0, None)
 HOUSE = Building(height=9.0, storeys=3, period=0.5, damping=0.05)

@@ -10,28 +10,26 @@ from math import inf
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.asce41_13.clauses import Options as Asce41Options
-from assess.codes.asce43_05.clauses import Options as Asce43Options
-from assess.codes.check import Check
-from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit
-from assess.codes.ntc2018.clauses import free_period
+from assess.codes.asce41_13 import Asce41Options
+from assess.codes.asce43_05 import Asce43Options
+from assess.codes.check import Check, branch_of
+from assess.codes.context import Building, Context, FreePeriod, LocalLimit, SiteHazard, StatedFirstMode
+from assess.codes.histories import RecordRuns, SuiteResponse
+from assess.codes.ntc2018_clauses import free_period
 from assess.codes.registry import CodeOptions, procedure
-from assess.codes.suite import Runs, Suite
-from assess.codes.worst_branch import branch_of
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import PointMass
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.face import Face
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.joint import Joint
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
-from assess.study.wall_size import SUPPORTS, wall_of
+from assess.study.context import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum
@@ -40,10 +38,10 @@ LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
 RUNS = np.array([1.0, 1.4, 0.9, 1.2, 0.7, 1.0, 1.1, 1.0, 0.95])  # of each record, over the ratio of the first
 
 
-def suite(level: float, *ratios: float | None) -> Suite:
+def suite(level: float, *ratios: float | None) -> SuiteResponse:
     """Records with their twins, those of one that overturns overturn as well."""
     ratio = RUNS[:, None] * np.array([inf if each is None else each for each in ratios])
-    return Suite(level, ratios, "positive", twins=Runs(ratio, np.zeros(ratio.shape, dtype=bool)))
+    return SuiteResponse(level, ratios, "positive", twins=RecordRuns(ratio, np.zeros(ratio.shape, dtype=bool)))
 
 
 SUITES = tuple(
@@ -106,9 +104,9 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
     for base in (0.0, 6.0):
         jointed = facing(on_a_joint(base))
         yield jointed, context_of(jointed, None)
-    stated = {"SLV": FirstMode(0.5, 0.08, "by a model"), "SLC": FirstMode(0.55, 0.09, "by a model")}
+    stated = {"SLV": StatedFirstMode(0.5, 0.08, "by a model"), "SLC": StatedFirstMode(0.55, 0.09, "by a model")}
     spectra = {state: replace(SPECTRUM, factor=share) for state, share in (("SLD", 0.4), ("SLV", 1.0), ("SLC", 1.3))}
-    hazard = Hazard(spectra, (50.0, 475.0, 975.0), tuple(each.pga for each in spectra.values()))
+    hazard = SiteHazard(spectra, (50.0, 475.0, 975.0), tuple(each.pga for each in spectra.values()))
     formed = free_period(length=4.0, thickness=0.3, young_modulus=7e8, density=1800.0)
     for period, first in ((0.45, 0.24), (3.0, 0.24), (0.9, 0.5)):
         soft = replace(HOUSE, period=first)

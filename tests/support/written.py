@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from assess.outputs.folder import output_folder
+from assess.outputs.journal import Tell
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RESULTS
-from assess.outputs.recovery import Tell
+from assess.outputs.writing import output_folder
 
 
 def content(folder: Path) -> dict[str, str]:

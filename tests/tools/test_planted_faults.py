@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from assess.mechanisms import impact, virtual_work
-from assess.verification.read import read_cases
+from assess.mechanisms import restitution, virtual_work
+from assess.verification.case_files import read_cases
 from assess.verification.verify import run_case
 from spectra import asce7
 from tests.support.places import place_of
@@ -19,8 +19,8 @@ CASES = {each.key: each for each in read_cases()}
 
 @pytest.fixture
 def wrong_restitution(monkeypatch):
-    right = impact.housner
-    monkeypatch.setattr(impact, "housner", lambda block: 0.5 * (1.0 + right(block)))
+    right = restitution.housner
+    monkeypatch.setattr(restitution, "housner", lambda block: 0.5 * (1.0 + right(block)))
 
 
 @pytest.fixture

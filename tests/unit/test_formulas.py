@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from openpyxl import load_workbook
 
 from assess.cli import main
-from records.formats.comments import parse_comments
+from records.formats.csv import parse_comments
+from records.processing import csv_text
 from records.reading import read_records
-from records.record import Earthquake, Site, make_record
-from records.writing import csv_text
+from records.record import Earthquake, StationSite, make_record
 from reports.document import NOTHING, Column, Document, Section, Table
 from reports.language.texts import Verbatim
 from reports.render.csv import csv_lines
@@ -27,7 +27,7 @@ from tests.support.places import SOURCES
 from tests.support.projects import ASCE7, published, tables_toml
 
 WRITERS = {  # `csv_lines` and `table_text` escape every cell, `write_xlsx` writes text as text, quoted
-    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py", "assess/risk/exports/table.py"},
+    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py", "assess/risk/exports.py"},
     r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"
@@ -88,7 +88,7 @@ def test_names_of_records_in_every_table_of_records(tmp_path: Path, capsys: pyte
     (tmp_path / "target.csv").write_text("period [s],acceleration [g]\n0,0.1\n0.1,0.25\n4,0.02\n")
     time = 0.01 * np.arange(500)
     texts = {"event": HOSTILE, "station": "@sum, =1+1", "component": "-x"}
-    place = {"site": Site(place=f'a;"{HOSTILE}'), "earthquake": Earthquake(time="+1, @x")}
+    place = {"site": StationSite(place=f'a;"{HOSTILE}'), "earthquake": Earthquake(time="+1, @x")}
     record = make_record("x", np.sin(time) * np.sin(30 * time), 0.01, **texts, **place)  # type: ignore[arg-type]
     name.write_text(csv_text(record), encoding="utf-8")
     assert run_cells(name.read_text(encoding="utf-8")) == []

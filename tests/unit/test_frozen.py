@@ -11,7 +11,7 @@ import pytest
 
 PACKAGES = ("spectra", "records", "assess.oscillator", "assess.mechanisms", "assess.interfaces", "assess.loads",
             "assess.geometry", "assess.dynamics", "assess.amplification", "assess.codes", "assess.risk")  # fmt: skip
-CHANGED_WHILE_MADE = {"assess.geometry.formats.threemf.Found", "assess.geometry.formats.threemf.Model"}
+CHANGED_WHILE_MADE = {"assess.geometry.formats.threemf.PackageObject", "assess.geometry.formats.threemf.ModelPart"}
 """Classes that are filled step by step by one function, and given to no other."""
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from assess.errors import AssessError
-from assess.results.uses import USES
-from assess.verification.read import choose_cases, read_cases
+from assess.results.solved_cases import USES
+from assess.verification.case_files import choose_cases, read_cases
 from assess.verification.verify import compare_case
 
 CASE = """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from assess.verification.read import read_cases
+from assess.verification.case_files import read_cases
 from assess.verification.verify import run_case
 
 

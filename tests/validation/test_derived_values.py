@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.verification.read import CASES, read_cases
+from assess.verification.case_files import CASES, read_cases
 from tests.validation.derive import arches, chains, codes, hand, housner, loaded_walls, motions, pulses, yim
 from tests.validation.derive.rocking import rocked
 

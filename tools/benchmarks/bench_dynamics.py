@@ -40,21 +40,20 @@ import numpy as np
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.critical import find_critical
-from assess.dynamics.envelope import envelope
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
 from assess.dynamics.kernel.columns import FOUND
 from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation, pack
+from assess.dynamics.pulses import envelope, find_critical
 from assess.dynamics.sine_branches import least
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Branch, Oscillator, SingleBlock, plain_branch
-from records.pulses import SHAPES
+from assess.oscillator import Branch, Oscillator, RockingBlock, plain_branch
+from records.pulses import PULSE_SHAPES
 from records.record import Record, make_record
 
 P, ALPHA, RESTITUTION = 1.5, 0.2, 0.85
@@ -256,7 +255,7 @@ def blocks(count: int, seed: int = 1) -> list[Oscillator]:
     """Rectangular blocks of alpha 0.08 to 0.3 and p 1 to 4."""
     rng = np.random.default_rng(seed)
     sides = [
-        plain_branch(SingleBlock(1.0, 1.0, a, g / p**2), restitution=1.0 - 1.5 * math.sin(a) ** 2)
+        plain_branch(RockingBlock(1.0, 1.0, a, g / p**2), restitution=1.0 - 1.5 * math.sin(a) ** 2)
         for a, p in zip(rng.uniform(0.08, 0.3, count), rng.uniform(1.0, 4.0, count), strict=True)
     ]
     return [Oscillator(side, side, 1.0) for side in sides]
@@ -301,10 +300,10 @@ def envelopes() -> list[Row]:
     frequency, amplitude = np.linspace(0.2, 10.0, 200) / per_hertz, np.linspace(0.0, 12.0, 200) * unit
     rows = []
     for equation, target in (("linearised", "<= 0.05"), ("exact", "<= 0.5")):
-        work = partial(envelope, block(), SHAPES["sine"], frequency, amplitude, equation=equation)  # type: ignore[arg-type]
+        work = partial(envelope, block(), PULSE_SHAPES["sine"], frequency, amplitude, equation=equation)  # type: ignore[arg-type]
         rows.append(Row(f"envelope 200 x 200 with its lower bound, {equation}", best(work, times=3), "s", target))
     known = np.isfinite(
-        lowest := envelope(block(), SHAPES["sine"], frequency, amplitude, equation="linearised").lower_bound
+        lowest := envelope(block(), PULSE_SHAPES["sine"], frequency, amplitude, equation="linearised").lower_bound
     )
     known &= frequency * per_hertz >= 1.5
     closed = np.array([least(f * per_hertz, RESTITUTION) for f in frequency[known]])
@@ -315,7 +314,8 @@ def envelopes() -> list[Row]:
 
     def bounds() -> None:
         found = [
-            envelope(each, SHAPES["sine"], frequency, highest, equation="linearised").lower_bound for each in mechanisms
+            envelope(each, PULSE_SHAPES["sine"], frequency, highest, equation="linearised").lower_bound
+            for each in mechanisms
         ]
         find_critical(frequency, np.array(found))
 

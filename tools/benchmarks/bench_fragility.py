@@ -19,9 +19,8 @@ from pathlib import Path
 import numpy as np
 from scipy.constants import g
 
-from assess.study.fragility.fragility import question_of, run_fragility, shake
-from assess.study.fragility.question import FragilityQuestion
-from assess.study.study import Study
+from assess.study.fragility import question_with_measures, run_fragility, run_records
+from assess.study.study import FragilityQuestion, Study
 from assess.workers import available_cores
 from tests.support.motions import noise
 from tests.support.projects import project_toml, study_of, wall
@@ -56,10 +55,12 @@ def walls(equation: str, records: int) -> Study:
 def measure(equation: str, records: int) -> None:
     """Print time and memory of one equation."""
     study = walls(equation, records)
-    shake(study, study.mechanisms[0], study.records[:1], question_of(study), jobs=0)  # compiled, or read from the cache
+    run_records(
+        study, study.mechanisms[0], study.records[:1], question_with_measures(study), jobs=0
+    )  # compiled, or read from the cache
     start, used = time.perf_counter(), time.process_time()
     for mechanism in study.mechanisms:
-        shake(study, mechanism, study.records, question_of(study), jobs=0)
+        run_records(study, mechanism, study.records, question_with_measures(study), jobs=0)
     ran, ran_used = time.perf_counter() - start, time.process_time() - used
     start, used = time.perf_counter(), time.process_time()
     run_fragility(study)

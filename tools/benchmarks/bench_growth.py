@@ -21,14 +21,13 @@ from assess.geometry.contact import find_contact
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.single_block import single_block
-from assess.project.schema import load
-from records.band import band
+from assess.project.project_file import load
 from records.candidates import PERIODS, Candidate
-from records.compilation.sources import key
-from records.event_groups import event_groups
-from records.primary_pulse import primary_pulses
+from records.compilation import sources_key
+from records.pulses import primary_pulses
 from records.record import make_record
-from records.selection import Criteria, select
+from records.scaling import band
+from records.selection import SuiteCriteria, event_groups, select
 from reports.render.typeset import formula
 from spectra.asce7 import design_spectrum
 from tests.support.projects import published, tables_toml
@@ -76,7 +75,7 @@ def group_events(count: int) -> Callable[[], object]:
 
 def select_records(count: int) -> Callable[[], object]:
     """Seven of a catalogue."""
-    return partial(select, candidates(count), TARGET, Criteria(7, band(0.2, 2.0)))
+    return partial(select, candidates(count), TARGET, SuiteCriteria(7, band(0.2, 2.0)))
 
 
 def find_pulses(count: int) -> Callable[[], object]:
@@ -142,7 +141,7 @@ def main() -> None:
             print(f"{what:<44}{size:>8}{few:>12.4f}{many:>12.4f}{many / few:>8.1f}")  # noqa: T201
     helped, typer = best(command(HELP, "--help")), best(command("import typer"))
     print(f"{'assess --help, over importing typer alone':<52}{helped:>12.3f}{typer:>12.3f}{helped / typer:>8.2f}")  # noqa: T201
-    print(f"{'key of the compiled kernels':<52}{best(partial(key, ()), times=20):>12.5f}")  # noqa: T201
+    print(f"{'key of the compiled kernels':<52}{best(partial(sources_key, ()), times=20):>12.5f}")  # noqa: T201
 
 
 if __name__ == "__main__":

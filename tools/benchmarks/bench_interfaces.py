@@ -12,9 +12,8 @@ from collections.abc import Callable
 import numpy as np
 import shapely
 
-from assess.interfaces.contact import contact, thresholds
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.interfaces.contact import JointLaw, contact, thresholds
+from assess.interfaces.section import annulus, circle, hollow_rectangle, polygon, rectangle
 
 ROTATIONS = 500
 LAW = JointLaw(3.4e8, 1.28e6)

@@ -17,24 +17,22 @@ from bench_dynamics import violent
 from scipy.constants import g
 
 from assess.dynamics.history import peaks, product
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.flexible_table import branch_from_rest
-from assess.mechanisms.joint import Joint
-from assess.mechanisms.side import make_side
-from assess.mechanisms.table import branch
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain, Joint, RigidBlock
+from assess.mechanisms.flexible_oscillator import branch_from_rest, make_flexible_side
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 from records.record import Record
 
 POINTS = 500
-LOWER, UPPER = Block(2000.0, (0.0, 1.3), 1200.0), Block(1600.0, (0.0, 3.4), 600.0)
+LOWER, UPPER = RigidBlock(2000.0, (0.0, 1.3), 1200.0), RigidBlock(1600.0, (0.0, 3.4), 600.0)
 LEFT, BEAM, RIGHT = (
-    Block(6400.0, (0.4, 2.0), 8900.0),
-    Block(7000.0, (2.4, 4.9), 15000.0),
-    Block(6800.0, (4.1, 2.9), 7100.0),
+    RigidBlock(6400.0, (0.4, 2.0), 8900.0),
+    RigidBlock(7000.0, (2.4, 4.9), 15000.0),
+    RigidBlock(6800.0, (4.1, 2.9), 7100.0),
 )
 LOADS = (
     PointMass("floor", 900.0, (0.2, 2.5), True),
@@ -73,7 +71,7 @@ def jointed(kind: str, stiffness: float) -> Chain:
 
 def flexible_branch(chain: Chain) -> Branch:
     """The whole table on flexible joints."""
-    return branch_from_rest(make_side(chain, name="bench", restitution=0.9), None)
+    return branch_from_rest(make_flexible_side(chain, name="bench", restitution=0.9), None)
 
 
 def nanoseconds(side: Branch, record: Record) -> float:
@@ -102,7 +100,9 @@ def flexible() -> None:
     print(f"\n{names}{'table ms':>12}{'history ns/step':>18}{'over rigid':>12}")  # noqa: T201
     record = violent()
     for kind in WAYS:
-        rigid = branch(Chain(CHAINS[kind].blocks, CHAINS[kind].hinges, WAYS[kind][2]), restitution=0.9, name="bench")
+        rigid = rigid_branch(
+            Chain(CHAINS[kind].blocks, CHAINS[kind].hinges, WAYS[kind][2]), restitution=0.9, name="bench"
+        )
         lifts = rigid.restoring[0] / rigid.excitation[0]
         motion = replace(record, acceleration=record.acceleration / g * 4.0 * lifts)  # the same violence for all
         base = nanoseconds(rigid, motion)
@@ -120,7 +120,7 @@ def main() -> None:
     phi = np.linspace(0.0, 0.2, POINTS)
     for name, chain in CHAINS.items():
         sums = milliseconds(lambda chain=chain: virtual_work(chain, phi))
-        whole = milliseconds(lambda chain=chain: branch(chain, restitution=0.9, name="bench"))
+        whole = milliseconds(lambda chain=chain: rigid_branch(chain, restitution=0.9, name="bench"))
         print(f"{name:<32}{sums:>13.2f}{whole:>12.2f}")  # noqa: T201
     flexible()
 

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import trimesh
 
-from assess.geometry.mesh import load
+from assess.geometry.mesh import load_solid
 from assess.geometry.planar import planar_body
 from assess.mechanisms.single_block import single_block
 
@@ -72,7 +72,7 @@ def row(kind: str, make: Callable[[int], Grid], count: int, file: Path) -> str:
         trimesh.load(file)
         opened = min(opened, time.perf_counter() - start)
         times = [time.perf_counter()]
-        solid = load(file, density=2000.0, name=kind)
+        solid = load_solid(file, density=2000.0, name=kind)
         times.append(time.perf_counter())
         body = planar_body(solid, direction=[0.8, 0.6, 0.0])
         times.append(time.perf_counter())

@@ -33,16 +33,15 @@ import numpy as np
 from scipy.constants import g
 from scipy.signal import cont2discrete, lfilter
 
-from records.band import band
 from records.candidates import PERIODS, Candidate
-from records.catalogue import NAME, candidates, open_catalogue
+from records.catalogue import NAME, catalogue_candidates, open_catalogue
 from records.indexing import index
+from records.processing import at2_text, rotd_spectrum
 from records.reading import read_records
 from records.record import Record, make_record
-from records.response import _peaks, response_spectrum
-from records.rotation import rotd_spectrum
-from records.selection import Criteria, select
-from records.writing import at2_text
+from records.response import _peak_displacements, response_spectrum
+from records.scaling import band
+from records.selection import SuiteCriteria, select
 from spectra.asce7 import design_spectrum
 from tools.benchmarks.bench_dynamics import Row, best, violent
 
@@ -75,7 +74,7 @@ def exact(record: Record, per_period: float) -> np.ndarray:
 
 def ours(record: Record) -> np.ndarray:
     """By the program, without the spectra that it keeps of earlier calls."""
-    _peaks.cache_clear()
+    _peak_displacements.cache_clear()
     return response_spectrum(record, T)
 
 
@@ -176,7 +175,7 @@ def catalogue(count: int = 1000, npts: int = 4000) -> list[Row]:
             for _ in range(2):
                 index(folder, connection)
                 marks.append(time.perf_counter())
-            known = len(candidates(connection))
+            known = len(catalogue_candidates(connection))
     once, again = (after - before for before, after in pairwise(marks))
     return [
         Row(f"indexing {known:,} files of {npts:,} points, one process", once, "s", "<= 60"),
@@ -194,7 +193,7 @@ def selection(count: int = 10_000) -> list[Row]:
         said = (f"{number}.AT2", 0, str(number), f"event {number // 3}", f"station {number}", "0", "", 6.0, 1e4, None)
         spectrum = shape * np.exp(waver)
         rows.append(Candidate(*said, "", None, 0.01, 2000, {"pga": float(spectrum[0])}, spectrum))
-    work = partial(select, rows, target, Criteria(7, band(0.1, 2.0)))
+    work = partial(select, rows, target, SuiteCriteria(7, band(0.1, 2.0)))
     return [Row(f"selecting 7 of {count:,}", best(work, times=3), "s", "<= 1")]
 
 

@@ -52,16 +52,18 @@ def watched(project: Path, folder: Path) -> Stopwatch:
     """What `assess run` does, with a stopwatch."""
     watch = Stopwatch()
     gc.set_threshold(MADE_BETWEEN_COLLECTIONS)
-    from assess.project.schema import load
+    from assess.project.project_file import load
 
     loaded = load(project)
     watch.begin("geometry and mechanisms")
     from assess.project.build import build
     from assess.results.json import dumps
-    from assess.study.run import run
+    from assess.study.run import run_study
 
     study = build(loaded)
-    results = run(study, progress=lambda stage, done, total: watch.begin(stage if done < total else f"after {stage}"))
+    results = run_study(
+        study, progress=lambda stage, done, total: watch.begin(stage if done < total else f"after {stage}")
+    )
     watch.begin("results.json")
     (folder / "results.json").write_text(dumps(results), encoding="utf-8")
     watch.begin("imports of the report")

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from records.writing import at2_text, csv_text
+from records.processing import at2_text, csv_text
 from tests.support.places import REAL_RECORDS
 from tools.fuzz import projects, studies
 from tools.fuzz.case import Case

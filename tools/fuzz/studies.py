@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 from assess.cli import main
-from records.writing import at2_text
+from records.processing import at2_text
 from tools.fuzz import projects
 from tools.fuzz.case import Case
 from tools.fuzz.motions import motion

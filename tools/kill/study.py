@@ -23,11 +23,11 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from assess.outputs.folder import output_folder
+from assess.outputs.journal import recover_for_reading
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RECORDS
-from assess.outputs.recovery import recover_for_reading
-from records.catalogue import candidates, open_catalogue
+from assess.outputs.writing import output_folder
+from records.catalogue import catalogue_candidates, open_catalogue
 
 STRIKE = Path(__file__).with_name("strike.py")
 SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
@@ -227,7 +227,9 @@ def kill_indexes(place: Path, kills: int, dice: random.Random, count: Count) -> 
 def listed(catalogue: Path) -> dict[str, tuple[float, ...]]:
     """The measures and ordinates of every record of a catalogue."""
     with open_catalogue(catalogue) as connection:
-        return {each.path: (*each.measures.values(), *each.spectrum.tolist()) for each in candidates(connection)}
+        return {
+            each.path: (*each.measures.values(), *each.spectrum.tolist()) for each in catalogue_candidates(connection)
+        }
 
 
 def main(kills: int = 120, seed: int = 1) -> int:

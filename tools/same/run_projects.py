@@ -146,9 +146,7 @@ def main(corpus: Path, target: Path) -> None:
     target.mkdir(parents=True, exist_ok=True)
     jobs = [(folder, target / f"{folder.name}.json") for folder in sorted(corpus.iterdir())]
     jobs = [(folder, kept) for folder, kept in jobs if not kept.exists()]
-    with ProcessPoolExecutor(
-        min(2, os.cpu_count() or 1)
-    ) as pool:
+    with ProcessPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
         for done, ended in enumerate(as_completed([pool.submit(run_project, job) for job in jobs]), start=1):
             ended.result()
             sys.stderr.write(f"\r{done} of {len(jobs)} projects")

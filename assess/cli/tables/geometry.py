@@ -9,19 +9,28 @@ from pathlib import Path
 from typing import Any
 
 from assess.cli.tables.text_table import text_table
-from assess.geometry.formats.element_selection import list_names, one_line
-from assess.geometry.formats.mesh_file import Element
-from assess.geometry.inventory import Entry
-from assess.project.key_text import escape_text
+from assess.geometry.formats.mesh_file import Element, list_names, one_line
+from assess.geometry.mesh import InventoryEntry
+from assess.messages.message import escape_text
 from reports.render.csv import csv_lines
 
-Listed = Sequence[tuple[Path, Sequence[Entry] | Exception]]
-_SHORT = ("part", "class", "storey", "GlobalId", "t x l x h [m]", "V [m3]", "at x, y, z [m]", "closed", "thin [deg]")
+Listed = Sequence[tuple[Path, Sequence[InventoryEntry] | Exception]]
+PART_HEADER = (
+    "part",
+    "class",
+    "storey",
+    "GlobalId",
+    "t x l x h [m]",
+    "V [m3]",
+    "at x, y, z [m]",
+    "closed",
+    "thin [deg]",
+)
 
 
 def table_text(listed: Listed) -> str:
     """Write a rounded line for each part, followed by warnings."""
-    return "\n".join(_of_file(file, each) for file, each in listed)
+    return "\n".join(_file_table(file, each) for file, each in listed)
 
 
 def csv_text(listed: Listed) -> str:
@@ -35,16 +44,16 @@ def json_text(listed: Listed) -> str:
     return json.dumps(_rows(listed), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-def _of_file(file: Path, found: Sequence[Entry] | Exception) -> str:
+def _file_table(file: Path, found: Sequence[InventoryEntry] | Exception) -> str:
     if isinstance(found, Exception):
         return f"{escape_text(str(found))}\n"
-    rows = [_short(each) for each in found]
-    kept = [i for i, head in enumerate(_SHORT) if any(row[i] for row in rows) or head == "part"]
-    table = text_table([_SHORT[i] for i in kept], [[row[i] for i in kept] for row in rows])
+    rows = [_part_row(each) for each in found]
+    kept = [i for i, head in enumerate(PART_HEADER) if any(row[i] for row in rows) or head == "part"]
+    table = text_table([PART_HEADER[i] for i in kept], [[row[i] for i in kept] for row in rows])
     return f"{escape_text(str(file))}\n{table}{_warnings_text(found)}"
 
 
-def _warnings_text(found: Sequence[Entry]) -> str:
+def _warnings_text(found: Sequence[InventoryEntry]) -> str:
     """Write a line for each warning, with the parts that it concerns."""
     parts: dict[str, list[str]] = {}
     for each in found:
@@ -57,7 +66,7 @@ def _parts_named(names: Sequence[str]) -> str:
     return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({list_names(names)})"
 
 
-def _short(entry: Entry) -> list[str]:
+def _part_row(entry: InventoryEntry) -> list[str]:
     one = entry.element
     return [
         one.shown,
@@ -76,14 +85,14 @@ def _rows(listed: Listed) -> list[dict[str, Any]]:
     return [row for file, found in listed for row in _file_rows(file, found)]
 
 
-def _file_rows(file: Path, found: Sequence[Entry] | Exception) -> list[dict[str, Any]]:
+def _file_rows(file: Path, found: Sequence[InventoryEntry] | Exception) -> list[dict[str, Any]]:
     """Return the properties of the parts of a file, with units in the names."""
     if isinstance(found, Exception):
-        return [_row(file, Entry(file.name, Element(), why_not=str(found)))]
+        return [_row(file, InventoryEntry(file.name, Element(), why_not=str(found)))]
     return [_row(file, each) for each in found]
 
 
-def _row(file: Path, entry: Entry) -> dict[str, Any]:
+def _row(file: Path, entry: InventoryEntry) -> dict[str, Any]:
     one = entry.element
     return {
         "file": str(file),

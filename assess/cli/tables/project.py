@@ -1,22 +1,34 @@
-"""What `assess check` prints: the project as the program understood it."""
+"""What `assess check` and `assess parameters` print: the project as the program understood it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import fields
 from math import atan2, degrees
+from textwrap import wrap
 from typing import Any
 
-from assess.cli.tables.checklist import checklist_lines
-from assess.cli.tables.messages import messages_text
-from assess.cli.tables.parameters import table_text, weakest_text
-from assess.mechanisms.chain import format_metres
-from assess.messages.message import Message, text_of
-from assess.project.key_text import escape_text
-from assess.project.schema import Project
-from assess.results import DirectionCandidate, LoadResult, MechanismResult, NamedPoint
-from assess.study.study import Sweep, Unvaried, Variable
+from assess.cli.tables.text_table import messages_text, text_table
+from assess.mechanisms.chain import metres_text
+from assess.messages.message import Message, escape_text, text_of
+from assess.project.project_file import Project
+from assess.project.sections import Content
+from assess.project.sections.content import checklist
+from assess.results import (
+    ChecklistItem,
+    DirectionCandidate,
+    DirectionSweep,
+    HingeForceResult,
+    LinearisedResult,
+    LoadResult,
+    MechanismResult,
+    NamedPoint,
+    OscillatorResult,
+)
+from assess.study.study import Sweep, UnvariedNumber, Variable
+from reports.render.csv import csv_lines
 
-MOST = 8  # candidates on a line
+MOST_CANDIDATES = 8  # candidates on a line
 
 
 def description(
@@ -29,10 +41,10 @@ def description(
         lines += [*_mechanism(mechanism), ""]
     lines += [*map(_sweep, sweeps), *[""] * bool(sweeps)]
     lines += checklist_lines(project.content)
-    return "\n".join(lines) + "\n" + table_text(mechanisms) + messages_text(notices)
+    return "\n".join(lines) + "\n" + branches_table(mechanisms) + messages_text(notices)
 
 
-def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
+def sensitivity_text(variables: Sequence[Variable | UnvariedNumber]) -> str:
     """Write a line for each mechanism with a sensitivity study: its variables with low and high values."""
     lines: dict[str, list[str]] = {}
     for each in variables:
@@ -49,7 +61,7 @@ def _variable_text(variable: Variable) -> str:
     return f"{variable.parameter}{of} {variable.low:.4g} to {variable.high:.4g}{unit}"
 
 
-def _unvaried_text(number: Unvaried) -> str:
+def _unvaried_text(number: UnvariedNumber) -> str:
     return escape_text(f"{number.parameter} not varied, {number.why}".lstrip())
 
 
@@ -175,9 +187,8 @@ def _direction(mechanism: MechanismResult) -> list[str]:
     lines = [f"  direction   towards {degrees(atan2(across, along)) % 360.0:.6g} deg from +x"]
     known = [each for each in mechanism.candidates if each.uplift_multiplier is not None]
     if known:
-        lines.append(
-            f"  {'candidates':<11} {', '.join(map(_candidate, known[:MOST]))}{' …' if len(known) > MOST else ''}"
-        )
+        more = " …" if len(known) > MOST_CANDIDATES else ""
+        lines.append(f"  {'candidates':<11} {', '.join(map(_candidate, known[:MOST_CANDIDATES]))}{more}")
     return lines
 
 
@@ -191,7 +202,7 @@ def _ground(m: MechanismResult) -> list[str]:
     if m.base_elevation_m is None or m.input_height_m is None:
         return []
     counts = "above the ground" if m.above_ground else "on the ground"
-    base, held = format_metres(m.base_elevation_m), format_metres(m.input_height_m)
+    base, held = metres_text(m.base_elevation_m), metres_text(m.input_height_m)
     heights = f"base {base} m over the ground, held at {held} m: {counts}"
     return [f"  ground      {heights}; {escape_text(m.ground_known_from)}"]
 
@@ -201,4 +212,154 @@ def _points(points: tuple[NamedPoint, ...]) -> str:
 
 
 def _at(point: tuple[float, float]) -> str:
-    return f"x = {format_metres(point[0])} m, z = {format_metres(point[1])} m"
+    return f"x = {metres_text(point[0])} m, z = {metres_text(point[1])} m"
+
+
+LINE_WIDTH = 100  # characters of a line
+
+
+def checklist_lines(content: Content) -> list[str]:
+    """Return the list by what became of its items, and an empty line; nothing without a type of building."""
+    items = checklist(content.report, content.mechanisms)
+    if not items:
+        return []
+    return [
+        f"possible mechanisms of a {content.report.building_type}",
+        *_checklist_line("examined", [_examined(each) for each in items if each.outcome == "examined"]),
+        *_checklist_line("absent", [each.key for each in items if each.outcome == "absent"]),
+        *_checklist_line(
+            "not examined", [each.key for each in items if each.outcome == "not-examined" and each.spoken_for]
+        ),
+        *_checklist_line("not named", [each.key for each in items if not each.spoken_for]),
+        "",
+    ]
+
+
+def _examined(item: ChecklistItem) -> str:
+    return f"{item.key} by {escape_text(' and '.join(item.mechanisms))}"
+
+
+def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
+    """Return the items of one outcome, wrapped; nothing where there are none."""
+    indent = " " * 16
+    return wrap(
+        ", ".join(words),
+        LINE_WIDTH,
+        initial_indent=f"  {what}".ljust(16),
+        subsequent_indent=indent,
+        break_on_hyphens=False,
+    )
+
+
+BRANCH_HEADER = (
+    "mechanism",
+    "branch",
+    "p [1/s]",
+    "lambda [-]",
+    "R [m]",
+    "alpha [rad]",
+    "phi_ov [rad]",
+    "restitution",
+    "mass [kg]",
+)
+ON_JOINTS = "on joints [rad]"
+HINGE_HEADER = ("mechanism", "hinge", "H [N]", "V [N]", "friction needed", "friction", "slides from [g]")
+
+CONSTANTS_HEADER = (
+    "linearised",
+    "branch",
+    "I [kg m2]",
+    "K [N m/rad]",
+    "B [kg m]",
+    "M [N m]",
+    "phi_cr [rad]",
+    "phi_ov [rad]",
+    "lambda [-]",
+)
+
+
+def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write the main parameters of each branch, the constants of its linearised equation, and the hinge forces."""
+    return f"{branches_table(mechanisms)}\n{constants_table(mechanisms)}{hinge_forces_table(mechanisms)}"
+
+
+def branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write the main parameters of each branch, rounded, with phi_ov of flexible joints beside the rigid one."""
+    pairs = [(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
+    if all(o.overturning_flexible_rad is None for _, _, o in pairs):
+        return text_table(BRANCH_HEADER, [_branch_row(*each) for each in pairs])
+    place = BRANCH_HEADER.index("phi_ov [rad]") + 1
+    rows = [[*(short := _branch_row(*each))[:place], _on_joints(each[-1]), *short[place:]] for each in pairs]
+    return text_table((*BRANCH_HEADER[:place], ON_JOINTS, *BRANCH_HEADER[place:]), rows)
+
+
+def constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write I, K, B, M, phi_cr and phi_ov of each linearised branch (thesis 3.4-3.12), rounded."""
+    rows = [
+        [mechanism.name, branch, *(f"{getattr(o.linearised, field.name):.5g}" for field in fields(LinearisedResult))]
+        for mechanism in mechanisms
+        for branch, o in _branches(mechanism)
+    ]
+    return text_table(CONSTANTS_HEADER, rows)
+
+
+def hinge_forces_table(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write the forces at each hinge when rocking starts, and the friction they need; empty where not known."""
+    rows = [[m.name, *_hinge_row(forces)] for m in mechanisms for forces in m.hinge_forces]
+    return f"\n{text_table(HINGE_HEADER, rows)}" if rows else ""
+
+
+def _hinge_row(f: HingeForceResult) -> list[str]:
+    needed = "lifts" if f.needed_friction is None else f"{f.needed_friction:.4f}"
+    friction = "not given" if f.friction is None else f"{f.friction:.3f}"
+    slides = "rocks first" if f.sliding_g is None else f"{f.sliding_g:.4f}"
+    return [
+        f.hinge,
+        f"{f.horizontal_n:.5g}",
+        f"{f.vertical_n:.5g}",
+        needed,
+        friction,
+        "-" if f.friction is None else slides,
+    ]
+
+
+def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write a line for each mechanism whose direction was searched for."""
+    sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
+    return "".join(f"{escape_text(name)}: {weakest_text(found)}\n" for name, found in sought)
+
+
+def weakest_text(found: DirectionSweep) -> str:
+    """Describe the weakest direction and how flat the minimum is."""
+    return (
+        f"weakest towards {found.weakest_deg:.6g} deg from +x, of {len(found.angle_deg)} directions; the multiplier is "
+        f"within 1 % of the least over {found.flat_deg:.3g} deg, the least {found.variation:.2%} below the largest"
+    )
+
+
+def parameters_csv(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write all parameters of each branch at full precision, under their names of results.json."""
+    names = [field.name for field in fields(OscillatorResult) if field.name != "linearised"]
+    constants = [field.name for field in fields(LinearisedResult)]
+    rows = [["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)]]
+    for m in mechanisms:
+        for branch, o in _branches(m):
+            numbers = [getattr(o, name) for name in names] + [getattr(o.linearised, name) for name in constants]
+            rows.append([m.name, m.label, m.kind, m.sides, branch, *numbers])
+    return csv_lines(rows)
+
+
+def _branches(mechanism: MechanismResult) -> Iterator[tuple[str, OscillatorResult]]:
+    yield "positive", mechanism.oscillator
+    if mechanism.oscillator_negative is not None:
+        yield "negative", mechanism.oscillator_negative
+
+
+def _branch_row(name: str, branch: str, o: OscillatorResult) -> list[str]:
+    uplift = "none" if o.uplift_multiplier is None else f"{o.uplift_multiplier:.4f}"
+    numbers = (f"{o.slenderness_rad:.4f}", f"{o.overturning_rad:.4f}", f"{o.restitution:.3f}", f"{o.mass_kg:.6g}")
+    return [name, branch, f"{o.p_eq_per_s:.4f}", uplift, f"{o.radius_m:.4f}", *numbers]
+
+
+def _on_joints(o: OscillatorResult) -> str:
+    return "-" if o.overturning_flexible_rad is None else f"{o.overturning_flexible_rad:.4f}"

@@ -1,25 +1,41 @@
-"""Records as a table for the terminal, as CSV and as JSON: what a file says of each, and its measures."""
+"""Records for the terminal, as CSV, as JSON and as a figure: their measures, their spectra, the catalogue of a
+folder.
+"""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
+from concurrent.futures import Executor
+from dataclasses import asdict, dataclass
 from math import degrees
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.cli.tables.text_table import text_table
-from records.intensity import Measures, measures
-from records.orientation import is_vertical
-from records.record import Record
-from records.response import response_spectrum
+from assess.errors import AssessError
+from assess.messages.message import escape_text
+from assess.results.inputs import origin
+from assess.study.record_set import candidate_records, cell_message
+from records.candidates import DAMPING, PERIODS
+from records.flatfile import FlatfileMatch
+from records.formats.header import HeaderOverrides
+from records.indexing import IndexSummary
+from records.reading import read_with_overrides
+from records.record import Record, is_vertical
+from records.response import Measures, measures, response_spectrum
+from reports.figures import spectrum
+from reports.language.locale import Locale
 from reports.render.csv import csv_lines
+from reports.render.figure_file import write_figure
 
-PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
-_COLUMNS = (
+SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
+
+RECORD_HEADER = (
     "record",
     "event",
     "station",
@@ -38,18 +54,18 @@ _COLUMNS = (
 )
 
 
-def table_text(records: Sequence[Record]) -> str:
+def records_table(records: Sequence[Record]) -> str:
     """Write a rounded line for each record."""
-    return text_table(_COLUMNS, [_row(record, measures(record)) for record in records])
+    return text_table(RECORD_HEADER, [_row(record, measures(record)) for record in records])
 
 
-def csv_text(records: Sequence[Record]) -> str:
+def records_csv(records: Sequence[Record]) -> str:
     """Write everything but the spectra at full precision, under the JSON names."""
     rows = [_flat(_properties(record)) for record in records]
     return csv_lines([rows[0], *(row.values() for row in rows)])
 
 
-def json_text(records: Sequence[Record]) -> str:
+def records_json(records: Sequence[Record]) -> str:
     """Write the `records` of results.json, unscaled, with further properties and measures."""
     listed = [
         _properties(record) | {"trail": list(map(str, record.processing_history)), "spectrum": _spectrum(record)}
@@ -109,8 +125,8 @@ def _site(record: Record) -> dict[str, Any]:
 
 def _spectrum(record: Record) -> dict[str, list[float]]:
     """Return the pseudo-acceleration spectrum at 5 % damping."""
-    ordinates = response_spectrum(record, PERIODS) / g
-    return {"period_s": PERIODS.tolist(), "acceleration_g": ordinates.tolist()}
+    ordinates = response_spectrum(record, SPECTRUM_PERIODS) / g
+    return {"period_s": SPECTRUM_PERIODS.tolist(), "acceleration_g": ordinates.tolist()}
 
 
 def _flat(known: dict[str, Any]) -> dict[str, Any]:
@@ -122,3 +138,104 @@ def _flat(known: dict[str, Any]) -> dict[str, Any]:
         else:
             flat[key] = str(value) if isinstance(value, bool) else value
     return flat
+
+
+ROUND_PERIODS = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # s
+
+
+@dataclass(frozen=True)
+class Spectra:
+    """Names of records, their peaks [n] and pseudo-accelerations at PERIODS [n, k], all in m/s2."""
+
+    names: tuple[str, ...]
+    pga: NDArray[np.float64]
+    ordinates: NDArray[np.float64]
+
+
+def read_spectra(
+    places: Sequence[Path],
+    *,
+    damping: float,
+    overrides: HeaderOverrides,
+    kept: Path | None,
+    executor: Executor | None = None,
+) -> Spectra:
+    """Return the spectra of the records of `places`; raise AssessError where a catalogue lacks the damping."""
+    folders = [place for place in places if place.is_dir()]
+    if folders and damping != DAMPING:
+        raise AssessError(f"{folders[0]}: a folder's catalogue holds spectra of 5 % damping; give its files instead")
+    if not folders:
+        records = [record for place in places for record in read_with_overrides(place, overrides)]
+        ordinates = [response_spectrum(record, PERIODS, damping=damping) for record in records]
+        pga = np.array([record.pga for record in records])
+        return Spectra(tuple(record.id for record in records), pga, np.array(ordinates))
+    found = candidate_records(places, overrides=overrides, kept=kept, executor=executor).candidates
+    if not found:
+        raise AssessError(f"{folders[0]}: no records in the folder that can be read; `assess records index` says why")
+    pga = np.array([one.measures["pga"] for one in found])
+    return Spectra(tuple(one.id for one in found), pga, np.array([one.spectrum for one in found]))
+
+
+def spectra_table(spectra: Spectra) -> str:
+    """Write ordinates in g at round periods, rounded, interpolated logarithmically between periods."""
+    rows = []
+    for name, pga, of in zip(spectra.names, spectra.pga, spectra.ordinates, strict=True):
+        at = np.exp(np.interp(np.log(ROUND_PERIODS), np.log(PERIODS), np.log(np.maximum(of, 1e-300))))
+        rows.append([name, f"{pga / g:.4g}", *(f"{each / g:.4g}" for each in at)])
+    return text_table(("record", "PGA [g]", *(f"{T:g} s" for T in ROUND_PERIODS)), rows)
+
+
+def spectra_csv(spectra: Spectra) -> str:
+    """Write a line for each period and a column for each record at full precision."""
+    header = ["period [s]", *(f"{name} [m/s2]" for name in spectra.names)]
+    columns = zip(PERIODS.tolist(), spectra.ordinates.T.tolist(), strict=True)
+    return csv_lines([header, [0.0, *spectra.pga.tolist()], *([T, *column] for T, column in columns)])
+
+
+def draw_spectra(spectra: Spectra, path: Path) -> None:
+    """Draw the figure to `path`."""
+    figure = spectrum.draw_record_spectra(spectra.names, PERIODS, spectra.ordinates / g, Locale())
+    write_figure(figure, path, creator=origin("records spectra", spectra_csv(spectra)))
+
+
+MAX_CELLS = 20  # bad cells of a flatfile
+
+
+def index_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+    """Write the counts, the use of a flatfile, each unreadable file with the reason, and the catalogue's path."""
+    counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
+    lines = [
+        f"{counts}; {found.records} records, {described} of known magnitude; {len(found.problems)} files not readable",
+        *(["the catalogue had an older format: every file was read again"] if found.older else []),
+        *(f"{path}: its rows in the catalogue were damaged: the file was read again" for path in found.damaged),
+        *([] if merged is None else _flatfile_lines(merged)),
+        *(f"{path}: {why}" for path, why in found.problems),
+        str(place),
+    ]
+    return "".join(f"{escape_text(line)}\n" for line in lines)
+
+
+def index_json(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+    """Write the counts, the use of a flatfile and the unreadable files as JSON."""
+    problems = [{"path": path, "reason": why} for path, why in found.problems]
+    told = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}
+    return json.dumps({**told, "flatfile": _flatfile_json(merged)}, ensure_ascii=False, indent=1) + "\n"
+
+
+def _flatfile_lines(merged: FlatfileMatch) -> list[str]:
+    counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
+    bad = [f"flatfile, {cell_message(cell)}" for cell in merged.bad[:MAX_CELLS]]
+    more = (
+        [f"flatfile: {len(merged.bad) - MAX_CELLS} more bad cells; --json lists all"]
+        if len(merged.bad) > MAX_CELLS
+        else []
+    )
+    return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
+
+
+def _flatfile_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
+    if merged is None:
+        return None
+    bad = [asdict(cell) for cell in merged.bad]
+    counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
+    return {**counts, "bad_cells": bad, "warning": None if merged.warning is None else merged.warning.text}

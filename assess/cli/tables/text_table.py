@@ -1,8 +1,10 @@
-"""A plain table for the terminal."""
+"""Plain tables and messages for the terminal."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+
+from assess.messages.message import Message, escape_text
 
 WIDEST = 40  # characters of a cell
 
@@ -27,3 +29,8 @@ def on_one_line(text: str, widest: int) -> str:
     """Remove control characters from `text` and cut it to what a terminal can show."""
     shown = "".join(c if c.isprintable() else " " for c in text)
     return shown if len(shown) <= widest else f"{shown[: widest - 1]}…"
+
+
+def messages_text(messages: Sequence[Message]) -> str:
+    """Write a line for each warning and note."""
+    return "".join(f"{each.severity}: {escape_text(each.where)}: {escape_text(each.text)}\n" for each in messages)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.cli.tables.text_table import on_one_line
-from assess.messages.plural import count_noun
-from assess.results.uses import USES
+from assess.messages.message import count_noun
+from assess.results.solved_cases import USES
 from assess.results.verification import CaseResult, Spread, ValueResult, VerificationResults
 
 WIDEST = 160  # characters of a line
-MOST = 5  # values that fail, of one case
+MOST_FAILURES = 5  # values that fail, of one case
 DIGITS, MOST_DIGITS = 6, 17  # of a value; with the latter every number differs from every other
 
 
@@ -41,18 +41,18 @@ def _cases(results: VerificationResults) -> Iterator[str]:
         word = "FAIL" if case.outcome == "fail" else "pass"
         yield f"{word}  {case.key:<{width}}  {said}"
         if case.outcome == "fail" and not case.fault:
-            yield from _wrong(case)
+            yield from _failures(case)
 
 
-def _wrong(case: CaseResult) -> Iterator[str]:
+def _failures(case: CaseResult) -> Iterator[str]:
     wrong = [(each.name, value) for each in case.quantities for value in each.values if value.outcome == "fail"]
-    for name, value in wrong[:MOST]:
-        yield f"      {name}{f', {value.row}' if value.row else ''}: {_beside(value)}"
-    if len(wrong) > MOST:
-        yield f"      and {len(wrong) - MOST} more"
+    for name, value in wrong[:MOST_FAILURES]:
+        yield f"      {name}{f', {value.row}' if value.row else ''}: {_compared(value)}"
+    if len(wrong) > MOST_FAILURES:
+        yield f"      and {len(wrong) - MOST_FAILURES} more"
 
 
-def _beside(value: ValueResult) -> str:
+def _compared(value: ValueResult) -> str:
     """Write both numbers, with so many digits that they differ."""
     if value.found is None:
         return f"{value.reference:.{DIGITS}g} expected, none found"

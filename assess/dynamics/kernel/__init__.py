@@ -3,7 +3,7 @@
 One branch at a time, in its own mirrored sign s = +1 or -1, with y = 0 at rest and 1 at overturning, and the ground
 acceleration a(t) linear between samples:
 
-    exact        y'' = -r(y) - b(y) s a(t)                r, b: the cubics of the branch (`assess.dynamics.canonical`)
+    exact        y'' = -r(y) - b(y) s a(t)                r, b: the cubics of the branch (`assess.dynamics.packing`)
     linearised   y'' = p^2 (y - 1 - s a(t) / threshold)   threshold = g lambda
 
 Both equations share one march and one treatment of events, because a step of either is an `Arc`: y as a polynomial of

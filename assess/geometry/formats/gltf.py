@@ -1,24 +1,36 @@
 """glTF files, read with trimesh; the only door to it. Nothing is mended here.
 
-The format readers are called directly, because trimesh's own objects merge and drop parts.
+The header is checked against the size of the file before any mesh is read. The format readers are called directly,
+because trimesh's own objects merge and drop parts.
 """
 
 from __future__ import annotations
 
 import io
+import json
+import struct
 from collections import Counter
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import numpy as np
 
-from assess.geometry.formats.gltf_header import gltf_header
-from assess.geometry.formats.limits import MAX_INSTANCES, MAX_TRIANGLES
-from assess.geometry.formats.mesh_file import Element, MeshFile, Part, file_from_parts, join_parts, make_part, transform
+from assess.geometry.formats.mesh_file import (
+    MAX_INSTANCES,
+    MAX_TRIANGLES,
+    Element,
+    ElementMesh,
+    MeshFile,
+    file_from_meshes,
+    join_meshes,
+    make_element_mesh,
+    transform,
+)
 from spectra.arrays import FloatArray
 
-EXTENTS = 1e-4  # of the largest coordinate, by which the extents in the header may be rounded
+EXTENT_TOLERANCE = 1e-4  # of the largest coordinate, by which the extents in the header may be rounded
 SUFFIX = 7  # letters that trimesh adds to the name of a node for a primitive of its mesh
 
 
@@ -27,7 +39,7 @@ def read_glb(file: Path) -> MeshFile:
     from trimesh.exchange.gltf import load_glb
 
     header = gltf_header(file)
-    return file_from_parts(_node_parts(load_glb(_content(file), skip_materials=True), header), unit=1.0, up="y")
+    return file_from_meshes(_node_parts(load_glb(_content(file), skip_materials=True), header), unit=1.0, up="y")
 
 
 def read_gltf(file: Path) -> MeshFile:
@@ -37,23 +49,23 @@ def read_gltf(file: Path) -> MeshFile:
 
     header = gltf_header(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
-    return file_from_parts(_node_parts(loaded, header), unit=1.0, up="y")
+    return file_from_meshes(_node_parts(loaded, header), unit=1.0, up="y")
 
 
 def _content(file: Path) -> io.BytesIO:
     return io.BytesIO(file.read_bytes())
 
 
-def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
+def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, ElementMesh]:
     """Return the meshes that have faces, by name; points and lines have none."""
     return {
-        name: make_part(Element((name,) if name else ()), each["vertices"], each["faces"])
+        name: make_element_mesh(Element((name,) if name else ()), each["vertices"], each["faces"])
         for name, each in meshes.items()
         if len(each.get("faces", ()))
     }
 
 
-def _refuse_other_extents(meshes: Mapping[str, Part], header: Mapping[str, Any]) -> None:
+def _refuse_other_extents(meshes: Mapping[str, ElementMesh], header: Mapping[str, Any]) -> None:
     """Raise ValueError where vertices do not match the extents of their accessor (glTF 2.0, 3.6.2.5).
 
     The readers keep no link from a mesh to its accessor, so it must agree with one of them.
@@ -66,13 +78,13 @@ def _refuse_other_extents(meshes: Mapping[str, Part], header: Mapping[str, Any])
     announced = np.asarray(said, dtype=np.float64).reshape(-1, 2, 3)
     for name, mesh in meshes.items():
         found = np.array([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
-        wrong = np.abs(announced - found).max(axis=(1, 2)) > EXTENTS * np.abs(found).max()
+        wrong = np.abs(announced - found).max(axis=(1, 2)) > EXTENT_TOLERANCE * np.abs(found).max()
         if wrong.all():
             low, high = (", ".join(f"{x:.4g}" for x in corner) for corner in found)
             raise ValueError(f'"{name:.30}" reaches from ({low}) to ({high}), and no accessor\'s min and max say so')
 
 
-def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[Part, ...]:
+def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[ElementMesh, ...]:
     """Place every node's mesh, joined from its primitives, under the name of the node and within its mesh."""
     meshes = _meshes(loaded["geometry"])
     _refuse_other_extents(meshes, header)
@@ -81,15 +93,16 @@ def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[P
     used = [meshes[name] for edge in edges.values() if (name := edge.get("geometry", "")) in meshes]
     if len(used) > MAX_INSTANCES or sum(len(each.triangles) for each in used) > MAX_TRIANGLES:
         raise ValueError(f"its scene has more than {MAX_INSTANCES} instances or {MAX_TRIANGLES} triangles")
-    found: dict[str, list[Part]] = {}
+    found: dict[str, list[ElementMesh]] = {}
     for node, edge in edges.items():
         mesh = meshes.get(edge.get("geometry", ""))
         if mesh is not None:
-            placed = transform(mesh, _place(node, edges, base=loaded["base_frame"]))
+            placed = transform(mesh, _node_transformation(node, edges, base=loaded["base_frame"]))
             found.setdefault(str(node) if node in own else _owner(node, edge), []).append(placed)
     many = {name for name, count in own.items() if count > 1}
     return tuple(
-        Part(_node_element(node, parts[0].element.names, many), *join_parts(parts)) for node, parts in found.items()
+        ElementMesh(_node_element(node, parts[0].element.names, many), *join_meshes(parts))
+        for node, parts in found.items()
     )
 
 
@@ -113,7 +126,7 @@ def _owner(node: str, edge: Mapping[str, Any]) -> str:
     return owner if len(node) == len(owner) + SUFFIX and node.startswith(f"{owner}_") else str(node)
 
 
-def _place(node: str, edges: Mapping[str, Mapping[str, Any]], *, base: str) -> FloatArray:
+def _node_transformation(node: str, edges: Mapping[str, Mapping[str, Any]], *, base: str) -> FloatArray:
     """Return the transformation [4, 4] from a node's own coordinates to the scene's."""
     steps: list[FloatArray] = [np.eye(4)]
     passed: tuple[str, ...] = ()
@@ -127,3 +140,50 @@ def _place(node: str, edges: Mapping[str, Mapping[str, Any]], *, base: str) -> F
     for step in steps[1:]:
         place = place @ step
     return place
+
+
+COMPRESSIONS = {
+    "KHR_draco_mesh_compression": "Draco",
+    "EXT_meshopt_compression": "meshopt",
+    "KHR_meshopt_compression": "meshopt",
+}
+WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}  # bytes of glTF's component types
+COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+LARGEST_VIRTUAL = 100_000_000  # bytes of an accessor without data of its own, which is all zeros
+
+
+def gltf_header(file: Path) -> Any:
+    """Return the JSON of a glTF file, binary or not.
+
+    Raises
+    ------
+    ValueError : its meshes are packed, or announce more than the file can hold
+    """
+    header = _json_of(file)
+    for extension, name in COMPRESSIONS.items():
+        if extension in header.get("extensionsUsed", ()):
+            raise ValueError(f"its meshes are packed by {name}; export it without compression")
+    for buffer in header.get("buffers", []):
+        beside = unquote(str(buffer.get("uri", "data:")))
+        if not beside.startswith("data:") and not (file.parent / beside).is_file():
+            raise ValueError(f'the file "{beside[:40]}" that it names is not beside it')
+    views = header.get("bufferViews", [])
+    for accessor in header.get("accessors", []):
+        if "sparse" in accessor:
+            raise ValueError("its meshes are said by differences (sparse accessors); export it without them")
+        needed = int(accessor["count"]) * WIDTHS[accessor["componentType"]] * COMPONENTS[accessor["type"]]
+        view = accessor.get("bufferView")
+        there = LARGEST_VIRTUAL if view is None else int(views[view]["byteLength"])
+        if not 0 <= needed <= there:
+            raise ValueError(f"it announces {accessor['count']} values where there are {there} bytes")
+    return header
+
+
+def _json_of(file: Path) -> Any:
+    with file.open("rb") as content:
+        start = content.read(20)
+        if start[:4] != b"glTF":
+            return json.loads(file.read_bytes())
+        if len(start) < 20:
+            raise ValueError("it ends within its header")
+        return json.loads(content.read(struct.unpack("<I", start[12:16])[0]))

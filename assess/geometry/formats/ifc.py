@@ -1,9 +1,13 @@
-"""IFC files (ISO 16739), meshed by ifcopenshell; the only door to it."""
+"""IFC files (ISO 16739), meshed by ifcopenshell; the only door to it.
+
+Numbers that are none, or lost their decimal point, are refused here: ifcopenshell reads them without a warning.
+"""
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
@@ -11,14 +15,14 @@ from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.ifc_numbers import refuse_commas
-from assess.geometry.formats.mesh_file import Element, MeshFile, Part, make_part, part_without_mesh
-from assess.geometry.formats.part21 import refuse_damaged
+from assess.geometry.formats.mesh_file import Element, ElementMesh, MeshFile, element_without_mesh, make_element_mesh
+from assess.geometry.formats.step import refuse_damaged
 from assess.messages.message import note
 
 ANGULAR_DEFLECTION = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 NOT_BUILT = ("IfcSpace", "IfcOpeningElement", "IfcVirtualElement", "IfcAnnotation", "IfcGrid")
 NO_BODIES = ("Curve2D", "Curve3D", "Curve", "Point", "PointCloud", "Annotation2D", "GeometricCurveSet", "BoundingBox")
+
 WHOLE_BODIES = (
     "IfcSolidModel", "IfcBooleanResult", "IfcFaceBasedSurfaceModel", "IfcShellBasedSurfaceModel",
     "IfcTessellatedItem", "IfcCsgPrimitive3D", "IfcMappedItem",
@@ -136,7 +140,7 @@ def _attributes(schema: str, name: str) -> int | None:
 
 def _mesh_products(
     model: Any, products: Sequence[Any], elements: Sequence[Element], missing: Set[int], places: Sequence[int]
-) -> tuple[Part, ...]:
+) -> tuple[ElementMesh, ...]:
     """Mesh the selected elements; one without a mesh says why.
 
     missing : numbers of the entities that refer to others absent from the file
@@ -147,7 +151,7 @@ def _mesh_products(
     ifcopenshell.get_log()  # empties it
     shapes = _shapes(model, wanted) if wanted else {}
     failed = {int(number) for number in FAILED.findall(ifcopenshell.get_log())}
-    nothing = part_without_mesh(Element(), UNMESHED)
+    nothing = element_without_mesh(Element(), UNMESHED)
     found = []
     for place, product in zip(places, wanted, strict=True):
         shape = replace(shapes.get(product.id(), nothing), element=elements[place])
@@ -168,7 +172,7 @@ def _missing_items(model: Any, product: Any, failed: Set[int], missing: Set[int]
     )
 
 
-def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:
+def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, ElementMesh]:
     """Return the meshes that ifcopenshell makes, by the number of their element in the file."""
     import ifcopenshell.geom
 
@@ -182,6 +186,82 @@ def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:
         shape = iterator.get()
         faces = np.array(shape.geometry.faces, dtype=np.int64).reshape(-1, 3)
         if len(faces):
-            found[shape.id] = make_part(Element(), np.array(shape.geometry.verts, dtype=np.float64), faces)
+            found[shape.id] = make_element_mesh(Element(), np.array(shape.geometry.verts, dtype=np.float64), faces)
         more = iterator.next()
     return found
+
+
+COMMAS = "{what} has {found} values where it has {wanted}; decimals take a point, not a comma"
+
+SIZED = re.compile(
+    rb"=\s*(IFC(?:\w+PROFILEDEF|\w+SOLID|\w+SOLIDTAPERED|CIRCLE|ELLIPSE|VECTOR|BLOCK|SPHERE|RECTANGULARPYRAMID|"
+    rb"RIGHTCIRCULARCYLINDER|RIGHTCIRCULARCONE|SIUNIT|MEASUREWITHUNIT))\s*\(([^;]*)\)\s*;"
+)
+LIST = re.compile(rb"IFCCARTESIANPOINTLIST([23])D\s*\(\s*\(([^;]*?\))\s*\)[^;]*;")
+DIRECTION = re.compile(rb"IFCDIRECTION\s*\(\s*\(([^()]*)\)\s*\)")
+ZERO = re.compile(rb"\s*[-+]?0+\.?0*(?:E[-+]?\d+)?\s*", re.IGNORECASE)
+POINT = re.compile(rb"IFC(?:CARTESIANPOINT|DIRECTION)\s*\(\s*\(([^()]*)\)\s*\)")
+REAL = re.compile(rb"\s*[-+]?\d+\.\d*(?:E[-+]?\d+)?\s*", re.IGNORECASE)
+WHOLE = re.compile(rb"\s*[-+]?\d+\s*")
+HABIT = 0.01  # of the points: if more have whole numbers without a point, the program that wrote them leaves it out
+
+
+def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
+    """Raise where points, profiles, solids or units have more or fewer values than possible.
+
+    Parameters
+    ----------
+    attributes : number of attributes of a class of the file's schema; None where it has no such class
+
+    Raises
+    ------
+    ValueError : a value is no number, or a number of values is impossible
+    """
+    text = re.sub(rb"/\*.*?\*/|'[^']*'", b"''", file.read_bytes(), flags=re.DOTALL)
+    points = POINT.findall(text)
+    for row in points:
+        if not all(map(_is_finite, row.split(b","))):
+            raise ValueError(f"({row.decode('latin-1'):.40}) in it are not numbers; it is damaged, export it again")
+    for ratios in DIRECTION.findall(text):
+        if all(map(ZERO.fullmatch, ratios.split(b","))):
+            shown = ratios.decode("latin-1")
+            raise ValueError(f"the direction ({shown:.40}) in it has no length; it is damaged, export it again")
+    _points(points)
+    for dimensions, rows in LIST.findall(text):
+        for row in re.findall(rb"\(([^()]*)\)", rows):
+            _coordinates(row.split(b","), {int(dimensions)})
+    for name, arguments in SIZED.findall(text):
+        wanted, found = attributes(name.decode("latin-1")), _arguments(arguments)
+        if wanted not in (None, found):
+            raise ValueError(COMMAS.format(what=f"an {name.decode('latin-1')}", found=found, wanted=wanted))
+
+
+def _is_finite(value: bytes) -> bool:
+    try:
+        return not value.strip() or math.isfinite(float(value))
+    except ValueError:
+        return False
+
+
+def _points(points: list[bytes]) -> None:
+    rows = [point.split(b",") for point in points]
+    for row in rows:
+        _coordinates(row, {1, 2, 3})
+    whole = [row for row in rows if any(map(WHOLE.fullmatch, row)) and any(map(REAL.fullmatch, row))]
+    if whole and len(whole) <= HABIT * len(rows):
+        shown = b",".join(whole[0]).decode("latin-1")
+        raise ValueError(f"of the point ({shown:.40}) a number has no decimal point, as all others have")
+
+
+def _coordinates(row: list[bytes], wanted: set[int]) -> None:
+    found = sum(1 for value in row if value.strip())
+    if found != len(row) or found not in wanted:
+        raise ValueError(COMMAS.format(what="a point", found=len(row), wanted=max(wanted)))
+
+
+def _arguments(text: bytes) -> int:
+    """Count the arguments of an instance, a list as one."""
+    inner = None
+    while inner != text:
+        inner, text = text, re.sub(rb"\([^()]*\)", b"", text)
+    return text.count(b",") + 1

@@ -1,14 +1,20 @@
-"""A geometry file as data: its elements with their names and meshes, its unit and its vertical axis."""
+"""A geometry file as data: its elements with their names and meshes, its unit and its vertical axis.
+
+Elements are selected by name, identifier, class or pattern.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from fnmatch import fnmatchcase
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from assess.errors import GeometryError
 from assess.messages.message import Message
 from spectra.arrays import FloatArray, IntArray
 
@@ -42,7 +48,7 @@ class Element:
 
 
 @dataclass(frozen=True)
-class Part:
+class ElementMesh:
     """The mesh of one element, in its place.
 
     Attributes
@@ -74,30 +80,30 @@ class MeshFile:
     """
 
     elements: tuple[Element, ...]
-    mesh: Callable[[Sequence[int]], tuple[Part, ...]]
+    mesh: Callable[[Sequence[int]], tuple[ElementMesh, ...]]
     unit: float | None = None
     up: Up | None = None
 
     @property
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[ElementMesh, ...]:
         """The meshes of all elements."""
         return self.mesh(range(len(self.elements)))
 
 
-def file_from_parts(parts: Sequence[Part], *, unit: float | None = None, up: Up | None = None) -> MeshFile:
+def file_from_meshes(parts: Sequence[ElementMesh], *, unit: float | None = None, up: Up | None = None) -> MeshFile:
     """Return a file whose meshes are all there already."""
     found = tuple(parts)
     return MeshFile(tuple(each.element for each in found), lambda places: tuple(found[i] for i in places), unit, up)
 
 
-def make_part(element: Element, vertices: ArrayLike, faces: ArrayLike) -> Part:
+def make_element_mesh(element: Element, vertices: ArrayLike, faces: ArrayLike) -> ElementMesh:
     """Make a part of vertices [n, 3] and faces of k corners [m, k], which become fans of triangles."""
-    return Part(element, np.asarray(vertices, dtype=np.float64).reshape(-1, 3), fan_triangles(faces))
+    return ElementMesh(element, np.asarray(vertices, dtype=np.float64).reshape(-1, 3), fan_triangles(faces))
 
 
-def part_without_mesh(element: Element, fault: str) -> Part:
+def element_without_mesh(element: Element, fault: str) -> ElementMesh:
     """Make the part of an element that has no mesh, with the reason."""
-    return Part(element, np.empty((0, 3)), np.empty((0, 3), dtype=np.int64), fault)
+    return ElementMesh(element, np.empty((0, 3)), np.empty((0, 3), dtype=np.int64), fault)
 
 
 def fan_triangles(faces: ArrayLike) -> IntArray:
@@ -109,14 +115,14 @@ def fan_triangles(faces: ArrayLike) -> IntArray:
     return np.concatenate([np.empty((0, 3), dtype=np.int64), *triangles])
 
 
-def transform(shape: Part, matrix: ArrayLike) -> Part:
+def transform(shape: ElementMesh, matrix: ArrayLike) -> ElementMesh:
     """Apply a transformation [4, 4] of homogeneous coordinates; a reflection reverses the triangles."""
     A = np.asarray(matrix, dtype=np.float64)
     triangles = shape.triangles if np.linalg.det(A[:3, :3]) >= 0.0 else shape.triangles[:, ::-1]
     return replace(shape, vertices=shape.vertices @ A[:3, :3].T + A[:3, 3], triangles=triangles)
 
 
-def join_parts(parts: Sequence[Part]) -> tuple[FloatArray, IntArray]:
+def join_meshes(parts: Sequence[ElementMesh]) -> tuple[FloatArray, IntArray]:
     """Join parts into one mesh: vertices [n, 3] and triangles [m, 3]."""
     if len(parts) == 1:
         return parts[0].vertices, parts[0].triangles
@@ -127,3 +133,102 @@ def join_parts(parts: Sequence[Part]) -> tuple[FloatArray, IntArray]:
         np.concatenate([nothing, *(each.vertices for each in parts)]),
         np.concatenate([nothing.astype(np.int64), *triangles]),
     )
+
+
+LONGEST_NAME = 40  # letters of a name that came with a file
+MAX_LISTED = 8  # names that a sentence lists
+WILDCARDS = "*?["  # letters that make a pattern
+CLASS_PREFIX = "ifc"  # of the names of classes
+
+
+def select_elements(elements: Sequence[Element], wanted: str | None, *, where: str) -> tuple[int, ...]:
+    """Return the indices of the elements that a selection means; all where none is given.
+
+    The first of these that matches counts: the identifier of one element; its name; its class or a superclass, such as
+    "IfcWall", or what it is part of; a pattern such as "Wand-*" (`*` any letters, `?` one letter, `[ab]` one of these).
+
+    Raises
+    ------
+    GeometryError : nothing matches, or several elements with identifiers of their own have exactly this name
+    """
+    if wanted is None:
+        return tuple(range(len(elements)))
+    wanted = one_line(wanted)
+    named = _indices(elements, [wanted in map(one_line, each.names) for each in elements])
+    for found in (
+        _indices(elements, [wanted == each.identifier for each in elements]),
+        _refuse_ambiguous(elements, named, wanted, where=where),
+        _indices(elements, [wanted in map(one_line, (*each.within, *each.kinds)) for each in elements]),
+        _indices(elements, [_matches_pattern(each, wanted) for each in elements]),
+    ):
+        if found:
+            return found
+    raise GeometryError(f'{where}: it has no element "{short_name(wanted)}"; {_describe_known(elements, wanted)}')
+
+
+def one_line(name: str) -> str:
+    """Collapse line breaks and other white space of a name to single spaces, as tables show it."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in name).split())
+
+
+def short_name(name: str) -> str:
+    """Return a file's name for an element on one line, shortened to fit a sentence."""
+    line = one_line(name)
+    return line if len(line) <= LONGEST_NAME else f"{line[: LONGEST_NAME - 1]}…"
+
+
+def list_names(names: Sequence[str]) -> str:
+    """List the first names of many for a sentence."""
+    more = f" and {len(names) - MAX_LISTED} more" if len(names) > MAX_LISTED else ""
+    return ", ".join(short_name(name) for name in names[:MAX_LISTED]) + more
+
+
+def _indices(elements: Sequence[Element], fit: Sequence[bool]) -> tuple[int, ...]:
+    return tuple(i for i in range(len(elements)) if fit[i])
+
+
+def _matches_pattern(element: Element, wanted: str) -> bool:
+    """Return whether a pattern matches a name of the element, or of what it is part of."""
+    names = map(one_line, (*element.names, *element.within))
+    return any(letter in wanted for letter in WILDCARDS) and any(fnmatchcase(name, wanted) for name in names)
+
+
+def _refuse_ambiguous(
+    elements: Sequence[Element], named: tuple[int, ...], wanted: str, *, where: str
+) -> tuple[int, ...]:
+    """Return the elements of a name; raise where there are several that can be told apart."""
+    identifiers = [elements[i].identifier for i in named]
+    if len(named) > 1 and all(identifiers):
+        raise GeometryError(
+            f'{where}: {len(named)} elements are called "{short_name(wanted)}": {list_names(identifiers)}; '
+            f'give the identifier (GlobalId) of one, or a pattern as "{short_name(wanted)}*" for all of them'
+        )
+    return named
+
+
+def _describe_known(elements: Sequence[Element], wanted: str) -> str:
+    """Describe the available names, those similar to the one given first."""
+    known = list(dict.fromkeys(each.shown for each in elements if each.names or each.within or each.identifier))
+    if not known:
+        return "its parts have no names; remove the key"
+    if any(each.kinds for each in elements) and wanted.lower().startswith(CLASS_PREFIX):
+        return _known_classes(elements, wanted)
+    words = dict.fromkeys(word for each in elements for word in (*each.names, *each.within))
+    near = get_close_matches(wanted, words, n=MAX_LISTED)
+    return f"did you mean {list_names(near)}?" if near else f"known: {list_names(known)}"
+
+
+def _known_classes(elements: Sequence[Element], wanted: str) -> str:
+    """Describe the available classes, those spelt similarly to the one given first."""
+    short = {kind[len(CLASS_PREFIX) :].lower(): kind for each in elements for kind in each.kinds}
+    near = get_close_matches(wanted[len(CLASS_PREFIX) :].lower(), short, n=MAX_LISTED, cutoff=0.75)
+    classes = sorted({each.kinds[0] for each in elements if each.kinds})
+    return (
+        f"did you mean {list_names([short[word] for word in near])}?"
+        if near
+        else f"its classes are {list_names(classes)}"
+    )
+
+
+MAX_INSTANCES = 100_000  # of meshes in a scene
+MAX_TRIANGLES = 100_000_000  # of a scene with all its instances

@@ -10,9 +10,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.geometry.formats.mesh_file import POINT_CLOUD, Element, MeshFile, Part, fan_triangles, file_from_parts
+from assess.geometry.formats.mesh_file import (
+    POINT_CLOUD,
+    Element,
+    ElementMesh,
+    MeshFile,
+    fan_triangles,
+    file_from_meshes,
+)
 from assess.geometry.formats.text_blocks import (
-    Block,
+    TextBlock,
     join_lines,
     parse_numbers,
     read_blocks,
@@ -57,10 +64,10 @@ def read_obj(file: Path) -> MeshFile:
         ]
         faces += _faces(block, face, known + np.cumsum(at), in_force)
         known += len(vertices[-1])
-    return file_from_parts(_parts(np.concatenate(vertices), faces, objects, groups))
+    return file_from_meshes(_parts(np.concatenate(vertices), faces, objects, groups))
 
 
-def _positions(block: Block, chosen: BoolArray) -> FloatArray:
+def _positions(block: TextBlock, chosen: BoolArray) -> FloatArray:
     """Return the vertices [n, 3] of a block; weights and colours are ignored."""
     sizes = block.words[chosen] - 1
     if not len(sizes):
@@ -76,14 +83,14 @@ def _positions(block: Block, chosen: BoolArray) -> FloatArray:
     return found
 
 
-def _in_force(block: Block, chosen: BoolArray, names: list[str]) -> IntArray:
+def _in_force(block: TextBlock, chosen: BoolArray, names: list[str]) -> IntArray:
     """Return the index of the name in force at each line of a block [n]; new names are appended."""
     first = len(names) - 1
     names += [rest_of_line(block, int(line)) for line in np.flatnonzero(chosen)]
     return np.asarray(first + np.cumsum(chosen), dtype=np.int64)
 
 
-def _faces(block: Block, chosen: BoolArray, known: IntArray, in_force: Sequence[IntArray]) -> list[Faces]:
+def _faces(block: TextBlock, chosen: BoolArray, known: IntArray, in_force: Sequence[IntArray]) -> list[Faces]:
     """Return the triangles of a block; known: vertices up to each line [n], from which negative indices count back."""
     sizes = block.words[chosen] - 1
     if not len(sizes):
@@ -104,7 +111,7 @@ def _faces(block: Block, chosen: BoolArray, known: IntArray, in_force: Sequence[
     return found
 
 
-def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], groups: list[str]) -> list[Part]:
+def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], groups: list[str]) -> list[ElementMesh]:
     """Make a part for each name that has faces, in file order."""
     if not faces and len(vertices):
         raise ValueError(POINT_CLOUD.format(count=len(vertices)))
@@ -124,14 +131,14 @@ def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], gro
     return [_drop_unused(_part(name, vertices, triangles[owner == k])) for name, k in order.items() if k in present]
 
 
-def _part(name: str, vertices: FloatArray, triangles: IntArray) -> Part:
-    return Part(Element((name,) if name else ()), vertices, triangles)
+def _part(name: str, vertices: FloatArray, triangles: IntArray) -> ElementMesh:
+    return ElementMesh(Element((name,) if name else ()), vertices, triangles)
 
 
-def _drop_unused(part: Part) -> Part:
+def _drop_unused(part: ElementMesh) -> ElementMesh:
     """Drop the vertices that a part does not use; a part with invalid indices is returned unchanged."""
     if part.triangles.min() < 0 or part.triangles.max() >= len(part.vertices):
         return part
     used = np.zeros(len(part.vertices), dtype=np.bool_)
     used[part.triangles] = True
-    return Part(part.element, part.vertices[used], (np.cumsum(used) - 1)[part.triangles])
+    return ElementMesh(part.element, part.vertices[used], (np.cumsum(used) - 1)[part.triangles])

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.geometry.formats.mesh_file import Element, MeshFile, fan_triangles, file_from_parts, make_part
-from assess.geometry.formats.text_blocks import Block, join_lines, parse_numbers, read_blocks, rows_by_length
+from assess.geometry.formats.mesh_file import Element, MeshFile, fan_triangles, file_from_meshes, make_element_mesh
+from assess.geometry.formats.text_blocks import TextBlock, join_lines, parse_numbers, read_blocks, rows_by_length
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 HEADER = re.compile(
@@ -47,10 +47,10 @@ def read_off(file: Path) -> MeshFile:
         raise ValueError(f"it announces {vertices} vertices and {faces} faces and has {lines} lines of them")
     if len(widths) > 1:
         raise ValueError(f"some vertices have {min(widths)} numbers, others {max(widths)}; is a decimal lost?")
-    return file_from_parts([make_part(Element(), np.concatenate(points), np.concatenate(triangles))])
+    return file_from_meshes([make_element_mesh(Element(), np.concatenate(points), np.concatenate(triangles))])
 
 
-def _points(block: Block, chosen: BoolArray) -> FloatArray:
+def _points(block: TextBlock, chosen: BoolArray) -> FloatArray:
     """Return the vertices [n, 3] of a block."""
     sizes = block.words[chosen]
     if not len(sizes):
@@ -64,7 +64,7 @@ def _points(block: Block, chosen: BoolArray) -> FloatArray:
     return found
 
 
-def _faces(block: Block, chosen: BoolArray) -> list[IntArray]:
+def _faces(block: TextBlock, chosen: BoolArray) -> list[IntArray]:
     """Return the triangles [m, 3] of the faces of a block: number of corners, corners, possibly a colour."""
     sizes = block.words[chosen]
     if not len(sizes):

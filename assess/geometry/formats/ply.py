@@ -14,7 +14,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.geometry.formats.mesh_file import POINT_CLOUD, Element, MeshFile, fan_triangles, file_from_parts, make_part
+from assess.geometry.formats.mesh_file import (
+    POINT_CLOUD,
+    Element,
+    MeshFile,
+    fan_triangles,
+    file_from_meshes,
+    make_element_mesh,
+)
 from assess.geometry.formats.text_blocks import parse_words, rows_by_length
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -38,7 +45,7 @@ class Property:
 
 
 @dataclass(frozen=True)
-class Table:
+class ElementTable:
     """An element of the header: so many records of these properties."""
 
     name: str
@@ -55,7 +62,9 @@ class Ragged:
 
 
 Columns = Mapping[str, NDArray[Any] | Ragged]
-Take = Callable[[Table, int], tuple[Columns, int]]  # the values of a table that begins at a place, and where it ends
+TableReader = Callable[
+    [ElementTable, int], tuple[Columns, int]
+]  # the values of a table that begins at a place, and where it ends
 
 
 def read_ply(file: Path) -> MeshFile:
@@ -68,7 +77,7 @@ def read_ply(file: Path) -> MeshFile:
     data = file.read_bytes()
     order, tables, start = _header(data[:LONGEST])
     words = np.empty(0) if order else parse_words(data, start)
-    take: Take = partial(_binary, data, order) if order else partial(_text, words)
+    take: TableReader = partial(_binary, data, order) if order else partial(_text, words)
     found: dict[str, Columns] = {}
     at = start if order else 0
     for table in tables:
@@ -81,10 +90,10 @@ def read_ply(file: Path) -> MeshFile:
     if len(vertices) and not any(len(each) for each in triangles):
         raise ValueError(POINT_CLOUD.format(count=len(vertices)))
     nothing = np.empty((0, 3), dtype=np.int64)
-    return file_from_parts([make_part(Element(), vertices, np.concatenate([nothing, *triangles]))])
+    return file_from_meshes([make_element_mesh(Element(), vertices, np.concatenate([nothing, *triangles]))])
 
 
-def _header(data: bytes) -> tuple[str, tuple[Table, ...], int]:
+def _header(data: bytes) -> tuple[str, tuple[ElementTable, ...], int]:
     """Return the byte order (empty for text), the elements, and where their data begin."""
     end = data.find(b"end_header")
     stop = data.find(b"\n", end) + 1
@@ -97,11 +106,11 @@ def _header(data: bytes) -> tuple[str, tuple[Table, ...], int]:
             case ["format", form, *_] if form in ORDERS:
                 order = ORDERS[form]
             case ["element", name, count] if count.isascii() and count.isdigit():
-                tables.append(Table(name, int(count), ()))
+                tables.append(ElementTable(name, int(count), ()))
             case ["property", "list", counted, kind, name] if tables and {counted, kind} <= set(TYPES):
-                tables[-1] = _with(tables[-1], Property(name, TYPES[kind], TYPES[counted]))
+                tables[-1] = _add_property(tables[-1], Property(name, TYPES[kind], TYPES[counted]))
             case ["property", kind, name] if tables and kind in TYPES:
-                tables[-1] = _with(tables[-1], Property(name, TYPES[kind]))
+                tables[-1] = _add_property(tables[-1], Property(name, TYPES[kind]))
             case ["comment" | "obj_info", *_]:
                 pass
             case _:
@@ -111,11 +120,11 @@ def _header(data: bytes) -> tuple[str, tuple[Table, ...], int]:
     return order, tuple(tables), stop
 
 
-def _with(table: Table, one: Property) -> Table:
-    return Table(table.name, table.count, (*table.properties, one))
+def _add_property(table: ElementTable, one: Property) -> ElementTable:
+    return ElementTable(table.name, table.count, (*table.properties, one))
 
 
-def _text(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
+def _text(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int]:
     """Return the columns of a text table, whose words are numbers."""
     if all(one.counted is None for one in table.properties):
         width = len(table.properties)
@@ -126,7 +135,7 @@ def _text(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
     return _text_lists(words, table, at)
 
 
-def _text_lists(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
+def _text_lists(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int]:
     """Return the lists of a text table, all at once where every record is as long as the first."""
     width, place = 0, {}
     for one in table.properties:
@@ -147,7 +156,7 @@ def _text_lists(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]
     return _text_records(words, table, at)
 
 
-def _text_records(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
+def _text_records(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int]:
     """Return the lists of a text table, record by record."""
     lists = [one.name for one in table.properties if one.counted is not None]
     kept: dict[str, BoolArray] = {name: np.zeros(len(words), dtype=np.bool_) for name in lists}
@@ -173,7 +182,7 @@ def _text_size(words: FloatArray, at: int) -> int:
     return int(size)
 
 
-def _binary(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, int]:
+def _binary(data: bytes, order: str, table: ElementTable, at: int) -> tuple[Columns, int]:
     """Return the columns of a binary table, all at once where every record is as long as the first."""
     fields: list[Any] = []
     place = at
@@ -202,7 +211,7 @@ def _binary(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, in
     }, end
 
 
-def _binary_records(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, int]:
+def _binary_records(data: bytes, order: str, table: ElementTable, at: int) -> tuple[Columns, int]:
     """Return the lists of a binary table, record by record."""
     kinds = [(one.name, one.counted, np.dtype(one.kind).itemsize) for one in table.properties]
     values: dict[str, bytearray] = {name: bytearray() for name, counted, _ in kinds if counted is not None}
@@ -226,7 +235,7 @@ def _binary_records(data: bytes, order: str, table: Table, at: int) -> tuple[Col
     }, at
 
 
-def _binary_size(data: bytes, kind: str, at: int, table: Table) -> int:
+def _binary_size(data: bytes, kind: str, at: int, table: ElementTable) -> int:
     """Return the length of a binary list."""
     if at + int(kind[2]) > len(data):
         raise ValueError(_truncated(table))
@@ -236,7 +245,7 @@ def _binary_size(data: bytes, kind: str, at: int, table: Table) -> int:
     return size
 
 
-def _end_of_table(table: Table, at: int, width: int, available: int) -> int:
+def _end_of_table(table: ElementTable, at: int, width: int, available: int) -> int:
     """Return where a table of records of at least this width ends; raise ValueError beyond the file's end."""
     end = at + table.count * width
     if end > available:
@@ -244,7 +253,7 @@ def _end_of_table(table: Table, at: int, width: int, available: int) -> int:
     return end
 
 
-def _truncated(table: Table) -> str:
+def _truncated(table: ElementTable) -> str:
     return f'it announces {table.count} of "{table.name[:20]}" and ends before them'
 
 

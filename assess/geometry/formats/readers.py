@@ -9,12 +9,12 @@ from pathlib import Path
 from assess.errors import GeometryError
 from assess.geometry.formats import gltf, stl
 from assess.geometry.formats.ifc import read_ifc
-from assess.geometry.formats.mesh_file import MeshFile, Part
+from assess.geometry.formats.isolation import silence_output
+from assess.geometry.formats.mesh_file import ElementMesh, MeshFile
 from assess.geometry.formats.obj import read_obj
 from assess.geometry.formats.off import read_off
 from assess.geometry.formats.ply import read_ply
 from assess.geometry.formats.rhino import read_3dm
-from assess.geometry.formats.silence import silence_output
 from assess.geometry.formats.step import read_step
 from assess.geometry.formats.threemf import read_3mf
 
@@ -36,7 +36,7 @@ READERS: Mapping[str, Reader] = {
 WITHOUT_UNIT = (".stl", ".obj", ".ply", ".off")  # formats that do not say theirs
 
 
-def read(file: Path, *, where: str) -> MeshFile:
+def read_mesh_file(file: Path, *, where: str) -> MeshFile:
     """Read the elements of a geometry file, in its own unit and axes.
 
     Raises
@@ -58,7 +58,7 @@ def read(file: Path, *, where: str) -> MeshFile:
         return READERS[ending](file)
 
 
-def mesh_elements(content: MeshFile, places: Sequence[int], *, file: Path, where: str) -> tuple[Part, ...]:
+def mesh_elements(content: MeshFile, places: Sequence[int], *, file: Path, where: str) -> tuple[ElementMesh, ...]:
     """Mesh the elements of a file at these indices.
 
     Raises

@@ -9,16 +9,16 @@ from typing import Any
 
 import numpy as np
 
+from assess.geometry.formats.isolation import run_in_subprocess
 from assess.geometry.formats.mesh_file import (
     Element,
+    ElementMesh,
     MeshFile,
-    Part,
-    file_from_parts,
-    make_part,
-    part_without_mesh,
+    element_without_mesh,
+    file_from_meshes,
+    make_element_mesh,
     transform,
 )
-from assess.geometry.formats.subprocess_reader import run_in_subprocess
 from spectra.arrays import FloatArray
 
 READ = "import sys, rhino3dm; sys.exit(rhino3dm.File3dm.FromByteArray(open(sys.argv[1], 'rb').read()) is None)"
@@ -53,17 +53,17 @@ def read_3dm(file: Path) -> MeshFile:
     model = None if refused else rhino3dm.File3dm.FromByteArray(file.read_bytes())
     if model is None:
         raise ValueError("not a Rhino file")
-    found: list[Part] = []
+    found: list[ElementMesh] = []
     for item in model.Objects:
         if not item.Attributes.IsInstanceDefinitionObject:
             for each in _object_parts(item, model):
                 found.append(each)
                 if len(found) > MAX_INSTANCES:
                     raise ValueError(f"its blocks make more than {MAX_INSTANCES} parts")
-    return file_from_parts(found, unit=UNITS.get(model.Settings.ModelUnitSystem.name), up="z")
+    return file_from_meshes(found, unit=UNITS.get(model.Settings.ModelUnitSystem.name), up="z")
 
 
-def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
+def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[ElementMesh]:
     """Return the parts of one object of the file, without triangles where it has a surface but no mesh."""
     kind = type(item.Geometry).__name__
     names = (item.Attributes.Name,) if item.Attributes.Name else ()
@@ -81,7 +81,7 @@ def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
         yield _mesh(element, [_render(faces[i]) for i in range(len(faces))])
 
 
-def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[Part]:
+def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[ElementMesh]:
     """Return the parts of a block's definition, transformed to the instance."""
     reference = item.Geometry
     matrix = np.array(reference.Xform.ToFloatArray(True), dtype=np.float64).reshape(4, 4)
@@ -102,17 +102,19 @@ def _render(surface: Any) -> Any:
     return surface.GetMesh(rhino3dm.MeshType.Any)
 
 
-def _mesh(element: Element, meshes: list[Any]) -> Part:
+def _mesh(element: Element, meshes: list[Any]) -> ElementMesh:
     """Join the Rhino meshes of one object into one part, without mesh where one of them is missing."""
     if not meshes or any(each is None for each in meshes):
-        return part_without_mesh(element, NO_MESH.format(kind=_surface_name(element.kinds[0])))
+        return element_without_mesh(element, NO_MESH.format(kind=_surface_name(element.kinds[0])))
     corners = [_points(each) for each in meshes]
     starts = np.cumsum([0, *(len(each) for each in corners)])
     faces = [
         np.array([each.Faces[i] for i in range(len(each.Faces))], dtype=np.int64).reshape(-1, 4) + start
         for each, start in zip(meshes, starts[:-1], strict=True)
     ]
-    return make_part(element, np.concatenate(corners), np.concatenate(faces))  # a triangle repeats its third corner
+    return make_element_mesh(
+        element, np.concatenate(corners), np.concatenate(faces)
+    )  # a triangle repeats its third corner
 
 
 def _points(shape: Any) -> FloatArray:

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.geometry.formats.mesh_file import Element, MeshFile, Part, file_from_parts, make_part
-from assess.geometry.formats.text_blocks import Block, join_lines, parse_numbers, read_blocks, rest_of_line
+from assess.geometry.formats.mesh_file import Element, ElementMesh, MeshFile, file_from_meshes, make_element_mesh
+from assess.geometry.formats.text_blocks import TextBlock, join_lines, parse_numbers, read_blocks, rest_of_line
 from spectra.arrays import BoolArray, FloatArray
 
 RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -49,7 +49,7 @@ def parse_binary_stl(data: bytes) -> MeshFile | None:
 
 def _unnamed_mesh(vertices: ArrayLike, triangles: ArrayLike) -> MeshFile:
     """Return a file of one unnamed mesh."""
-    return file_from_parts([make_part(Element(), vertices, triangles)])
+    return file_from_meshes([make_element_mesh(Element(), vertices, triangles)])
 
 
 def read_text_stl(file: Path) -> MeshFile:
@@ -78,10 +78,10 @@ def read_text_stl(file: Path) -> MeshFile:
         raise ValueError(f"it has {facets} facets and {count} corners, not three for each")
     if ends <= 2 * facets:
         raise ValueError("its last solid has no end, is it whole?")
-    return file_from_parts(_solids(np.concatenate(corners), names, [*starts, count]))
+    return file_from_meshes(_solids(np.concatenate(corners), names, [*starts, count]))
 
 
-def _corners(block: Block, chosen: BoolArray) -> FloatArray:
+def _corners(block: TextBlock, chosen: BoolArray) -> FloatArray:
     """Return the corners [n, 3] of a block."""
     lines = int(np.count_nonzero(chosen))
     if not lines:
@@ -92,11 +92,11 @@ def _corners(block: Block, chosen: BoolArray) -> FloatArray:
     return parse_numbers(text, count=3 * lines).reshape(-1, 3)
 
 
-def _solids(corners: FloatArray, names: list[str], starts: list[int]) -> list[Part]:
+def _solids(corners: FloatArray, names: list[str], starts: list[int]) -> list[ElementMesh]:
     """Return the solids that have corners."""
     found = []
     for name, start, end in zip(names, starts[:-1], starts[1:], strict=True):
         if end > start:
             own = corners[start:end]
-            found.append(Part(Element((name,) if name else ()), own, np.arange(len(own)).reshape(-1, 3)))
+            found.append(ElementMesh(Element((name,) if name else ()), own, np.arange(len(own)).reshape(-1, 3)))
     return found

@@ -24,7 +24,7 @@ SPACE, NEWLINE = 32, 10  # bytes up to the space part words
 
 
 @dataclass(frozen=True)
-class Block:
+class TextBlock:
     """Whole lines of a file.
 
     Attributes
@@ -42,7 +42,7 @@ class Block:
     second: NDArray[np.uint8]
 
 
-def read_blocks(file: Path, *, skip: int = 0, comments: bool = False) -> Iterator[Block]:
+def read_blocks(file: Path, *, skip: int = 0, comments: bool = False) -> Iterator[TextBlock]:
     """Read the lines of a file; a backslash at the end of a line joins the next to it.
 
     Parameters
@@ -64,12 +64,12 @@ def read_blocks(file: Path, *, skip: int = 0, comments: bool = False) -> Iterato
             whole = text.rfind(b"\n") + 1
             rest = text[whole:]
             if whole:
-                yield _block(COMMENT.sub(b"", text[:whole]) if comments else text[:whole])
+                yield _text_block(COMMENT.sub(b"", text[:whole]) if comments else text[:whole])
         if rest.strip():
-            yield _block((COMMENT.sub(b"", rest) if comments else rest).rstrip(b"\\") + b"\n")
+            yield _text_block((COMMENT.sub(b"", rest) if comments else rest).rstrip(b"\\") + b"\n")
 
 
-def _block(text: bytes) -> Block:
+def _text_block(text: bytes) -> TextBlock:
     letters = np.frombuffer(text, np.uint8)
     end = np.flatnonzero(letters == NEWLINE)
     word = letters > SPACE
@@ -78,10 +78,10 @@ def _block(text: bytes) -> Block:
     words = np.diff(before, prepend=0)
     heads = np.append(starts, end[-1])[before - words]
     first, second = (np.where(words > 0, letters[np.minimum(heads + k, end[-1])], 0).astype(np.uint8) for k in (0, 1))
-    return Block(letters, end, words, first, second)
+    return TextBlock(letters, end, words, first, second)
 
 
-def join_lines(block: Block, chosen: BoolArray) -> bytes:
+def join_lines(block: TextBlock, chosen: BoolArray) -> bytes:
     """Return the chosen lines [n] as one text."""
     if chosen.all():
         return block.text.tobytes()
@@ -140,7 +140,7 @@ def rows_by_length(values: NDArray[Number], sizes: IntArray) -> Iterator[tuple[I
         yield places, values.reshape(-1, size) if together else values[starts[places][:, None] + np.arange(size)]
 
 
-def rest_of_line(block: Block, line: int) -> str:
+def rest_of_line(block: TextBlock, line: int) -> str:
     """Return the text of a line after its first word."""
     start = 0 if line == 0 else int(block.end[line - 1]) + 1
     text = block.text[start : block.end[line]].tobytes().decode("utf-8", errors="replace")

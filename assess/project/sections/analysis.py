@@ -1,38 +1,56 @@
-"""The tables [records], [analysis] and [procedures.CODE]."""
+"""The table [analysis]: levels, envelopes, parametric studies, sensitivity, uncertainty, fragility and risk."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+import re
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import AfterValidator, Field, StrictBool, StrictInt, model_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Discriminator,
+    Field,
+    PlainValidator,
+    StrictBool,
+    StrictInt,
+    StrictStr,
+    Tag,
+    WithJsonSchema,
+    model_validator,
+)
+from scipy.constants import g
 
-from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
-from assess.project.quantities import (
+from assess.codes.asce41_13 import Masonry, Position, Seismicity
+from assess.project.section import ProjectSection, error_at, quote_names
+from assess.project.sections.procedures import Dmi2008, Ntc2018, Procedure
+from assess.project.sections.select import Select
+from assess.project.units import KINDS, QuantityError, key_value, number_and_unit
+from assess.project.values import (
+    PATTERN_MARK,
+    Acceleration,
     AccelerationUnit,
+    Angle,
     Count,
     FilePlace,
     InputFile,
     InputFiles,
+    Name,
     PositiveAcceleration,
+    PositiveFrequency,
     PositiveLength,
     PositiveRatio,
     PositiveTime,
+    PositiveYears,
     Ratio,
     Share,
     unique,
 )
-from assess.project.section import Section, wrong
-from assess.project.sections.fragility import Fragility, Risk
-from assess.project.sections.italian import Dmi2008, Ntc2018
-from assess.project.sections.procedure_names import Procedure
-from assess.project.sections.pulses import Pulses
-from assess.project.sections.select import Select
-from assess.project.sections.sensitivity import Asked
-from assess.project.sections.sweeps import Sweep, Sweeps
-from assess.project.sections.uncertainty import Uncertainty
+from assess.project.values import SHARE_UNITS as UNITS_OF_SHARES
 
 
-class Synthetic(Section):
+class Synthetic(ProjectSection):
     """Artificial records that fit the site's spectrum."""
 
     count: Annotated[Count, Field(le=1000)] = 7
@@ -43,7 +61,7 @@ class Synthetic(Section):
     """length of each record, like "25 s", which NTC 2018 asks for; ASCE 43-05 asks for 20 s"""
 
 
-class Records(Section):
+class Records(ProjectSection):
     """The ground motions: from files, artificial, or both; artificial ones where nothing is said."""
 
     files: InputFiles = ()
@@ -88,15 +106,406 @@ class Records(Section):
     def _select_has_files(self) -> Records:
         folders = [path for path in self.files if path.is_dir()]
         if self.select is None and folders:
-            raise wrong("files", f'{folders[0]} is a folder; add `select`, or write a pattern like "records/*.AT2"')
+            raise error_at("files", f'{folders[0]} is a folder; add `select`, or write a pattern like "records/*.AT2"')
         if self.select is not None and not self.files:
-            raise wrong("select", "there are no files to choose from; add files")
+            raise error_at("select", "there are no files to choose from; add files")
         if self.select is not None and self.select.code is not None and self.synthetic is not None:
-            raise wrong("synthetic", "beside select.for, which makes a suite of recorded motions; remove one of them")
+            raise error_at(
+                "synthetic", "beside select.for, which makes a suite of recorded motions; remove one of them"
+            )
         return self
 
 
-class Analysis(Section):
+MOST_PULSES = 1000  # frequencies or amplitudes
+
+
+class Frequencies(ProjectSection):
+    """The frequencies of the pulses: { from, to, count }."""
+
+    start: PositiveFrequency = Field(0.2, alias="from")
+    """the first"""
+    to: PositiveFrequency = 10.0
+    """the last"""
+    count: Annotated[StrictInt, Field(ge=2, le=MOST_PULSES)] = 100
+    """how many, with both ends"""
+    spacing: Literal["linear", "log"] = "linear"
+    """"linear", or "log" for a constant ratio"""
+
+    @model_validator(mode="after")
+    def _rise(self) -> Frequencies:
+        if not self.to > self.start:
+            raise error_at("to", f"{self.to:g} Hz, not above from, {self.start:g} Hz; frequencies rise")
+        return self
+
+
+class Amplitudes(ProjectSection):
+    """The peak accelerations of the pulses: { from, to, count }."""
+
+    start: Annotated[Acceleration, Field(ge=0)] = Field(0.0, alias="from")
+    """the first"""
+    to: Annotated[Acceleration, Field(gt=0)] = 3 * g
+    """the last, up to which the least pulse that overturns is sought"""
+    count: Annotated[StrictInt, Field(ge=2, le=MOST_PULSES)] = 100
+    """how many, with both ends"""
+
+    @model_validator(mode="after")
+    def _rise(self) -> Amplitudes:
+        if not self.to > self.start:
+            raise error_at("to", f"{self.to / g:g} g, not above from, {self.start / g:g} g; amplitudes rise")
+        return self
+
+
+class Pulses(ProjectSection):
+    """Overturning envelopes: pulses of the ground by frequency and amplitude; without this table `run` makes none."""
+
+    shape: Literal["sine", "cosine", "half-sine", "ricker", "ricker-antisymmetric", "mavroeidis-papageorgiou"] = "sine"
+    """shape of the acceleration"""
+    frequency: Frequencies = Field(default_factory=Frequencies)
+    """{ from, to, count } of the frequencies"""
+    amplitude: Amplitudes = Field(default_factory=Amplitudes)
+    """{ from, to, count } of the peak ground accelerations"""
+    gamma: Annotated[Ratio, Field(gt=1, le=50)] | None = None
+    """of a mavroeidis-papageorgiou pulse: more is longer; 2 if absent"""
+    nu: Angle | None = None
+    """of a mavroeidis-papageorgiou pulse: phase of its carrier; 0 if absent"""
+
+    @model_validator(mode="after")
+    def _only_one_shape_has_parameters(self) -> Pulses:
+        for key in ("gamma", "nu"):
+            if getattr(self, key) is not None and self.shape != WITH_GAMMA:
+                raise error_at(key, f'not of a pulse "{self.shape}"; only "{WITH_GAMMA}" has it, remove it')
+        return self
+
+
+MOST_CASES = 1000  # cases of one sweep
+
+
+def _swept_quantity(value: Any) -> Any:
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise ValueError("not a number or a quantity; write one as at the key that is swept")
+    return value
+
+
+SweptQuantity = Annotated[
+    int | float | str, PlainValidator(_swept_quantity), WithJsonSchema({"type": ["number", "string"]})
+]
+
+
+class Sweep(ProjectSection):
+    """A parametric study: the mechanisms that one number of the project changes, for each of several values of it."""
+
+    key: StrictStr
+    """a number of this file by its key: "mechanisms.spire.cut.angle"; loads.0 or loads[1] is the first of a list"""
+    values: Annotated[
+        tuple[SweptQuantity, ...], Field(min_length=1, max_length=MOST_CASES), AfterValidator(unique("value"))
+    ] = ()
+    """its values, like ["45 deg", "60 deg"]; or give from, to and count"""
+    start: SweptQuantity | None = Field(None, alias="from")
+    """the first of evenly spaced values"""
+    to: SweptQuantity | None = None
+    """the last of them"""
+    count: Annotated[StrictInt, Field(ge=2, le=MOST_CASES)] | None = None
+    """how many, with both ends"""
+
+    @model_validator(mode="after")
+    def _values_or_range(self) -> Sweep:
+        given = {"from": self.start, "to": self.to, "count": self.count}
+        absent = [key for key, value in given.items() if value is None]
+        if self.values and len(absent) < len(given):
+            raise error_at("values", "beside from, to or count; give either the values or a range")
+        if not self.values and absent:
+            raise error_at(absent[0], "missing; give values = [ … ], or from, to and count")
+        return self
+
+
+def _sweeps_tag(value: Any) -> str:
+    return "<several>" if isinstance(value, list | tuple) else "<one>"
+
+
+Sweeps = Annotated[
+    Annotated[Sweep, Tag("<one>")] | Annotated[tuple[Sweep, ...], Tag("<several>")],
+    Discriminator(_sweeps_tag),
+]
+VaryingShare = Annotated[Ratio, Field(ge=0, lt=1)]
+
+
+def _default_share(parameter: str) -> Any:
+    def share(values: dict[str, Any]) -> Change:
+        everywhere = values.get("vary")
+        return Change(DEFAULT_SHARES[parameter] if everywhere is None else everywhere)
+
+    return Field(default_factory=share)
+
+
+SHARE = "share"
+
+
+class Change(NamedTuple):
+    """By how much a number is varied to either side: by a share of it, or by an amount in the SI unit `of`."""
+
+    by: float
+    of: str = SHARE
+
+
+def _change(kind: str) -> Callable[[Any], Any]:
+    """Return a reader of one change: a share, an amount with the unit of `kind`, or false for none."""
+
+    def read(value: Any) -> Any:
+        if value is False or value is None or isinstance(value, Change):
+            return value or None
+        try:
+            absolute = isinstance(value, str) and number_and_unit(value)[1] not in UNITS_OF_SHARES
+            found = Change(key_value(value, KINDS[kind]), KINDS[kind].symbol) if absolute else _share(value)
+        except QuantityError:
+            raise ValueError(f'not a change; write a share like 0.05 or "5 %"{_or_amount(kind)}, or false') from None
+        if found.by < 0:
+            raise ValueError("must be 0 or more; it counts to both sides")
+        return found
+
+    return read
+
+
+def _described(kind: str) -> WithJsonSchema:
+    words = f"a share like 0.05{_or_amount(kind)}; false: not varied"
+    return WithJsonSchema(
+        {"type": ["number", "string", "boolean"], "description": words, PATTERN_MARK: [kind, "change"]}
+    )
+
+
+def _share(value: Any) -> Change:
+    share = key_value(value, KINDS["ratio"])
+    if share >= 1:
+        raise ValueError("must be less than 1; a share of 1 leaves nothing of the number")
+    return Change(share)
+
+
+def _or_amount(kind: str) -> str:
+    """Say what may be written besides a share."""
+    return "" if kind == "ratio" else f', or an amount like "{KINDS[kind].example}"'
+
+
+LengthChange = Annotated[Change | None, BeforeValidator(_change("length")), _described("length")]
+DensityChange = Annotated[Change | None, BeforeValidator(_change("density")), _described("density")]
+StressChange = Annotated[Change | None, BeforeValidator(_change("stress")), _described("stress")]
+ShareChange = Annotated[Change | None, BeforeValidator(_change("ratio")), _described("ratio")]
+ForceChange = Annotated[Change | None, BeforeValidator(_change("force")), _described("force")]
+
+DEFAULT_SHARES: Mapping[str, float] = {
+    "thickness": 0.05,
+    "density": 0.10,
+    "compressive_strength": 0.30,
+    "stiffness": 0.50,
+    "friction": 0.20,
+    "restitution": 0.05,
+    "tie_force": 0.20,
+    "loads": 0.20,
+    "uplift": 0.05,
+    "p": 0.05,
+}
+"""By how much each parameter is varied where the project does not say it: judgement, not taken from a standard."""
+
+
+class Sensitivity(ProjectSection):
+    """How the verdicts move with numbers that are not well known, each varied alone to either side; `true` for all."""
+
+    vary: VaryingShare | None = None
+    """share by which everything below is varied that has none of its own; each its own default if absent"""
+    thickness: LengthChange = _default_share("thickness")
+    """size of the blocks along the direction of motion, about the middle of their base: 0.05, or "2 cm\""""
+    density: DensityChange = _default_share("density")
+    """of each material that the mechanism has"""
+    compressive_strength: StressChange = _default_share("compressive_strength")
+    """of joints that crush"""
+    stiffness: ShareChange = _default_share("stiffness")
+    """of joints that give way, and Young's modulus where something follows from it"""
+    friction: ShareChange = _default_share("friction")
+    """of each material that gives one"""
+    restitution: ShareChange = _default_share("restitution")
+    """of both branches, at most to 1"""
+    tie_force: ForceChange = _default_share("tie_force")
+    """pretension of each tie"""
+    loads: ShareChange = _default_share("loads")
+    """masses, forces and overburden that are given as numbers"""
+    uplift: ShareChange = _default_share("uplift")
+    """multiplier of an equivalent-block"""
+    p: ShareChange = _default_share("p")
+    """frequency parameter of an equivalent-block"""
+
+
+def _switched(value: Any) -> Any:
+    """Replace `true` by the table of defaults and `false` by none."""
+    return {} if value is True else None if value is False else value
+
+
+def _or_switch(schema: dict[str, Any]) -> None:
+    schema["anyOf"].append({"type": "boolean"})
+
+
+SensitivityOrSwitch = Annotated[Sensitivity | None, BeforeValidator(_switched), Field(json_schema_extra=_or_switch)]
+FEWEST_SAMPLES, MOST_SAMPLES = 16, 65536  # samples
+
+
+def _power_of_two(number: int) -> int:
+    if number & (number - 1):
+        below = 1 << (number.bit_length() - 1)
+        raise ValueError(f"not a power of two, which Sobol's sequences need; write {below} or {2 * below}")
+    return number
+
+
+class Uncertainty(ProjectSection):
+    """How the answers spread when the numbers given as { mean, cov } vary together; a table, empty for the defaults."""
+
+    samples: Annotated[StrictInt, Field(ge=FEWEST_SAMPLES, le=MOST_SAMPLES), AfterValidator(_power_of_two)] = 128
+    """values of each number, a power of two"""
+    seed: Annotated[StrictInt, Field(ge=0, lt=2**32)] = 1
+    """of the scrambled Sobol sequence"""
+    thickness: Annotated[Ratio, Field(gt=0, lt=1)] | None = None
+    """coefficient of variation of the size of all blocks along their direction, like 0.05, lognormal: of bodies whose
+    thickness is no number of this file, as meshes"""
+
+
+def _a_measure(text: Any) -> Any:
+    measure_of(text)
+    return text
+
+
+Measure = Annotated[str, BeforeValidator(_a_measure)]
+STATE_NAMES = ("rocking", "overturning")
+
+
+def _a_state(value: Any) -> Any:
+    if value in STATE_NAMES:
+        return value
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 < value < 1.0:
+        raise ValueError(
+            f"not a state; write one of {quote_names(STATE_NAMES)}, or a share of the overturning rotation like 0.5"
+        )
+    return float(value)
+
+
+State = Annotated[
+    str | float,
+    BeforeValidator(_a_state),
+    WithJsonSchema({"anyOf": [{"enum": list(STATE_NAMES)}, {"type": "number"}]}),
+]
+
+
+class Fragility(ProjectSection):
+    """Fragility curves of `assess fragility`: measures of intensity, states, and how records are run."""
+
+    measures: Annotated[tuple[Measure, ...], Field(min_length=1), AfterValidator(unique("measure"))] | None = None
+    """measures of intensity, the one that records are scaled by first: "pga", "pgv", "sa(0.5 s)", "sa-average",
+    "sa-average(0.2 s, 0.5 s, 1 s)", "pga/(g tan alpha)", "p pgv/(g tan alpha)"; all that apply if absent"""
+    states: Annotated[tuple[State, ...], Field(min_length=1), AfterValidator(unique("state"))] = (
+        "rocking",
+        0.5,
+        "overturning",
+    )
+    """states to be reached: "rocking", shares of the overturning rotation like 0.5, "overturning\""""
+    method: Literal["ida", "stripes", "cloud"] = "ida"
+    """"ida": every record at many rising scales; "stripes": all records at few intensities; "cloud": every record once,
+    as it is, times [records] factor"""
+    samples: Annotated[StrictInt, Field(ge=3, le=1000)] | None = None
+    """intensities at which each record is run; 50 by ida and 10 by stripes if absent"""
+    largest: float | str | None = None
+    """largest intensity of the first measure, like "1.5 g"; if absent up to where every record overturns, twice in a
+    row"""
+    largest_factor: Annotated[Ratio, Field(ge=1, le=1000)] = 10.0
+    """largest scale factor on a record; above 4 they are marked"""
+    seed: Annotated[StrictInt, Field(ge=0)] = 1
+    """of the bootstrap: the same seed gives the same intervals"""
+    draws: Annotated[StrictInt, Field(ge=100, le=10_000)] = 500
+    """draws of the bootstrap, by earthquake"""
+    epistemic: dict[Name, Annotated[Ratio, Field(ge=0, le=2)]] = Field(default_factory=dict)
+    """dispersions of what is not known, by name, like { model = 0.2 }; kept apart from that of the records. A target is
+    met only with them: without any, no rate is shown to be within it"""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _largest_is_of_the_first_measure(cls, values: Any) -> Any:
+        """Read the largest intensity in the unit of the measure that it belongs to."""
+        if not isinstance(values, dict) or values.get("largest") is None:
+            return values
+        if values.get("method") == "cloud":
+            raise error_at("largest", "a cloud runs every record once, as it is; remove it")
+        measures = values.get("measures")
+        first = measures[0] if isinstance(measures, list | tuple) and measures else "pga"
+        try:
+            number = key_value(values["largest"], KINDS[KIND_OF.get(measure_of(first)[0], "ratio")])
+        except ValueError as error:
+            raise error_at("largest", str(error)) from None
+        if not number > 0.0:
+            raise error_at("largest", f"{number:g}: must be above 0")
+        return values | {"largest": number}
+
+    @model_validator(mode="after")
+    def _cloud_has_no_levels(self) -> Fragility:
+        if self.method == "cloud" and self.samples is not None:
+            raise error_at("samples", "a cloud runs every record once, as it is; remove it")
+        return self
+
+
+class HazardPoint(ProjectSection):
+    """One row of the hazard of the site."""
+
+    pga: PositiveAcceleration
+    """peak ground acceleration, like "0.2 g\""""
+    return_period: PositiveYears | None = None
+    """mean return period, like 475; or give rate"""
+    rate: PositiveRatio | None = None
+    """annual rate of exceedance; or give return_period"""
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> HazardPoint:
+        if (self.return_period is None) == (self.rate is None):
+            raise error_at("return_period", "give either return_period or rate")
+        return self
+
+    @property
+    def annual_rate(self) -> float:
+        """Annual rate of exceedance [1/year]."""
+        if self.rate is not None:
+            return self.rate
+        assert self.return_period is not None  # one of the two is given
+        return 1.0 / self.return_period
+
+
+class Place(ProjectSection):
+    """A place on the earth."""
+
+    longitude: Annotated[Ratio, Field(ge=-180, le=360)]
+    """degrees east, like 13.40"""
+    latitude: Annotated[Ratio, Field(ge=-90, le=90)]
+    """degrees north, like 42.35"""
+
+
+class Risk(ProjectSection):
+    """Hazard of the site, which fragility makes a rate of: rows, a file, or the rows of an Italian site if absent."""
+
+    hazard: Annotated[tuple[HazardPoint, ...], Field(min_length=2)] | None = None
+    """rows [{ return_period | rate, pga }, …], of falling rate; those of [site.spectrum] if absent"""
+    curve: InputFile | None = None
+    """hazard curves of OpenQuake as CSV, like "hazard_curve-mean-PGA.csv", in place of hazard"""
+    site: Place | None = None
+    """{ longitude, latitude } in degrees: which site of `curve`, the nearest, at most 50 km away; needed where it holds
+    several"""
+    target: PositiveRatio | None = None
+    """annual rate that the risk is compared with, like 2e-4"""
+
+    @model_validator(mode="after")
+    def _one_source(self) -> Risk:
+        if self.hazard is not None and self.curve is not None:
+            raise error_at("curve", "beside hazard; give one of them")
+        if self.site is not None and self.curve is None:
+            raise error_at("site", "only of curve; remove it")
+        rows = self.hazard or ()
+        for place, (low, high) in enumerate(pairwise(rows), start=1):
+            if not (high.pga > low.pga and high.annual_rate < low.annual_rate):
+                raise error_at(("hazard", place), "rows rise in pga and fall in rate; sort them")
+        return self
+
+
+class Analysis(ProjectSection):
     """What is asked."""
 
     levels: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level"))] | None = (
@@ -114,7 +523,7 @@ class Analysis(Section):
     """overturning envelopes: { shape, frequency = { from, to, count }, amplitude = { from, to, count } }"""
     sweep: Sweeps = ()
     """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
-    sensitivity: Asked = None
+    sensitivity: SensitivityOrSwitch = None
     """true, or { vary, thickness, density, … }: how the verdicts move with numbers that are not well known"""
     fragility: Fragility | None = None
     """a table [analysis.fragility] for `assess fragility`: { measures, states, method, samples, seed, … }"""
@@ -129,7 +538,7 @@ class Analysis(Section):
         return self.sweep if isinstance(self.sweep, tuple) else (self.sweep,)
 
 
-class Nzsee2017(Section):
+class Nzsee2017(ProjectSection):
     """Options of the face-loaded walls of NZSEE 2017, C8."""
 
     usable: Share | None = None
@@ -141,7 +550,7 @@ class Nzsee2017(Section):
     """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
-class Asce41(Section):
+class Asce41(ProjectSection):
     """Options of the permissible h/t of ASCE 41-13."""
 
     position: Position | None = None
@@ -154,7 +563,7 @@ class Asce41(Section):
     """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
 
 
-class Ec8(Section):
+class Ec8(ProjectSection):
     """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
     behaviour_factor: Annotated[Ratio, Field(ge=1, le=2)] | None = None
@@ -165,14 +574,14 @@ class Ec8(Section):
     """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
-class Asce4305(Section):
+class Asce4305(ProjectSection):
     """Options of ASCE/SEI 43-05."""
 
     allowable_sliding: PositiveLength | None = None
     """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
 
 
-class Procedures(Section):
+class Procedures(ProjectSection):
     """Options of the code procedures, one table each."""
 
     asce43_05: Asce4305 = Field(alias="asce43-05", default_factory=Asce4305)
@@ -187,3 +596,32 @@ class Procedures(Section):
     """options of asce41-13-ht"""
     ec8: Ec8 = Field(default_factory=Ec8)
     """options of ec8-element"""
+
+
+WITH_GAMMA = "mavroeidis-papageorgiou"
+PLAIN_MEASURES = ("pga", "pgv", "sa-average", "pga/(g tan alpha)", "p pgv/(g tan alpha)")
+
+KIND_OF = {"pga": "acceleration", "sa": "acceleration", "sa-average": "acceleration", "pgv": "speed"}
+"""The kind of quantity of a measure's intensities; the others are ratios."""
+_SPECTRAL_MEASURE = re.compile(r"(sa|sa-average)\((.+)\)")
+_MEASURE_REMEDY = f'write one of {quote_names(PLAIN_MEASURES)}, or "sa(0.5 s)", "sa-average(0.2 s, 0.5 s, 1 s)"'
+
+
+def measure_of(text: Any) -> tuple[str, tuple[float, ...]]:
+    """Return the key of a measure and its periods [s]; raise ValueError for what is none.
+
+    Parameters
+    ----------
+    text : such as "pga" or "sa(0.5 s)"
+    """
+    if text in PLAIN_MEASURES:
+        return str(text), ()
+    found = _SPECTRAL_MEASURE.fullmatch(text) if isinstance(text, str) else None
+    if found is None:
+        raise ValueError(f"not a measure of intensity; {_MEASURE_REMEDY}")
+    periods = tuple(key_value(each.strip(), KINDS["time"]) for each in found[2].split(","))
+    if any(not 0.0 < period <= 10.0 for period in periods):
+        raise ValueError(f"a period is not above 0 and up to 10 s; {_MEASURE_REMEDY}")
+    if (found[1] == "sa") != (len(periods) == 1):
+        raise ValueError(f"sa has one period, and sa-average several; {_MEASURE_REMEDY}")
+    return found[1], tuple(sorted(periods))

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Tag
+import numpy as np
+import shapely
+from pydantic import AfterValidator, Discriminator, Field, Tag
 
-from assess.project.quantities import (
+from assess.geometry.solid import find_crossing, remove_repeats
+from assess.interfaces.section import THINNEST
+from assess.project.section import ProjectSection, error_at
+from assess.project.values import (
+    UNCERTAIN,
     InputFile,
     LengthUnit,
     Name,
@@ -20,12 +26,9 @@ from assess.project.quantities import (
     PositiveStress,
     SpacePoint,
 )
-from assess.project.section import Section
-from assess.project.sections.corners import Corners
-from assess.project.sections.uncertain_number import UNCERTAIN
 
 
-class Material(Section):
+class Material(ProjectSection):
     """A masonry."""
 
     density: Annotated[PositiveDensity, UNCERTAIN]
@@ -42,7 +45,7 @@ class Material(Section):
     """coefficient of friction"""
 
 
-class Box(Section):
+class Box(ProjectSection):
     """A rectangular block: thickness along x, length along y."""
 
     thickness: Annotated[PositiveLength, UNCERTAIN]
@@ -55,7 +58,7 @@ class Box(Section):
     """centre of the base face [x, y, z]"""
 
 
-class MeshBody(Section):
+class MeshBody(ProjectSection):
     """A body bounded by a triangle mesh, which is mended where it is not closed; a warning then says how.
 
     In the project z points up. glTF files have y up and are in metres by their standard; they are turned.
@@ -74,7 +77,7 @@ class MeshBody(Section):
     one body; all of the file if absent"""
 
 
-class BoxBody(Section):
+class BoxBody(ProjectSection):
     """A rectangular body."""
 
     material: Name
@@ -83,7 +86,24 @@ class BoxBody(Section):
     """{ thickness, length, height, base }"""
 
 
-class ProfileBody(Section):
+def _simple(corners: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+    """Check that corners enclose an area and that the sides meet only at them."""
+    points = np.array(corners)
+    if shapely.MultiPoint(points).convex_hull.area <= THINNEST * float(np.ptp(points, axis=0).max()) ** 2:
+        raise error_at((), "no area, its corners lie on a line; give corners that enclose one")
+    meet = find_crossing(remove_repeats(points))
+    if meet is not None:
+        at = f"[{meet[0]:.4g}, {meet[1]:.4g}] m"
+        raise error_at(
+            (), f"its sides cross or touch one another at {at}; list its corners in order around the outline"
+        )
+    return corners
+
+
+Corners = Annotated[tuple[PlanePoint, ...], Field(min_length=3), AfterValidator(_simple)]
+
+
+class ProfileBody(ProjectSection):
     """A polygon in the x-z plane, extruded along y and centred on y = 0."""
 
     material: Name
@@ -94,7 +114,7 @@ class ProfileBody(Section):
     """length along y, like "3.0 m\""""
 
 
-class DirectBody(Section):
+class DirectBody(ProjectSection):
     """A body by its mass, centroid and inertia, without geometry."""
 
     mass: Annotated[PositiveMass, UNCERTAIN]

@@ -1,35 +1,157 @@
-"""All that a project file says."""
+"""All that a project file says: its keys at the top, the table [report], and whether its tables agree.
+
+[report] says how the report looks, its front matter, and what became of each mechanism that a building of its type can
+have: examined, absent, or possible and not examined.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import date
-from typing import Annotated, Any
+from difflib import get_close_matches
+from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, StrictInt, StrictStr, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictStr, model_validator
+from pydantic_core import PydanticCustomError
 
+from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
 from assess.codes.families import procedures_of_site
-from assess.project.key_text import value_text
-from assess.project.quantities import Name
-from assess.project.section import Section, quote_names, wrong
+from assess.project.section import ProjectSection, error_at, quote_names, value_text
 from assess.project.sections.analysis import Analysis, Procedures, Records
 from assess.project.sections.bodies import BodySection, DirectBody, Material
-from assess.project.sections.checklist import checklist
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
-from assess.project.sections.mechanisms import Chained, MechanismSection
-from assess.project.sections.report import Report
+from assess.project.sections.mechanisms import (
+    Chained,
+    CutAngle,
+    CutPlane,
+    Mechanism,
+    MechanismSection,
+    SingleBlock,
+    TwoBlock,
+)
+from assess.project.sections.procedures import VerdictSection
 from assess.project.sections.site import Building, Site
-from assess.project.sections.verdict import VerdictSection
+from assess.project.values import (
+    DateText,
+    GeographicCoordinates,
+    InputFile,
+    ItemKeys,
+    Name,
+    NumberText,
+    Paragraph,
+    TextLine,
+)
+from assess.results import ChecklistItem
 
 ALIKE = ("client", "checker", "date", "reference")
 """Keys that may stand at the top of the file or in [report]."""
 
 
-def _text_or_date(value: Any) -> Any:
+def _title_date(value: Any) -> Any:
     return value.isoformat() if isinstance(value, date) else value
 
 
-class Content(Section):
+MOST_FIGURES = 12
+MOST_REVISIONS = 40
+
+
+def _begins_with_its_kind(text: str) -> str:
+    if text.partition(":")[0].strip() not in SOURCE_KINDS:
+        raise PydanticCustomError(
+            "project", "{reason}", {"reason": f"begin with {quote_names(SOURCE_KINDS)}, then a colon and the source"}
+        )
+    return text
+
+
+SourceText = Annotated[str, AfterValidator(_begins_with_its_kind)]
+
+
+class RevisionSection(ProjectSection):
+    """One issue of the report."""
+
+    number: NumberText
+    """of the revision, like 0 or "B\""""
+    date: DateText
+    """of the revision, like 2024-05-31"""
+    description: Paragraph = ""
+    """what changed"""
+    author: TextLine = ""
+    """who made it"""
+
+
+class FigureSection(ProjectSection):
+    """A photograph or drawing of the building."""
+
+    file: InputFile
+    """PNG or JPEG, path relative to the project file"""
+    caption: Paragraph = ""
+    """what it shows"""
+
+
+class Report(ProjectSection):
+    """How the report looks, what its front matter says, and which mechanisms the building can have."""
+
+    units: Literal["SI", "US"] = "SI"
+    """units of the report, tables and figures; results.json is in SI, calculation sheets are in both"""
+    paper: Literal["A4", "letter"] = "A4"
+    """paper size"""
+    language: Literal["en", "it"] = "en"
+    """language of the report: English or Italian"""
+    detail: Literal["main", "full"] = "main"
+    """"main", or "full": with the annexes"""
+    client: TextLine = ""
+    """for whom"""
+    address: Paragraph = ""
+    """of the building; may have several lines"""
+    coordinates: GeographicCoordinates = ""
+    """of the building: [latitude, longitude] in degrees, like [42.351, 13.401], or a text"""
+    author: TextLine = ""
+    """who wrote the report"""
+    office: TextLine = ""
+    """office or company of the author"""
+    licence_number: NumberText = ""
+    """of the author in the register of the profession"""
+    checker: TextLine = ""
+    """who checked it"""
+    date: DateText = ""
+    """date of the report"""
+    status: TextLine = ""
+    """status of the report, like "for approval\""""
+    reference: TextLine = ""
+    """the office's number of the job"""
+    revisions: Annotated[tuple[RevisionSection, ...], Field(max_length=MOST_REVISIONS)] = ()
+    """[ { number, date, description, author }, … ], the oldest first"""
+    logo: InputFile | None = None
+    """PNG or JPEG of the office, path relative to the project file"""
+    figures: Annotated[tuple[FigureSection, ...], Field(max_length=MOST_FIGURES)] = ()
+    """[ { file, caption }, … ]: photographs and drawings, PNG or JPEG"""
+    seismic_zone: NumberText = ""
+    """of the municipality, like 2 or "3S\""""
+    national_annex: TextLine = ""
+    """to the Eurocodes as used, like "UNI EN 1998-1, Italian annex 2013\""""
+    building_type: BuildingType | None = None
+    """"house" or "church": which list of possible mechanisms the report goes through"""
+    absent: ItemKeys = ()
+    """keys of that list which the building cannot have, like ["corner", "chimney"]"""
+    not_examined: dict[TextLine, Paragraph] = Field(default_factory=dict)
+    """keys of that list which are possible and were not examined, each with the reason"""
+    verification: InputFile | None = None
+    """the verification.json that the report names, written by `assess verify --for PROJECT`; if absent that of the
+    folder NAME-verification beside this file, where there is one"""
+    sources: dict[str, SourceText] = Field(default_factory=dict)
+    """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
+    "assumed: …\""""
+
+    @model_validator(mode="after")
+    def _revisions_differ(self) -> Report:
+        numbers = [each.number for each in self.revisions]
+        for place, number in enumerate(numbers):
+            if number in numbers[:place]:
+                raise error_at(("revisions", place, "number"), "a revision of this number is there already; count on")
+        return self
+
+
+class Content(ProjectSection):
     """All a project file says."""
 
     format: StrictInt = 1
@@ -44,7 +166,7 @@ class Content(Section):
     """the office's number of the job"""
     client: StrictStr = ""
     """for whom"""
-    date: Annotated[StrictStr, BeforeValidator(_text_or_date)] = ""
+    date: Annotated[StrictStr, BeforeValidator(_title_date)] = ""
     """date of the report"""
     notes: StrictStr = ""
     """remarks for the report"""
@@ -82,14 +204,16 @@ class Content(Section):
     def _names_exist(self) -> Content:
         for name, body in self.bodies.items():
             if not isinstance(body, DirectBody) and body.material not in self.materials:
-                raise wrong(("bodies", name, "material"), f"no such material; {_known('materials', self.materials)}")
+                raise error_at(
+                    ("bodies", name, "material"), f"no such material; {_known_names('materials', self.materials)}"
+                )
         for name, mechanism in self.mechanisms.items():
             used = [body for block in mechanism.blocks for body in block] if isinstance(mechanism, Chained) else []
             if not set(used) <= set(self.bodies):
-                raise wrong(("mechanisms", name, "blocks"), f"no such body; {_known('bodies', self.bodies)}")
+                raise error_at(("mechanisms", name, "blocks"), f"no such body; {_known_names('bodies', self.bodies)}")
             twice = sorted({body for body in used if used.count(body) > 1})
             if twice:
-                raise wrong(
+                raise error_at(
                     ("mechanisms", name, "blocks"), f"{quote_names(tuple(twice))} named twice; a body moves once"
                 )
             if isinstance(mechanism, Chained):
@@ -101,7 +225,7 @@ class Content(Section):
         for key in ALIKE:
             above, below = getattr(self, key), getattr(self.report, key)
             if above and below and above != below:
-                raise wrong(("report", key), f"beside {key} = {value_text(above)} at the top of the file; give one")
+                raise error_at(("report", key), f"beside {key} = {value_text(above)} at the top of the file; give one")
         return self
 
     @model_validator(mode="after")
@@ -114,20 +238,146 @@ class Content(Section):
         taken: dict[str, set[int | None]] = {}
         for place, load in enumerate(mechanism.loads):
             if isinstance(load, OverburdenLoad) and not set(load.bodies) <= set(self.bodies) - moving:
-                known = _known("bodies", self.bodies)
-                raise wrong(("mechanisms", name, "loads", place, "bodies"), f"no body beside the wall; {known}")
+                known = _known_names("bodies", self.bodies)
+                raise error_at(("mechanisms", name, "loads", place, "bodies"), f"no body beside the wall; {known}")
             if not isinstance(load, BodyLoad):
                 continue
             key = ("mechanisms", name, "loads", place, "body")
             if load.body not in self.bodies:
-                raise wrong(key, f"no such body; {_known('bodies', self.bodies)}")
+                raise error_at(key, f"no such body; {_known_names('bodies', self.bodies)}")
             blocks = taken.setdefault(load.body, set())
             if load.body in moving or load.block in blocks:
-                raise wrong(key, "it is part of a block, or a load of this block already; name another body")
+                raise error_at(key, "it is part of a block, or a load of this block already; name another body")
             if blocks and (load.block is None or None in blocks):
-                raise wrong(key, "it is listed twice; give each of the entries its block, or keep one without")
+                raise error_at(key, "it is listed twice; give each of the entries its block, or keep one without")
             blocks.add(load.block)
 
 
-def _known(table: str, names: Mapping[str, Any]) -> str:
+def _known_names(table: str, names: Mapping[str, Any]) -> str:
     return f"known: {quote_names(names)}" if names else f"add a table [{table}.NAME]"
+
+
+SOURCE_KINDS = ("measured", "literature", "assumed")
+Key = tuple[str | int, ...]
+
+
+def checklist(report: Report, mechanisms: Mapping[str, Mechanism]) -> tuple[ChecklistItem, ...]:
+    """Return every item of the list of the building's type, with what became of it; empty without a type.
+
+    An item that some mechanisms examine and `not_examined` names too is examined in part: it counts as not examined.
+
+    Parameters
+    ----------
+    report : the section of the project file
+    mechanisms : of the project, by name
+
+    Raises
+    ------
+    ProjectError
+        An item is not in the list, is named twice, or is absent and yet examined.
+    """
+    building_type = report.building_type
+    if building_type is None:
+        _refuse_items(report, mechanisms)
+        return ()
+    examined = _examined(building_type, mechanisms)
+    absent = _absent(report, building_type, examined)
+    reasons = _reasons(report, building_type, absent)
+    return tuple(_item(each, examined, absent, reasons) for each in CHECKLISTS[building_type])
+
+
+def _item(
+    item: PossibleMechanism, examined: Mapping[str, Sequence[str]], absent: Sequence[str], reasons: Mapping[str, str]
+) -> ChecklistItem:
+    names = tuple(examined.get(item.key, ()))
+    if item.key in reasons:
+        return ChecklistItem(item.key, item.number, "not-examined", names, reasons[item.key])
+    if names:
+        return ChecklistItem(item.key, item.number, "examined", names)
+    if item.key in absent:
+        return ChecklistItem(item.key, item.number, "absent")
+    return ChecklistItem(item.key, item.number, "not-examined", spoken_for=False)
+
+
+def _refuse_items(report: Report, mechanisms: Mapping[str, Mechanism]) -> None:
+    """Refuse items of a list where the file does not say which list."""
+    named: dict[Key, object] = {("report", "absent"): report.absent, ("report", "not_examined"): report.not_examined}
+    named |= {("mechanisms", name, "examines"): each.examines for name, each in mechanisms.items()}
+    for key, items in named.items():
+        if items:
+            raise error_at(key, 'names items of no list; write building_type = "house" or "church" in [report]')
+
+
+def _examined(building_type: BuildingType, mechanisms: Mapping[str, Mechanism]) -> dict[str, list[str]]:
+    """Return the names of the mechanisms that examine each item."""
+    found: dict[str, list[str]] = {}
+    for name, mechanism in mechanisms.items():
+        given = mechanism.examines
+        for key in _items_by_kind(building_type, mechanism) if given is None else given:
+            where: Key = ("mechanisms", name, "examines")
+            item = _listed_item(building_type, key, where)
+            if item.in_plane:
+                raise error_at(where, f'"{item.key}": no mechanism here is of damage in the plane of walls; remove it')
+            if name in found.setdefault(item.key, []):
+                raise error_at(where, f'"{item.key}" stands there twice, by number and by key; remove one')
+            found[item.key].append(name)
+    return found
+
+
+def _items_by_kind(building_type: BuildingType, mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the item that the kind of a mechanism tells: of houses, for one wall above a level crack or its base."""
+    if building_type != "house":
+        return ()
+    if isinstance(mechanism, TwoBlock):
+        return ("vertical-bending",)
+    inclined = isinstance(mechanism, SingleBlock) and isinstance(mechanism.cut, CutPlane | CutAngle)
+    if isinstance(mechanism, SingleBlock) and len(mechanism.blocks[0]) == 1 and not inclined:
+        return ("simple-overturning",)
+    return ()
+
+
+def _absent(report: Report, building_type: BuildingType, examined: Mapping[str, Sequence[str]]) -> list[str]:
+    where: Key = ("report", "absent")
+    keys = [_listed_item(building_type, key, where).key for key in report.absent]
+    for place, key in enumerate(keys):
+        if key in keys[:place]:
+            raise error_at(where, f'"{key}" stands there twice, by number and by key; remove one')
+        if key in examined:
+            of = f"mechanisms.{examined[key][0]}"
+            raise error_at(where, f'"{key}" is what {of} examines; remove it, or give {of} other items in `examines`')
+    return keys
+
+
+def _reasons(report: Report, building_type: BuildingType, absent: Sequence[str]) -> dict[str, str]:
+    """Return why items are not examined, by their keys."""
+    found: dict[str, str] = {}
+    for written, reason in report.not_examined.items():
+        where: Key = ("report", "not_examined", written)
+        key = _listed_item(building_type, written, where).key
+        if not reason.strip():
+            raise error_at(where, 'no reason; write why it was not examined, like "no access"')
+        if key in found:
+            raise error_at(where, f'"{key}" stands there twice, by number and by key; remove one')
+        if key in absent:
+            raise error_at(where, f'"{key}" stands in `absent` too; remove it there or here')
+        found[key] = reason
+    return found
+
+
+def _listed_item(building_type: BuildingType, key: str, where: Key) -> PossibleMechanism:
+    found = possible_mechanism(building_type, key)
+    if found is None:
+        raise error_at(where, f'"{key}" is none of the list for a {building_type}; {_item_remedy(building_type, key)}')
+    return found
+
+
+def _item_remedy(building_type: BuildingType, key: str) -> str:
+    near = get_close_matches(key, list(_item_keys(building_type)), n=1)
+    if near:
+        return f'did you mean "{near[0]}"?'
+    numbers = ", or a number from 1 to 28" if building_type == "church" else ""
+    return f"known: {', '.join(_item_keys(building_type))}{numbers}"
+
+
+def _item_keys(building_type: BuildingType) -> Iterator[str]:
+    yield from (each.key for each in CHECKLISTS[building_type])

@@ -6,8 +6,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, StrictBool, StrictInt, Tag, WithJsonSchema, model_validator
 
-from assess.geometry.contact import TOLERANCE
-from assess.project.quantities import (
+from assess.geometry.contact import CONTACT_TOLERANCE
+from assess.project.section import ProjectSection, error_at, quote_names
+from assess.project.units import KINDS, key_value
+from assess.project.values import (
+    UNCERTAIN,
     AnyDirection,
     Length,
     Name,
@@ -20,9 +23,6 @@ from assess.project.quantities import (
     Share,
     quantity_schema,
 )
-from assess.project.section import Section, quote_names, wrong
-from assess.project.sections.uncertain_number import UNCERTAIN
-from assess.project.units import KINDS, key_value
 
 BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 
@@ -79,7 +79,7 @@ Until = Annotated[
 ]
 
 
-class MassLoad(Section):
+class MassLoad(ProjectSection):
     """A point mass: a floor, a roof, a wall that moves with the block."""
 
     kind: Literal["mass"]
@@ -98,11 +98,11 @@ class MassLoad(Section):
     @model_validator(mode="after")
     def _what_bears_has_a_seat(self) -> MassLoad:
         if self.seat is not None and not self.bearing:
-            raise wrong("seat", "only what bears on the block has a seat; remove it, or write bearing = true")
+            raise error_at("seat", "only what bears on the block has a seat; remove it, or write bearing = true")
         return self
 
 
-class ForceLoad(Section):
+class ForceLoad(ProjectSection):
     """A dead force: the thrust of a vault or roof."""
 
     kind: Literal["force"]
@@ -122,13 +122,13 @@ class ForceLoad(Section):
     @model_validator(mode="after")
     def _size_has_a_direction(self) -> ForceLoad:
         if isinstance(self.force, float) and self.direction is None:
-            raise wrong("direction", "missing; a force given by its size needs one, or write force = [x, z]")
+            raise error_at("direction", "missing; a force given by its size needs one, or write force = [x, z]")
         if not isinstance(self.force, float) and self.direction is not None:
-            raise wrong("direction", "beside components of the force; remove one of them")
+            raise error_at("direction", "beside components of the force; remove one of them")
         return self
 
 
-class TieLoad(Section):
+class TieLoad(ProjectSection):
     """A tie of constant pretension; slack on the branch where it shortens.
 
     It counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source.
@@ -161,11 +161,11 @@ class TieLoad(Section):
     @model_validator(mode="after")
     def _one_way_to_pull(self) -> TieLoad:
         if (self.direction is None) == (self.anchor is None):
-            raise wrong("anchor", "give either anchor or direction, the way the tie pulls")
+            raise error_at("anchor", "give either anchor or direction, the way the tie pulls")
         return self
 
 
-class OverburdenLoad(Section):
+class OverburdenLoad(ProjectSection):
     """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own."""
 
     kind: Literal["overburden"]
@@ -183,16 +183,16 @@ class OverburdenLoad(Section):
     @model_validator(mode="after")
     def _one_of_them(self) -> OverburdenLoad:
         if (self.force is None) == (not self.bodies):
-            raise wrong("force", "give either force, or the bodies that press")
+            raise error_at("force", "give either force, or the bodies that press")
         if self.through == "joint" and self.eccentricity:
-            raise wrong(
+            raise error_at(
                 "through",
                 'a load through the joint presses where the joint does; remove eccentricity, or write "fixed"',
             )
         return self
 
 
-class BodyLoad(Section):
+class BodyLoad(ProjectSection):
     """A floor, roof or vault given as a body: what it puts on the block is found where it touches it."""
 
     kind: Literal["body"]
@@ -201,7 +201,7 @@ class BodyLoad(Section):
     """the name of a table [bodies.NAME] that is not part of the block"""
     role: Literal["floor", "roof", "vault"] = "floor"
     """"floor" (weight), or "roof" or "vault" (weight and thrust)"""
-    tolerance: PositiveLength = TOLERANCE
+    tolerance: PositiveLength = CONTACT_TOLERANCE
     """faces this near each other touch"""
     share: Share | None = None
     """part of the body that this block carries, in (0, 1]; by statics from what else carries it if absent"""
@@ -234,15 +234,15 @@ class BodyLoad(Section):
     def _keys_belong_together(self) -> BodyLoad:
         for key in ("thrust", "span", "rise", "tied"):
             if self.role == "floor" and self.has_key(key):
-                raise wrong(key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it')
+                raise error_at(key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it')
         for key in ("vault", "construction", "fill"):
             if self.role != "vault" and self.has_key(key):
-                raise wrong(key, 'only of a vault; write role = "vault", or remove it')
+                raise error_at(key, 'only of a vault; write role = "vault", or remove it')
         instead = {"thrust": ("tied", "span", "rise"), "mass": ("construction", "fill")}
         for number, keys in instead.items():
             for key in keys:
                 if getattr(self, key) and getattr(self, number) is not None:
-                    raise wrong(key, f"beside {number}, which leaves nothing for it to say; remove one of them")
+                    raise error_at(key, f"beside {number}, which leaves nothing for it to say; remove one of them")
         return self
 
 

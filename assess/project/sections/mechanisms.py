@@ -1,4 +1,4 @@
-"""The tables [mechanisms.NAME]."""
+"""The tables [mechanisms.NAME], with their hinges, cuts, interfaces, restitution and amplification."""
 
 from __future__ import annotations
 
@@ -10,35 +10,55 @@ from pydantic import (
     BeforeValidator,
     Discriminator,
     Field,
+    GetJsonSchemaHandler,
+    StrictInt,
     StrictStr,
     Tag,
     WithJsonSchema,
     model_validator,
 )
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
 from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
+from assess.mechanisms.equivalent_block import INERTIA_RATIOS
+from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
+from assess.mechanisms.restitution import RESTITUTIONS
+from assess.mechanisms.two_block import CRACKS
 from assess.model.definitions import keys_along_direction
-from assess.model.ranges import INERTIA_RATIOS
-from assess.project.quantities import (
+from assess.project.section import ProjectSection, error_at, quote_names
+from assess.project.sections.bodies import Corners
+from assess.project.sections.loads import LoadSection, OverburdenLoad
+from assess.project.units import KINDS, key_value
+from assess.project.values import (
+    UNCERTAIN,
+    UNCERTAIN_COORDINATE,
+    UNCERTAIN_RESTITUTION,
+    UNCERTAIN_UPLIFT,
+    Angle,
+    Coordinate,
+    Inclination,
+    ItemKeys,
+    JointStiffness,
     Length,
     Name,
+    NotNegativeLength,
+    PlanePoint,
+    PositiveFrequency,
     PositiveLength,
     PositiveMass,
     PositiveRate,
+    PositiveRatio,
+    Ratio,
     SoughtDirection,
+    SpacePoint,
+    Strength,
     Uplift,
+    a_point,
+    quantity_schema,
     unique,
 )
-from assess.project.report_texts import ItemKeys
-from assess.project.section import Section, quote_names, wrong
-from assess.project.sections.amplification import AmplificationSection, NoAmplification
-from assess.project.sections.cuts import Crack, Cut
-from assess.project.sections.hinges import ArchHinges, FourHinges, Hinges, Joints, ThreeHinges
-from assess.project.sections.interfaces import Interface, Letter
-from assess.project.sections.loads import LoadSection, OverburdenLoad
-from assess.project.sections.restitution import ONE_FOR_BOTH, Restitution
-from assess.project.sections.uncertain_number import UNCERTAIN, UNCERTAIN_RESTITUTION, UNCERTAIN_UPLIFT
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 
@@ -54,12 +74,240 @@ BlockNames = Annotated[
     AfterValidator(unique("body")),
     WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]}),
 ]
-
-
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
 
 
-class Chained(Section):
+class CutPlane(ProjectSection):
+    """An inclined crack."""
+
+    point: SpacePoint
+    """a point of the plane [x, y, z]"""
+    normal: tuple[Ratio, Ratio, Ratio]
+    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
+
+
+class CutAngle(ProjectSection):
+    """A crack inclined in the plane of motion."""
+
+    point: SpacePoint
+    """a point of the plane [x, y, z]"""
+    angle: Inclination
+    """from the horizontal, like "60 deg": where positive, the crack falls towards the direction"""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_inclination(cls, values: Any) -> Any:
+        if isinstance(values, dict) and "normal" in values:
+            raise error_at("normal", "beside angle; remove one of them")
+        return values
+
+
+def _cut_tag(value: Any) -> str:
+    if isinstance(value, CutAngle) or (isinstance(value, dict) and "angle" in value):
+        return "<angle>"
+    return "<plane>" if isinstance(value, dict | CutPlane) else "<elevation>"
+
+
+Cut = Annotated[
+    Annotated[Length, Tag("<elevation>")] | Annotated[CutPlane, Tag("<plane>")] | Annotated[CutAngle, Tag("<angle>")],
+    Discriminator(_cut_tag),
+]
+HingeName = Literal["A", "B", "C", "D"]
+
+
+def _contact_shape(value: Any) -> Any:
+    """Check that the value is "outline" or a table."""
+    if value == "outline" or isinstance(value, dict | Shape):
+        return value
+    meant = [value] if value in list(SHAPE_SIZES) else list(SHAPE_SIZES)
+    forms = ", ".join(f"{{ {name} = {SHAPE_SIZES[name]} }}" for name in meant)
+    raise error_at((), f'not allowed; write "outline", or {forms}')
+
+
+JointSize = Annotated[PositiveLength, UNCERTAIN]
+
+
+def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
+    """Check that the hole of an outline is smaller than the outline."""
+    half = len(sizes) // 2
+    for outside, inside in zip(sizes[:half], sizes[half:], strict=True):
+        if inside >= outside:
+            raise error_at((), f"the hole, {inside:g} m, must be smaller than the outside, {outside:g} m")
+    return sizes
+
+
+class Shape(ProjectSection):
+    """The contact by one of its sizes, the first along the direction of motion, the second across."""
+
+    rectangle: tuple[JointSize, JointSize] | None = None
+    """[thickness, length]"""
+    hollow_rectangle: Annotated[tuple[JointSize, JointSize, JointSize, JointSize], AfterValidator(_hollow)] | None = (
+        None
+    )
+    """[thickness, length, inner thickness, inner length]"""
+    circle: JointSize | None = None
+    """diameter"""
+    annulus: Annotated[tuple[JointSize, JointSize], AfterValidator(_hollow)] | None = None
+    """[diameter, inner diameter]"""
+    polygon: Corners | None = None
+    """corners [[x, y], …] in plan"""
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        given = [key for key, value in self.entries().items() if value is not None]
+        if len(given) != 1:
+            raise error_at(given[-1] if given else "rectangle", f"one shape is needed, not {len(given)}")
+        return self
+
+
+class Interface(ProjectSection):
+    """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
+
+    model: Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"] = "rigid"
+    """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
+    "semi-flexible", about the resultant: "flexible-thesis\""""
+    stiffness: Annotated[JointStiffness, UNCERTAIN] | None = None
+    """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
+    course_thickness: Annotated[PositiveLength, UNCERTAIN] | None = None
+    """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
+    strength: Annotated[Strength, UNCERTAIN] | None = None
+    """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""
+    shape: Annotated[
+        Annotated[Literal["outline"], Tag("<outline>")] | Annotated[Shape, Tag("<shape>")],
+        Discriminator(lambda value: "<shape>" if isinstance(value, dict | Shape) else "<outline>"),
+        BeforeValidator(_contact_shape),
+    ] = "outline"
+    """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
+
+    @model_validator(mode="after")
+    def _stiffness_is_given_once(self) -> Self:
+        given = [key for key in ("stiffness", "course_thickness") if getattr(self, key) is not None]
+        if self.model == "rigid" and given:
+            raise error_at(given[0], 'is for flexible interfaces; write model = "flexible", or remove it')
+        if self.model != "rigid" and len(given) != 1:
+            raise error_at("stiffness", "give either stiffness or course_thickness")
+        return self
+
+
+class _OneForBoth:
+    """The mark of a key whose one value stands for both directions."""
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        return {
+            "anyOf": [handler(schema), {"type": "number", "minimum": 0, "maximum": 1}, {"enum": list(RESTITUTIONS)}]
+        }
+
+
+ONE_FOR_BOTH = _OneForBoth()
+
+
+def _restitution(value: Any) -> float | str:
+    if isinstance(value, str):
+        if value not in RESTITUTIONS:
+            raise ValueError(f"not a known restitution; write a number in [0, 1] or one of {quote_names(RESTITUTIONS)}")
+        return value
+    number = key_value(value, KINDS["ratio"])
+    if not 0.0 <= number <= 1.0:
+        raise ValueError("outside [0, 1]; restitution is velocity after over velocity before the impact")
+    return number
+
+
+RestitutionValue = Annotated[
+    float | Literal["thesis", "housner", "sorrentino", "momentum"],
+    BeforeValidator(_restitution),
+    Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
+    KINDS["ratio"],
+    UNCERTAIN_RESTITUTION,
+]
+
+
+class Restitution(ProjectSection):
+    """Velocity after over velocity before the impact that ends a rotation, for each direction."""
+
+    positive: RestitutionValue | None = None
+    """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
+    negative: RestitutionValue | None = None
+    """the same for the impact that ends negative rotation"""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_for_both(cls, value: Any) -> Any:
+        return value if isinstance(value, dict | Restitution) else {"positive": value, "negative": value}
+
+
+class NoAmplification(ProjectSection):
+    """The ground's motion as it is."""
+
+    method: Literal["none"] = "none"
+    """"none\""""
+
+
+AMPLIFICATION_METHODS = (
+    "none",
+    "srss",
+    "srss-relative",
+    "modal-filter",
+    "ec8",
+    "ec8-resonance",
+    "ec8-printed",
+    "nzs1170.5",
+)
+
+
+class RaisedAmplification(ProjectSection):
+    """What every method that amplifies needs."""
+
+    height: NotNegativeLength | None = None
+    """of the mechanism's base above the ground; by its elevation if absent"""
+
+
+class FirstModeAmplification(RaisedAmplification):
+    """The first mode of the structure, its shape linear in height."""
+
+    method: Literal["srss", "srss-relative", "modal-filter"]
+    """"srss" (thesis 3.48), "srss-relative" (pulses by 3.47), or "modal-filter": through the first mode"""
+    natural_frequency: PositiveFrequency | None = None
+    """first natural frequency, like "2.5 Hz"; [building]'s, or Rayleigh's of the bodies if absent"""
+    effective_height: PositiveLength | None = None
+    """height of the resultant of the first mode's inertia; [building]'s, or Rayleigh's of the bodies if absent"""
+
+
+class FloorAmplification(RaisedAmplification):
+    """A floor factor of a code, from the height of [building]."""
+
+    method: Literal["ec8", "ec8-resonance", "nzs1170.5"]
+    """"ec8" (EN 1998-1 4.3.5.2, rigid part), "ec8-resonance" (T_a = T_1), or "nzs1170.5" (8.3)"""
+
+
+class PrintedAmplification(RaisedAmplification):
+    """The floor factor of EN 1998-1 as thesis eq. 3.49 prints it."""
+
+    method: Literal["ec8-printed"]
+    """"ec8-printed": S [3 (1 + h/H) - 0.5]"""
+    soil_factor: PositiveRatio
+    """soil factor S, like 1.15"""
+
+
+def _amplification_tag(value: Any) -> str | None:
+    method = value.get("method") if isinstance(value, dict) else getattr(value, "method", None)
+    return _AMPLIFICATION_TAGS.get(method) if isinstance(method, str) else None
+
+
+AmplificationSection = Annotated[
+    Annotated[NoAmplification, Tag("<none>")]
+    | Annotated[FirstModeAmplification, Tag("<mode>")]
+    | Annotated[FloorAmplification, Tag("<floor>")]
+    | Annotated[PrintedAmplification, Tag("<printed>")],
+    Discriminator(
+        _amplification_tag,
+        custom_error_type="choice",
+        custom_error_message="write one of {names}",
+        custom_error_context={"key": ("method",), "names": quote_names(AMPLIFICATION_METHODS)},
+    ),
+]
+
+
+class Chained(ProjectSection):
     """What all mechanisms of blocks share."""
 
     moving: ClassVar[int] = 1
@@ -79,7 +327,7 @@ class Chained(Section):
     """a number in [0, 1], a name, or { positive, negative }"""
     interface: Interface = Field(default_factory=Interface)
     """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
-    interfaces: dict[Letter, Interface] = Field(default_factory=dict)
+    interfaces: dict[HingeName, Interface] = Field(default_factory=dict)
     """the same for single hinges of a chain, { A = { … }, B = { … } }"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
@@ -93,7 +341,7 @@ class Chained(Section):
         known = "ABCD"[: HINGES[self.moving]]
         for letter in self.interfaces:
             if letter not in known:
-                raise wrong(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
+                raise error_at(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
         return self
 
     def points(self) -> dict[str, tuple[tuple[float, ...], ...] | None]:
@@ -107,7 +355,7 @@ class Chained(Section):
             return self
         for key in keys_along_direction(self, hinges=self.points()):
             of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
-            raise wrong(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
+            raise error_at(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
         return self
 
     @model_validator(mode="after")
@@ -116,10 +364,21 @@ class Chained(Section):
         for number, load in enumerate(self.loads):
             if isinstance(load, OverburdenLoad):
                 if not isinstance(self, TwoBlock):
-                    raise wrong(("loads", number, "kind"), "is for two-block mechanisms; use a mass or a force")
+                    raise error_at(("loads", number, "kind"), "is for two-block mechanisms; use a mass or a force")
             elif load.block is not None and load.block > last:
-                raise wrong(("loads", number, "block"), f"must be {last} or less, counted from 0 at the base")
+                raise error_at(("loads", number, "block"), f"must be {last} or less, counted from 0 at the base")
         return self
+
+
+HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
+UncertainPoint = Annotated[tuple[HingeCoordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
+
+
+class Hinges(ProjectSection):
+    """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
+
+    A: UncertainPoint
+    """the base hinge"""
 
 
 class SingleBlock(Chained):
@@ -133,6 +392,36 @@ class SingleBlock(Chained):
     """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
     hinges_negative: Hinges | None = None
     """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
+
+
+class ThreeHinges(Hinges):
+    """Hinges of a wall of two blocks."""
+
+    B: UncertainPoint
+    """at the crack"""
+    C: UncertainPoint
+    """at the top"""
+
+
+def _crack(value: Any) -> float | str:
+    if isinstance(value, str) and value in CRACKS:
+        return value
+    if isinstance(value, str) and not any(letter.isdigit() for letter in value):
+        raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
+    return key_value(value, KINDS["length"])
+
+
+Crack = Annotated[
+    float | Literal["sorrentino", "minimum"],
+    BeforeValidator(_crack),
+    WithJsonSchema(
+        {
+            "anyOf": [quantity_schema("length"), {"enum": list(CRACKS)}],
+            "description": 'an elevation like "2.4 m", or "sorrentino", "minimum"',
+        }
+    ),
+    KINDS["length"],
+]
 
 
 class TwoBlock(Chained):
@@ -153,8 +442,55 @@ class TwoBlock(Chained):
     @model_validator(mode="after")
     def _one_body_cracks(self) -> Self:
         if len(self.blocks) == 2 and self.crack is not None:
-            raise wrong("crack", "is for one body; two bodies part at their joint, so remove one of them")
+            raise error_at("crack", "is for one body; two bodies part at their joint, so remove one of them")
         return self
+
+
+class FourHinges(ThreeHinges):
+    """Hinges of three blocks."""
+
+    D: UncertainPoint
+    """the far base hinge"""
+
+
+class RadialJoints(ProjectSection):
+    """Joints of an arch that all point to its centre, evenly spaced."""
+
+    centre: PlanePoint
+    """[distance along the direction, elevation]"""
+    first: Angle
+    """angle of the first joint above the direction, like "168.75 deg\""""
+    last: Angle
+    """angle of the last joint, like "11.25 deg\""""
+    count: Annotated[StrictInt, Field(ge=3, le=MOST_VOUSSOIRS)]
+    """number of voussoirs between them"""
+
+    @model_validator(mode="after")
+    def _ends_are_apart(self) -> Self:
+        if self.first == self.last:
+            raise error_at("last", "is the first joint again; give the angle of the other springing")
+        return self
+
+
+JointLine = tuple[PlanePoint, PlanePoint]
+
+Joints = Annotated[
+    Annotated[RadialJoints, Tag("<radial>")]
+    | Annotated[tuple[JointLine, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
+    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJoints) else "<lines>"),
+]
+
+
+def _minimum(value: Any) -> Any:
+    if value != "minimum":
+        raise ValueError('not hinges; write { A, B, C, D }, each a point, or "minimum" for an arch')
+    return value
+
+
+ArchHinges = Annotated[
+    Annotated[FourHinges, Tag("<hinges>")] | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
+    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHinges) else "<minimum>"),
+]
 
 
 class FourHinge(Chained):
@@ -176,26 +512,26 @@ class FourHinge(Chained):
     def _hinges_suit_the_bodies(self) -> Self:
         if self.hinges != "minimum":
             if len(self.blocks) != 3:
-                raise wrong("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
+                raise error_at("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
             if (self.hinges_negative is None) == (self.sides != "one"):
                 two, one = (
                     'missing; two-sided rocking has hinges of its own each way: give them, or sides = "one"',
                     "beside one-sided rocking; remove it",
                 )
-                raise wrong("hinges_negative", two if self.sides != "one" else one)
+                raise error_at("hinges_negative", two if self.sides != "one" else one)
             if self.joints is not None:
-                raise wrong("joints", 'are for an arch with hinges = "minimum"; remove one of them')
+                raise error_at("joints", 'are for an arch with hinges = "minimum"; remove one of them')
             return self
         if self.hinges_negative is not None:
-            raise wrong("hinges_negative", 'are looked for too with hinges = "minimum"; remove them')
+            raise error_at("hinges_negative", 'are looked for too with hinges = "minimum"; remove them')
         if len(self.blocks) != 1 or self.joints is None:
-            raise wrong("joints", 'hinges = "minimum" needs one arch in blocks, and joints where it may open')
+            raise error_at("joints", 'hinges = "minimum" needs one arch in blocks, and joints where it may open')
         if self.loads:
-            raise wrong("loads", 'not with hinges = "minimum"; write the hinges that `assess check` prints')
+            raise error_at("loads", 'not with hinges = "minimum"; write the hinges that `assess check` prints')
         return self
 
 
-class EquivalentBlock(Section):
+class EquivalentBlock(ProjectSection):
     """A mechanism by its rocking parameters, as published tables give them."""
 
     kind: Literal["equivalent-block"]
@@ -229,7 +565,7 @@ class EquivalentBlock(Section):
         ratio = g / (self.p**2 * self.radius)
         if not least <= ratio <= most:
             low, high = (sqrt(g / (each * self.radius)) for each in (most, least))
-            raise wrong(
+            raise error_at(
                 "p",
                 f"with a radius of {self.radius:.4g} m the inertia about the hinge is {ratio:.3g} M R^2, which no "
                 f"mechanism has; give {low:.3g} to {high:.3g} 1/s (a slender block has sqrt(3 g / (4 R)) = "
@@ -258,3 +594,22 @@ MechanismSection = Annotated[
         custom_error_context={"key": ("kind",), "names": quote_names(MECHANISMS)},
     ),
 ]
+
+SHAPE_SIZES = {
+    "rectangle": "[t, l]",
+    "hollow_rectangle": "[t, l, t_in, l_in]",
+    "circle": "d",
+    "annulus": "[d, d_in]",
+    "polygon": "[[x, y], …]",
+}
+
+_AMPLIFICATION_TAGS = {
+    "none": "<none>",
+    "srss": "<mode>",
+    "srss-relative": "<mode>",
+    "modal-filter": "<mode>",
+    "ec8": "<floor>",
+    "ec8-resonance": "<floor>",
+    "nzs1170.5": "<floor>",
+    "ec8-printed": "<printed>",
+}

@@ -6,7 +6,8 @@ from typing import Annotated, Literal, TypeVar
 
 from pydantic import AfterValidator, Field, StrictBool, StrictStr
 
-from assess.project.quantities import (
+from assess.project.section import ProjectSection
+from assess.project.values import (
     Acceleration,
     Count,
     Length,
@@ -17,8 +18,7 @@ from assess.project.quantities import (
     Speed,
     Time,
 )
-from assess.project.section import Section
-from records.compliance.making import CodeName
+from records.compliance import CodeName
 
 T = TypeVar("T", bound=tuple[float, float])
 
@@ -38,7 +38,7 @@ Periods = Annotated[tuple[PositiveTime, PositiveTime], AfterValidator(_rising)]
 Factors = Annotated[tuple[PositiveRatio, PositiveRatio], AfterValidator(_rising)]
 
 
-class Select(Section):
+class Select(ProjectSection):
     """The best suite out of many records."""
 
     code: CodeName | None = Field(default=None, alias="for")

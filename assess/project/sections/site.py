@@ -1,28 +1,222 @@
-"""The tables [site] and [building]."""
+"""The tables [site] and [building], and [site.spectrum] with one class for each way to give a spectrum."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, StrictBool, StrictStr, model_validator
+from pydantic import Discriminator, Field, StrictBool, StrictStr, Tag, model_validator
 
 from assess.codes.context import default_period
-from assess.project.quantities import (
+from assess.project.section import ProjectSection, error_at, quote_names
+from assess.project.values import (
+    UNCERTAIN,
     Count,
     Damping,
+    InputFile,
     Length,
+    NotNegativeLength,
     NotNegativeRatio,
     PositiveAcceleration,
     PositiveFrequency,
     PositiveLength,
+    PositiveRatio,
     PositiveTime,
+    PositiveYears,
+    RatioToOne,
 )
-from assess.project.section import Section, quote_names, wrong
-from assess.project.sections.spectra import LIMIT_STATES, NtcHazardSpectrum, SpectrumSection
-from assess.project.sections.uncertain_number import UNCERTAIN
+
+ASCE7 = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
+NTC = ("ntc2008", "ntc2018")
+SPECTRA = (*ASCE7, "ec8", "nzs1170.5", *NTC, "table")
+Asce7Code = Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"]
 
 
-class Site(Section):
+class Damped(ProjectSection):
+    """What every spectrum may say."""
+
+    damping: Damping = 0.05
+    """damping ratio of the spectrum"""
+
+
+class Asce7Spectrum(Damped):
+    """Design spectrum of ASCE 7 (IBC 2009 refers to 7-05), from its two design ordinates."""
+
+    code: Asce7Code
+    """name and edition of the code; "ibc2009" has the shape of "asce7-05\""""
+    s_ds: PositiveAcceleration
+    """design spectral acceleration at short periods, like "0.167 g"; or give s_s, s_1 and site_class"""
+    s_d1: PositiveAcceleration
+    """design spectral acceleration at 1 s, like "0.053 g\""""
+    t_l: PositiveTime
+    """long-period transition period, like "6 s\""""
+    hazard: Literal["design", "mce"] = "design"
+    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
+
+
+class Asce7MappedSpectrum(Damped):
+    """Design spectrum of ASCE 7 from the mapped accelerations of the rock and the site class."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("s_ds", "s_d1"), "follows from s_s, s_1 and site_class; remove it, or those three"
+    )
+
+    code: Asce7Code
+    """name and edition of the code; "ibc2009" has the coefficients of "asce7-05\""""
+    s_s: PositiveAcceleration
+    """mapped spectral acceleration at short periods, like "0.25 g\""""
+    s_1: PositiveAcceleration
+    """mapped spectral acceleration at 1 s, like "0.08 g\""""
+    site_class: Literal["A", "B", "B-unmeasured", "C", "D", "D-default", "E", "F"]
+    """site class "A" to "E"; in asce7-16 also "B-unmeasured" and "D-default\""""
+    t_l: PositiveTime
+    """long-period transition period, like "6 s\""""
+    hazard: Literal["design", "mce"] = "design"
+    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
+
+
+class Ec8Spectrum(Damped):
+    """Elastic spectrum of EN 1998-1 with its recommended values."""
+
+    code: Literal["ec8"]
+    """"ec8\""""
+    a_g: PositiveAcceleration
+    """reference peak ground acceleration on type A ground, a_gR, like "0.25 g\""""
+    ground_type: Literal["A", "B", "C", "D", "E", "S1", "S2"]
+    """ground type "A" to "E\""""
+    type: Literal[1, 2] = 1
+    """1 where earthquakes above magnitude 5.5 govern, else 2"""
+    importance_factor: PositiveRatio = 1.0
+    """gamma_I: 0.8, 1.0, 1.2, 1.4 for importance classes I to IV"""
+
+
+class Nzs1170Spectrum(Damped):
+    """Elastic site spectrum of NZS 1170.5."""
+
+    code: Literal["nzs1170.5"]
+    """"nzs1170.5\""""
+    subsoil: Literal["A", "B", "C", "D", "E"]
+    """site subsoil class, "A" (strong rock) to "E" (very soft)"""
+    z: PositiveRatio
+    """hazard factor Z, like 0.13 in Auckland"""
+    r: PositiveRatio | None = None
+    """return period factor R, 1.0 for 500 years; or give return_period"""
+    return_period: PositiveYears | None = None
+    """return period, 20 to 2500 years, in place of r"""
+    near_fault_distance: NotNegativeLength | None = None
+    """distance to the nearest major fault, like "8 km"; absent: none is near"""
+
+    @model_validator(mode="after")
+    def _one_return_period(self) -> Nzs1170Spectrum:
+        if (self.r is None) == (self.return_period is None):
+            raise error_at("r", "give either r, the return period factor, or return_period")
+        return self
+
+
+LIVES = ("nominal_life", "use_class")  # of a hazard over return periods
+NtcCode = Literal["ntc2008", "ntc2018"]
+
+
+class NtcSpectrum(Damped):
+    """Elastic spectrum of NTC 2008 or 2018 from the hazard at one return period."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "limit_state": "write it in [site]",
+        **dict.fromkeys(
+            LIVES, "goes with hazard = [{ return_period, a_g, f_0, t_c_star }, …]; remove it, or a_g, f_0 and t_c_star"
+        ),
+    }
+
+    code: NtcCode
+    """name and edition of the code"""
+    a_g: PositiveAcceleration
+    """peak ground acceleration on rock, like "0.15 g"; or give hazard = [{ return_period, a_g, f_0, t_c_star }, …]"""
+    f_0: PositiveRatio
+    """largest amplification of the spectrum on rock, F_0, like 2.4"""
+    t_c_star: PositiveTime
+    """T_C*, where the level branch on rock ends, like "0.3 s\""""
+    soil: Literal["A", "B", "C", "D", "E", "S1", "S2"]
+    """subsoil category "A" to "E\""""
+    topography: Literal["T1", "T2", "T3", "T4"] = "T1"
+    """topographic category"""
+    relief_position: RatioToOne = 1.0
+    """1 at the top of the relief, 0 at its foot"""
+
+
+class HazardRow(ProjectSection):
+    """The hazard on rock at one return period."""
+
+    return_period: PositiveYears
+    """return period, like 475: in years"""
+    a_g: PositiveAcceleration
+    """peak ground acceleration on rock, like "0.15 g\""""
+    f_0: PositiveRatio
+    """largest amplification of the spectrum on rock, F_0, like 2.4"""
+    t_c_star: PositiveTime
+    """T_C*, where the level branch on rock ends, like "0.3 s\""""
+
+
+class NtcHazardSpectrum(Damped):
+    """Elastic spectrum of NTC 2008 or 2018 at a limit state, from the hazard over return periods."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard"
+    )
+
+    code: NtcCode
+    """name and edition of the code"""
+    hazard: Annotated[tuple[HazardRow, ...], Field(min_length=2)]
+    """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
+    nominal_life: PositiveYears
+    """nominal life V_N, like 50: in years"""
+    use_class: Literal["I", "II", "III", "IV"] | None = None
+    """class of use "I" to "IV"; that of [building] if absent"""
+    limit_state: Literal["SLO", "SLD", "SLV", "SLC"] | None = None
+    """old spelling of [site] limit_state"""
+    soil: Literal["A", "B", "C", "D", "E", "S1", "S2"]
+    """subsoil category "A" to "E\""""
+    topography: Literal["T1", "T2", "T3", "T4"] = "T1"
+    """topographic category"""
+    relief_position: RatioToOne = 1.0
+    """1 at the top of the relief, 0 at its foot"""
+
+
+class TableSpectrum(Damped):
+    """A spectrum read from a file of periods and accelerations."""
+
+    code: Literal["table"]
+    """"table\""""
+    file: InputFile
+    """CSV of period and acceleration, with units in the header"""
+
+
+def _spectrum_tag(values: Any) -> str | None:
+    code = values.get("code") if isinstance(values, dict) else None
+    if code in ASCE7:
+        return "<mapped>" if any(key in values for key in MAPPED) else "<asce7>"
+    if code in NTC:
+        return "<hazard>" if "hazard" in values else "<ntc>"
+    return f"<{code}>" if code in SPECTRA else None
+
+
+SpectrumSection = Annotated[
+    Annotated[Asce7Spectrum, Tag("<asce7>")]
+    | Annotated[Asce7MappedSpectrum, Tag("<mapped>")]
+    | Annotated[Ec8Spectrum, Tag("<ec8>")]
+    | Annotated[Nzs1170Spectrum, Tag("<nzs1170.5>")]
+    | Annotated[NtcSpectrum, Tag("<ntc>")]
+    | Annotated[NtcHazardSpectrum, Tag("<hazard>")]
+    | Annotated[TableSpectrum, Tag("<table>")],
+    Discriminator(
+        _spectrum_tag,
+        custom_error_type="choice",
+        custom_error_message="write one of {names}",
+        custom_error_context={"key": ("code",), "names": quote_names(SPECTRA)},
+    ),
+]
+
+
+class Site(ProjectSection):
     """What the ground demands."""
 
     spectrum: SpectrumSection
@@ -38,9 +232,9 @@ class Site(Section):
     def _one_limit_state(self) -> Site:
         old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
         if old is not None and self.limit_state is not None and old != self.limit_state:
-            raise wrong("limit_state", f'site.spectrum.limit_state, its old spelling, is "{old}"; give one')
+            raise error_at("limit_state", f'site.spectrum.limit_state, its old spelling, is "{old}"; give one')
         if isinstance(self.spectrum, NtcHazardSpectrum) and self.limit_state not in (None, *LIMIT_STATES):
-            raise wrong(
+            raise error_at(
                 "limit_state", f"not one of the hazard over return periods; write one of {quote_names(LIMIT_STATES)}"
             )
         return self
@@ -52,7 +246,7 @@ class Site(Section):
         return self.limit_state or old
 
 
-class LimitStatePeriod(Section):
+class LimitStatePeriod(ProjectSection):
     """First mode of the building at one limit state, in place of the range of softened periods."""
 
     period: PositiveTime
@@ -63,7 +257,7 @@ class LimitStatePeriod(Section):
     """why, for the report"""
 
 
-class Building(Section):
+class Building(ProjectSection):
     """The structure below a mechanism; what the clauses for mechanisms above ground need."""
 
     height: PositiveLength | None = None
@@ -89,3 +283,17 @@ class Building(Section):
     times its period if absent"""
     effective_height: PositiveLength | None = None
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""
+
+
+MAPPED = ("s_s", "s_1", "site_class")  # in place of s_ds and s_d1
+LIMIT_STATES = ("SLO", "SLD", "SLV", "SLC")
+
+Spectrum = (
+    Asce7Spectrum
+    | Asce7MappedSpectrum
+    | Ec8Spectrum
+    | Nzs1170Spectrum
+    | NtcSpectrum
+    | NtcHazardSpectrum
+    | TableSpectrum
+)

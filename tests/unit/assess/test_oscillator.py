@@ -11,10 +11,10 @@ from scipy.constants import g
 from assess.dynamics.history import peaks, product
 from assess.geometry.planar import planar_body_from_values
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from records.record import make_record
 
-BLOCK = SingleBlock(1200.0, 3.0, 0.14, 4.0 / 3.0 * 1200.0 * 9.0)
+BLOCK = RockingBlock(1200.0, 3.0, 0.14, 4.0 / 3.0 * 1200.0 * 9.0)
 
 
 def rocking(sides: int) -> Oscillator:

@@ -31,7 +31,7 @@ if __name__ == "__main__":
 COPIED = """
 import sys, time
 from assess.outputs.signals import Terminated, raise_on_signals
-from reports.render.processes import processes
+from reports.render.vector import processes
 def rest(_, seconds):
     time.sleep(seconds)
 try:

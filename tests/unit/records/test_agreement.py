@@ -11,12 +11,11 @@ from scipy.constants import g
 
 from assess.messages.message import note
 from records.errors import RecordError
-from records.formats.agreement import check_duration, check_integral, check_peak, check_time_of_peak
-from records.formats.corners import filter_warning
-from records.formats.layout import check_layout
+from records.formats.header import check_duration, check_integral, check_peak, check_time_of_peak, filter_warning
+from records.formats.samples import check_layout
 from records.plausibility import record_warning, warnings_among
 from records.reading import read_records
-from records.record import Earthquake, Record, Site, make_record
+from records.record import Earthquake, Record, StationSite, make_record
 
 PATH = Path("a.rec")
 RANDOM = np.random.default_rng(3)
@@ -249,8 +248,8 @@ def test_a_name_of_peer_with_another_direction_is_doubted(tmp_path: Path) -> Non
         ("the latitude of the epicentre is -91°", {"earthquake": Earthquake(latitude=-91.0)}),
         ("the magnitude is 72 in its header", {"earthquake": Earthquake(magnitude=72.0)}),
         ("the depth of the earthquake is 3000000 m", {"earthquake": Earthquake(depth=3e6)}),
-        ("the longitude of the station is -1e\\+300°", {"site": Site(longitude=-1e300)}),
-        ("vs30 is 0.3 m/s in its header, which cannot be", {"site": Site(vs30=0.3)}),
+        ("the longitude of the station is -1e\\+300°", {"site": StationSite(longitude=-1e300)}),
+        ("vs30 is 0.3 m/s in its header, which cannot be", {"site": StationSite(vs30=0.3)}),
         ("the distance is -3000 m", {"distance": -3000.0}),
         ("", {"earthquake": Earthquake(latitude=-90.0, longitude=181.0, magnitude=-1.0, depth=-300.0)}),
     ],

@@ -13,16 +13,15 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records import description, indexing
+from records import candidates, indexing
 from records.candidates import PERIODS, Candidate, candidate_table
-from records.catalogue import NAME, candidates, open_catalogue, path_inside, store_flatfile
+from records.catalogue import NAME, catalogue_candidates, open_catalogue, path_inside, store_flatfile
 from records.errors import RecordError
 from records.flatfile import read_flatfile
-from records.formats.header_overrides import HeaderOverrides
+from records.formats.header import HeaderOverrides
 from records.indexing import index
-from records.intensity import measures
 from records.reading import read_records
-from records.response import response_spectrum
+from records.response import measures, response_spectrum
 
 FLATFILE = '''\
 A search, with words above its table
@@ -57,7 +56,7 @@ def folder(tmp_path: Path) -> Path:
 def test_a_record_comes_back_as_it_was_measured(folder: Path) -> None:
     with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
-        found = candidates(catalogue)[0]
+        found = catalogue_candidates(catalogue)[0]
     (record,) = read_records(folder / "RSN57_X_0.AT2")
     assert (found.path, found.id, found.event, found.date) == ("RSN57_X_0.AT2", record.id, "San Fernando", "1971-02-09")
     assert (found.npts, found.dt, found.nga) == (300, 0.01, 57)
@@ -69,7 +68,7 @@ def test_a_record_comes_back_as_it_was_measured(folder: Path) -> None:
 def test_a_catalogue_as_a_table_has_a_row_for_each_record(folder: Path) -> None:
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
-        found = candidates(catalogue)
+        found = catalogue_candidates(catalogue)
     table = candidate_table(found)
     assert list(table["id"]) == [one.id for one in found]
     assert list(table["pga"]) == [one.measures["pga"] for one in found]
@@ -78,9 +77,7 @@ def test_a_catalogue_as_a_table_has_a_row_for_each_record(folder: Path) -> None:
 
 
 def test_pandas_is_loaded_only_to_read_a_flatfile() -> None:
-    script = (
-        "import sys, records.flatfile, records.flatfile_match, records.catalogue, records.candidates, records.selection"
-    )
+    script = "import sys, records.flatfile, records.flatfile, records.catalogue, records.candidates, records.selection"
     subprocess.run([sys.executable, "-c", f"{script}; assert 'pandas' not in sys.modules"], check=True)
 
 
@@ -91,14 +88,14 @@ def test_only_what_changed_is_read_again(folder: Path) -> None:
         assert [path for path, _ in first.problems] == ["notes.txt"]
         again = index(folder, catalogue)
         assert (again.read, again.unchanged) == (0, 5)
-        before = candidates(catalogue)[0].spectrum
+        before = catalogue_candidates(catalogue)[0].spectrum
         os.utime(folder / "RSN57_X_0.AT2", ns=(1, 1))  # another time, the same content
         at2(folder / "RSN58_X_1.AT2", seed=99)
         (folder / "old" / "A-BCS000.AT2").unlink()
         third = index(folder, catalogue)
         assert (third.read, third.unchanged, third.gone, third.records) == (2, 2, 1, 3)
-        np.testing.assert_array_equal(candidates(catalogue)[0].spectrum, before)
-        assert candidates(catalogue)[1].measures["pga"] == pytest.approx(
+        np.testing.assert_array_equal(catalogue_candidates(catalogue)[0].spectrum, before)
+        assert catalogue_candidates(catalogue)[1].measures["pga"] == pytest.approx(
             read_records(folder / "RSN58_X_1.AT2")[0].pga, rel=1e-15
         )
         assert index(folder, catalogue).read == 0
@@ -108,7 +105,7 @@ def test_the_same_content_is_hashed_but_not_read(folder: Path, monkeypatch: pyte
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         os.utime(folder / "RSN57_X_0.AT2", ns=(1, 1))
-        monkeypatch.setattr(indexing, "read_with", lambda *_, **__: pytest.fail("read again"))
+        monkeypatch.setattr(indexing, "read_with_overrides", lambda *_, **__: pytest.fail("read again"))
         index(folder, catalogue)
 
 
@@ -118,7 +115,7 @@ def test_a_stated_unit_is_asked_anew(folder: Path) -> None:
         assert "plain.csv" in [path for path, _ in index(folder, catalogue).problems]
         for unit, size in (("m/s2", 1.0), ("cm/s2", 0.01)):
             index(folder, catalogue, overrides=HeaderOverrides(unit=unit))
-            (one,) = (each for each in candidates(catalogue) if each.path == "plain.csv")
+            (one,) = (each for each in catalogue_candidates(catalogue) if each.path == "plain.csv")
             assert one.measures["pga"] == pytest.approx(6.0 * size, rel=1e-12)
 
 
@@ -133,7 +130,7 @@ def test_what_was_interrupted_goes_on_where_it_ended(folder: Path, monkeypatch: 
         index(folder, catalogue, progress=interrupt)
     with open_catalogue(folder / NAME) as catalogue:
         assert index(folder, catalogue).read == 3
-        assert len(candidates(catalogue)) == 4
+        assert len(catalogue_candidates(catalogue)) == 4
 
 
 def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> None:
@@ -148,16 +145,16 @@ def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> 
     assert ended.returncode == -9
     with open_catalogue(folder / NAME) as catalogue:
         assert index(folder, catalogue).read == 3
-        assert len(candidates(catalogue)) == 4
+        assert len(catalogue_candidates(catalogue)) == 4
 
 
 def test_processes_find_what_one_finds(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(description, "FEW", 1)
+    monkeypatch.setattr(candidates, "FEW", 1)
     with open_catalogue(None) as alone, open_catalogue(None) as shared:
         index(folder, alone)
         with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as executor:
             index(folder, shared, executor=executor)
-        for one, other in zip(candidates(alone), candidates(shared), strict=True):
+        for one, other in zip(catalogue_candidates(alone), catalogue_candidates(shared), strict=True):
             np.testing.assert_array_equal(one.spectrum, other.spectrum)
             assert replace(one, spectrum=PERIODS) == replace(other, spectrum=PERIODS)
 
@@ -169,7 +166,7 @@ def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> 
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         store_flatfile(catalogue, read_flatfile(table).recordings)
-        found = {one.path: one for one in candidates(catalogue)}
+        found = {one.path: one for one in catalogue_candidates(catalogue)}
         of = found["RSN57_X_0.AT2"]
         assert (of.event, of.station, of.magnitude, of.vs30) == ('San Fernando, "main"', "Castaic", 6.61, 450.3)
         assert of.distance == pytest.approx(22630.0)
@@ -179,7 +176,7 @@ def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> 
         assert found["RSN58_X_1.AT2"].magnitude is None
         at2(folder / "RSN57_X_0.AT2", seed=77)
         index(folder, catalogue)
-        assert candidates(catalogue)[0].magnitude == 6.61  # also of a file read anew
+        assert catalogue_candidates(catalogue)[0].magnitude == 6.61  # also of a file read anew
 
 
 @pytest.mark.parametrize(
@@ -216,7 +213,7 @@ def test_hostile_names_are_names(folder: Path) -> None:
     (folder / os.fsdecode(b"bad\xff.AT2")).write_bytes(b"x")
     with open_catalogue(folder / NAME) as catalogue:
         found = index(folder, catalogue)
-        assert name in {one.path for one in candidates(catalogue)}
+        assert name in {one.path for one in catalogue_candidates(catalogue)}
         assert ("bad?.AT2", "its name is not UTF-8; rename it") in found.problems
         assert index(folder, catalogue).records == 5
 
@@ -232,7 +229,7 @@ def test_no_path_leaves_the_folder(folder: Path, tmp_path: Path) -> None:
         assert "leads out" in found["link.AT2"]
         assert "broken link" in found["loop.AT2"]
         assert found["pipe.AT2"] == "not a regular file"
-        assert not any("secret" in one.path or "link" in one.path for one in candidates(catalogue))
+        assert not any("secret" in one.path or "link" in one.path for one in catalogue_candidates(catalogue))
     for path in ("../outside/secret.AT2", str(outside), "link.AT2", "away/secret.AT2"):
         with pytest.raises(RecordError, match="leads out"):
             path_inside(folder, path)
@@ -261,7 +258,7 @@ def test_what_is_not_a_catalogue_is_left_alone(tmp_path: Path) -> None:
 def brought_up(folder: Path) -> tuple[Candidate, ...]:
     with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
-        return candidates(catalogue)
+        return catalogue_candidates(catalogue)
 
 
 def test_a_damaged_catalogue_is_told(folder: Path) -> None:
@@ -289,13 +286,13 @@ def test_an_older_version_is_read_again_and_keeps_what_it_was_told(folder: Path)
     with open_catalogue(folder / NAME) as catalogue:
         store_flatfile(catalogue, read_flatfile(table).recordings)
         index(folder, catalogue, overrides=HeaderOverrides("g", None, None))
-        before = candidates(catalogue)
+        before = catalogue_candidates(catalogue)
         catalogue.execute("PRAGMA user_version = 2")
     with open_catalogue(folder / NAME) as catalogue:
         found = index(folder, catalogue)
         assert (found.read, found.older) == (5, True)
-        assert [each.magnitude for each in candidates(catalogue)] == [each.magnitude for each in before]
-        assert candidates(catalogue)[0].overrides == HeaderOverrides("g", None, None)
+        assert [each.magnitude for each in catalogue_candidates(catalogue)] == [each.magnitude for each in before]
+        assert catalogue_candidates(catalogue)[0].overrides == HeaderOverrides("g", None, None)
     with open_catalogue(folder / NAME) as catalogue:
         assert not index(folder, catalogue).older
 
@@ -336,7 +333,7 @@ def test_a_row_that_was_changed_is_not_believed(folder: Path, change: str) -> No
     raw.close()
     with open_catalogue(folder / NAME) as catalogue:
         found = index(folder, catalogue)
-        after = candidates(catalogue)
+        after = catalogue_candidates(catalogue)
     assert found.read >= 1
     if "path" not in change and "lost file" not in change:
         assert found.damaged == ("RSN57_X_0.AT2",)
@@ -403,7 +400,7 @@ def test_a_fault_of_a_reader_stops_one_file_only(folder: Path, monkeypatch: pyte
             raise ZeroDivisionError("oh")
         return read_records(file)
 
-    monkeypatch.setattr(indexing, "read_with", faulty)
+    monkeypatch.setattr(indexing, "read_with_overrides", faulty)
     with open_catalogue(None) as catalogue:
         found = index(folder, catalogue)
     assert ("RSN57_X_0.AT2", "its reader failed: ZeroDivisionError: oh") in found.problems
@@ -418,7 +415,7 @@ def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
 def test_peaks_are_in_si(folder: Path) -> None:
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
-        assert 0.1 * g < candidates(catalogue)[0].measures["pga"] < 0.5 * g
+        assert 0.1 * g < catalogue_candidates(catalogue)[0].measures["pga"] < 0.5 * g
 
 
 def test_a_row_of_another_number_than_the_file_s_name_does_not_describe_it(folder: Path, tmp_path: Path) -> None:
@@ -428,6 +425,6 @@ def test_a_row_of_another_number_than_the_file_s_name_does_not_describe_it(folde
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         store_flatfile(catalogue, read_flatfile(table).recordings)
-        found = {one.path: one for one in candidates(catalogue)}
+        found = {one.path: one for one in catalogue_candidates(catalogue)}
     assert (found["RSN57_X_0.AT2"].nga, found["RSN57_X_0.AT2"].magnitude) == (57, None)
     assert (found["RSN58_X_1.AT2"].nga, found["RSN58_X_1.AT2"].magnitude) == (58, 5.5)

@@ -9,20 +9,17 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from records.candidates import Candidate
-from records.code_suites import Target, band_for, select_for
-from records.compliance import nzs1170_5
-from records.compliance.making import MAKING, CodeName, linear_weights
-from records.compliance.registry import REQUIREMENTS
+from records.candidates import Candidate, read_candidates
+from records.code_suites import SuiteTarget, band_for, select_for
+from records.compliance import REQUIREMENTS, SELECTION_RULES, CodeName, linear_weights, nzs1170_5
 from records.compliance.suite import suite_of
-from records.description import read_candidates
 from records.errors import RecordError
-from records.reading import read_with
+from records.processing import at2_text
+from records.reading import read_with_overrides
 from records.record import Record, make_record
-from records.selection import Criteria, Selection
-from records.writing import at2_text
+from records.selection import Selection, SuiteCriteria
 from spectra.asce7 import design_spectrum
-from spectra.ntc import Hazard, Place, elastic_spectrum
+from spectra.ntc import Hazard, SoilAndTopography, elastic_spectrum
 from spectra.nzs1170_5 import site_spectrum
 from spectra.spectrum import Spectrum
 from spectra.table import table_spectrum
@@ -37,7 +34,7 @@ def real() -> tuple[Candidate, ...]:
 
 
 def read(one: Candidate) -> Record:
-    return read_with(Path(one.path), one.overrides)[one.position]
+    return read_with_overrides(Path(one.path), one.overrides)[one.position]
 
 
 def made(
@@ -49,10 +46,10 @@ def made(
     longest: float = 1.5,
     **more: float,
 ) -> Selection:
-    goal = Target(spectrum, spectrum, 0.5, longest)
+    goal = SuiteTarget(spectrum, spectrum, 0.5, longest)
     limits = (more.get("low", 0.25), more.get("high", 4.0))
-    criteria = Criteria(count=count, band=band_for(MAKING[code], goal), scale_limits=limits)
-    return select_for(candidates, MAKING[code], goal, criteria, read=read)
+    criteria = SuiteCriteria(count=count, band=band_for(SELECTION_RULES[code], goal), scale_limits=limits)
+    return select_for(candidates, SELECTION_RULES[code], goal, criteria, read=read)
 
 
 @pytest.fixture
@@ -67,17 +64,17 @@ def noise(tmp_path: Path) -> tuple[Candidate, ...]:
 
 
 def test_every_code_has_its_requirements_and_its_making() -> None:
-    assert set(MAKING) == set(get_args(CodeName))
-    assert {each.code for each in MAKING.values()} == set(REQUIREMENTS)
+    assert set(SELECTION_RULES) == set(get_args(CodeName))
+    assert {each.code for each in SELECTION_RULES.values()} == set(REQUIREMENTS)
 
 
 @needs_real_records
-@pytest.mark.parametrize("code", list(MAKING))
+@pytest.mark.parametrize("code", list(SELECTION_RULES))
 @pytest.mark.parametrize(
     "spectrum",
     [
         site_spectrum(subsoil="C", z=0.3, r=1.0),
-        elastic_spectrum(Hazard(a_g=1.96, f_0=2.4, t_c_star=0.35), place=Place(soil="B", topography="T1")),
+        elastic_spectrum(Hazard(a_g=1.96, f_0=2.4, t_c_star=0.35), place=SoilAndTopography(soil="B", topography="T1")),
     ],
     ids=["nzs", "ntc"],
 )
@@ -87,9 +84,9 @@ def test_a_suite_of_real_records_meets_its_code_as_judged_from_its_files_and_fac
     found = made(real(), code, spectrum, count=5)
     factors = [choice.factor for choice in found.choices]
     suite = suite_of([read(choice.components[0]) for choice in found.choices], factors, spectrum)
-    asked = REQUIREMENTS[MAKING[code].code](suite, shortest=0.5, longest=1.5)
+    asked = REQUIREMENTS[SELECTION_RULES[code].code](suite, shortest=0.5, longest=1.5)
     assert {one.verdict for one in asked} == {"met"}
-    assert len(factors) >= max(5, MAKING[code].least)
+    assert len(factors) >= max(5, SELECTION_RULES[code].least)
     assert max(factors) <= 4.0
     days = {choice.components[0].earthquake for choice in found.choices}
     assert len(days) == len(factors)
@@ -147,17 +144,17 @@ def test_records_that_are_not_usable_far_enough_are_replaced(
     def filtered(one: Candidate) -> Record:
         return replace(read(one), longest_period=1.0 if one.path in short else 5.0)
 
-    goal = Target(SMOOTH, SMOOTH, 0.5, 1.5)
-    criteria = Criteria(count=6, band=band_for(MAKING["asce43-05"], goal), scale_limits=(1e-6, 1e6))
-    found = select_for(noise, MAKING["asce43-05"], goal, criteria, read=filtered)
+    goal = SuiteTarget(SMOOTH, SMOOTH, 0.5, 1.5)
+    criteria = SuiteCriteria(count=6, band=band_for(SELECTION_RULES["asce43-05"], goal), scale_limits=(1e-6, 1e6))
+    found = select_for(noise, SELECTION_RULES["asce43-05"], goal, criteria, read=filtered)
     assert not short & {choice.components[0].path for choice in found.choices}
 
 
 def test_nzs_wants_single_components_scaled_to_the_spectrum(noise: tuple[Candidate, ...]) -> None:
-    goal = Target(SMOOTH, SMOOTH, 0.5, 1.5)
-    criteria = Criteria(count=3, band=band_for(MAKING["nzs1170.5"], goal), components="together")
+    goal = SuiteTarget(SMOOTH, SMOOTH, 0.5, 1.5)
+    criteria = SuiteCriteria(count=3, band=band_for(SELECTION_RULES["nzs1170.5"], goal), components="together")
     with pytest.raises(RecordError, match='leave components "single"'):
-        select_for(noise, MAKING["nzs1170.5"], goal, criteria, read=read)
+        select_for(noise, SELECTION_RULES["nzs1170.5"], goal, criteria, read=read)
 
 
 def test_linear_weights_are_those_of_the_trapezoidal_rule() -> None:

@@ -11,9 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from records.compilation import kernel
-from records.compilation.folder import UNUSED, find_folder, is_private
-from records.compilation.sources import ROOT, key, sources
+from records.compilation import ROOT, UNUSED, find_folder, is_private, kernel, sources, sources_key
 
 SINE = """
 import numpy as np
@@ -227,17 +225,17 @@ def test_the_key_is_of_every_kernel_and_of_what_compiles(tmp_path: Path) -> None
     (packages / "assess/toy/kernel").mkdir()
     (packages / "assess/toy/kernel/part.py").write_text("X = 1\n")
     (packages / "assess/toy/other.py").write_text("X = 1\n")
-    before = key(("1",), packages)
-    assert before != key(("2",), packages)
+    before = sources_key(("1",), packages)
+    assert before != sources_key(("2",), packages)
     assert "assess/toy/kernel/part.py" in {path.relative_to(packages).as_posix() for path in sources(packages)}
     for path in sources(packages):
         text = path.read_text()
         path.write_text(text + "#")
-        assert key(("1",), packages) != before
+        assert sources_key(("1",), packages) != before
         path.write_text(text)
     (packages / "assess/toy/other.py").write_text("X = 2\n")
-    assert key(("1",), packages) == before
-    assert key(("1",), tmp_path / "nothing") is None
+    assert sources_key(("1",), packages) == before
+    assert sources_key(("1",), tmp_path / "nothing") is None
 
 
 def test_all_that_is_compiled_is_in_the_key() -> None:

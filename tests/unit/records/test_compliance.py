@@ -6,10 +6,8 @@ from math import log10
 import numpy as np
 import pytest
 
-from records.compliance import asce7_16, asce43_05, en1998_1, ntc2018, nzs1170_5
-from records.compliance.registry import REQUIREMENTS, all_requirements
-from records.compliance.requirement import Requirement, Rule, factor_that_does
-from records.compliance.suite import FINE, Suite, suite_of
+from records.compliance import REQUIREMENTS, all_requirements, asce7_16, asce43_05, en1998_1, ntc2018, nzs1170_5
+from records.compliance.suite import FINE, Requirement, RequirementKind, Suite, common_factor, suite_of
 from records.record import make_record, scale
 from records.response import response_spectrum
 from spectra.asce7 import design_spectrum
@@ -82,7 +80,7 @@ def test_every_code_is_content_with_a_perfect_suite_and_says_so_with_its_clause(
 def test_the_number_of_records(code: str, least: int, made: bool) -> None:
     for count, verdict in ((least - 1, "not met"), (least, "met")):
         found = REQUIREMENTS[code](suite(*[1.0] * count, made=made), shortest=T_EQ, longest=T_EQ)
-        (one,) = (each for each in found if each.rule == Rule.COUNT)
+        (one,) = (each for each in found if each.rule == RequirementKind.COUNT)
         assert (one.value, one.limit, one.verdict) == (count, least, verdict)
 
 
@@ -127,10 +125,10 @@ def test_ntc_looks_at_artificial_records_up_to_two_seconds_or_twice_the_period_a
 
 @pytest.mark.parametrize(
     ("rule", "change", "limit"),
-    [(Rule.DURATION, {"duration": 24.9}, 25.0), (Rule.STATIONARY, {"level": 9.9}, 10.0)],
+    [(RequirementKind.DURATION, {"duration": 24.9}, 25.0), (RequirementKind.STATIONARY, {"level": 9.9}, 10.0)],
 )
 def test_ntc_asks_for_25_s_of_artificial_records_10_s_of_them_stationary(
-    rule: Rule, change: dict[str, float], limit: float
+    rule: RequirementKind, change: dict[str, float], limit: float
 ) -> None:
     for given, verdict in ((change, "not met"), (dict.fromkeys(change, limit), "met")):
         found = ntc2018.requirements(suite(*[1.0] * 7, made=True, **given), shortest=T_EQ, longest=T_EQ)
@@ -144,8 +142,11 @@ def test_a_suite_of_natural_and_artificial_records_meets_what_is_asked_of_either
     both = suite(*[1.4] * 7, made=True, duration=20.0)
     mixed = replace(both, artificial=np.array([True] + [False] * 6), duration=np.array([20.0] + [5.0] * 6))
     found = ntc2018.requirements(mixed, shortest=T_EQ, longest=T_EQ)
-    assert {one.rule for one in found if one.verdict == "not met"} == {Rule.DURATION, Rule.MEAN_HIGH}
-    (duration,) = (one for one in found if one.rule == Rule.DURATION)
+    assert {one.rule for one in found if one.verdict == "not met"} == {
+        RequirementKind.DURATION,
+        RequirementKind.MEAN_HIGH,
+    }
+    (duration,) = (one for one in found if one.rule == RequirementKind.DURATION)
     assert duration.value == 20.0
 
 
@@ -153,12 +154,12 @@ def test_a_suite_of_natural_and_artificial_records_meets_what_is_asked_of_either
 def test_records_must_be_usable_up_to_the_longest_period_where_their_source_says_how_far_they_are(code: str) -> None:
     for usable, verdicts in ((0.9, ["not met"]), (1.1, ["met"]), (np.inf, [])):
         found = REQUIREMENTS[code](suite(*[1.0] * 7, usable=usable), shortest=0.5, longest=1.0)
-        assert [one.verdict for one in found if one.rule == Rule.USABLE] == verdicts
+        assert [one.verdict for one in found if one.rule == RequirementKind.USABLE] == verdicts
 
 
 def test_the_factor_that_does_lifts_what_is_low_and_lowers_what_is_high_or_does_not_exist() -> None:
     def factor(of: Suite) -> float | None:
-        return factor_that_does(ntc2018.requirements(of, shortest=T_EQ, longest=T_EQ))
+        return common_factor(ntc2018.requirements(of, shortest=T_EQ, longest=T_EQ))
 
     assert factor(suite(1.0, 1.0, 1.0)) == 1.0
     assert factor(suite(0.8, 0.8, 0.8)) == pytest.approx(0.9 / 0.8)
@@ -226,7 +227,7 @@ def test_asce_43_counts_points_side_by_side_steps_and_durations_of_artificial_re
     for width, verdict in ((9, "met"), (10, "not met")):
         found = asked(dented(perfect, 1.0, 0.95, width=width))
         assert (named(found, what).value, named(found, what).verdict) == (width, verdict)
-    assert factor_that_does(asked(dented(perfect, 1.0, 0.95, width=10))) == pytest.approx(1.0 / 0.95)
+    assert common_factor(asked(dented(perfect, 1.0, 0.95, width=10))) == pytest.approx(1.0 / 0.95)
     coarse = asked(suite(*[1.0] * 7, made=True, dt=0.02, duration=19.0))
     assert named(coarse, "largest time step").verdict == "not met"
     assert named(coarse, "shortest duration").verdict == "not met"

@@ -5,10 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from records.candidates import PERIODS, Candidate
-from records.description import read_candidates
-from records.event_groups import event_groups, same_motion
-from records.formats.header_overrides import HeaderOverrides
+from records.candidates import PERIODS, Candidate, read_candidates
+from records.formats.header import HeaderOverrides
+from records.selection import event_groups, same_motion
 from tests.support.places import REAL_RECORDS, needs_real_records
 
 

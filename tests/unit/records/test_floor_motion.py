@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.signal import lsim
 
+from assess.amplification import floor_motion
 from records.errors import RecordError
-from records.floor_motion import floor_motion
 from records.kernel import relative_accelerations
 from records.record import Record, make_record
 from records.response import response_spectrum

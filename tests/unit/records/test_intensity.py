@@ -4,20 +4,21 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records.integration import displacement, velocity
-from records.intensity import (
+from records.record import Record, make_record
+from records.response import (
     HOUSNER_PERIODS,
     arias,
     cav,
+    displacement,
     housner,
     mean_period,
     measures,
     pgd,
     pgv,
+    response_spectrum,
     significant_duration,
+    velocity,
 )
-from records.record import Record, make_record
-from records.response import response_spectrum
 
 A, CYCLES, F = 3.0, 20, 2.0  # m/s2, cycles, Hz
 STEPS = 400  # a cycle

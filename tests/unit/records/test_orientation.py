@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from records.orientation import azimuth_of, is_vertical
+from records.record import azimuth_of, is_vertical
 
 
 @pytest.mark.parametrize(

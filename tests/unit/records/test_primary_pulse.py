@@ -5,20 +5,30 @@ import pytest
 from scipy.constants import g
 
 from records.errors import RecordError
-from records.primary_pulse import PERIODS, PrimaryPulse, primary_pulses
-from records.pulses import SHAPES, Shape, mavroeidis_papageorgiou, pulse_record, shape
+from records.pulses import (
+    PERIODS,
+    PULSE_SHAPES,
+    PrimaryPulse,
+    PulseShape,
+    mavroeidis_papageorgiou,
+    primary_pulses,
+    pulse_record,
+    pulse_shape,
+)
 from records.reading import read_records
 from records.record import Record, make_record, scale
 from tests.support.places import PEER, needs_real_records
 
-EVERY = [*SHAPES.values(), mavroeidis_papageorgiou(gamma=1.4, nu=1.0)]
+EVERY = [*PULSE_SHAPES.values(), mavroeidis_papageorgiou(gamma=1.4, nu=1.0)]
 
 
-def label(one: Shape) -> str:
+def label(one: PulseShape) -> str:
     return one.name if one.gamma is None else f"{one.name}-{one.gamma}-{one.nu}"
 
 
-def buried(one: Shape, *, frequency: float, amplitude: float, noise: float, seed: int = 3, at: int = 800) -> Record:
+def buried(
+    one: PulseShape, *, frequency: float, amplitude: float, noise: float, seed: int = 3, at: int = 800
+) -> Record:
     """A pulse from sample `at` of a record of 4,000 steps of 0.01 s, in noise of standard deviation `noise`."""
     pulse = pulse_record(one, frequency=frequency, amplitude=amplitude, dt=0.01).acceleration
     a = noise * np.random.default_rng(seed).normal(size=4000)
@@ -35,7 +45,7 @@ def violent(seed: int = 5) -> Record:
 
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
-def test_a_pulse_alone_is_all_of_the_energy(one: Shape) -> None:
+def test_a_pulse_alone_is_all_of_the_energy(one: PulseShape) -> None:
     record = pulse_record(one, frequency=1.3, amplitude=2.5, dt=0.005)
     best = primary_pulses(record, shape=one)[0]
     assert best.energy_share == pytest.approx(1.0, rel=0, abs=1e-6)
@@ -49,7 +59,7 @@ def test_a_pulse_alone_is_all_of_the_energy(one: Shape) -> None:
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
 @pytest.mark.parametrize("frequency", [0.35, 1.1])
-def test_a_pulse_in_noise_is_found(one: Shape, frequency: float) -> None:
+def test_a_pulse_in_noise_is_found(one: PulseShape, frequency: float) -> None:
     """With noise of a tenth of its amplitude in every sample."""
     record = buried(one, frequency=frequency, amplitude=2.0, noise=0.2)
     best = primary_pulses(record, shape=one)[0]
@@ -110,7 +120,7 @@ def test_two_pulses_are_two_candidates() -> None:
     """A short strong one and a long weak one of a third of the amplitude, apart in time."""
     a = np.zeros(4000)
     for start, frequency, amplitude in ((500, 2.5, 3.0), (1500, 0.2, -1.0)):
-        pulse = pulse_record(shape("sine"), frequency=frequency, amplitude=amplitude, dt=0.01).acceleration
+        pulse = pulse_record(pulse_shape("sine"), frequency=frequency, amplitude=amplitude, dt=0.01).acceleration
         a[start : start + pulse.size] = pulse
     found = primary_pulses(make_record("two", a, 0.01))
     by_frequency = sorted(found[:2], key=lambda pulse: -pulse.frequency)
@@ -123,16 +133,16 @@ def test_two_pulses_are_two_candidates() -> None:
 
 
 def test_a_pulse_may_begin_before_the_record() -> None:
-    whole = pulse_record(shape("ricker"), frequency=1.0, amplitude=2.0, dt=0.01)
+    whole = pulse_record(pulse_shape("ricker"), frequency=1.0, amplitude=2.0, dt=0.01)
     cut = make_record("cut", whole.acceleration[110:], 0.01)  # 0.76 of a period before the peak
-    best = primary_pulses(cut, shape=shape("ricker"))[0]
+    best = primary_pulses(cut, shape=pulse_shape("ricker"))[0]
     assert best.start == pytest.approx(-1.10, rel=0, abs=0.01)
     assert (best.frequency, best.amplitude) == pytest.approx((1.0, 2.0), rel=0.01)
 
 
 @pytest.mark.parametrize(("ends", "at"), [((0.8, 2.0), 0.8), ((0.1, 0.5), 0.5)])
 def test_a_match_that_grows_beyond_the_grid_is_told(ends: tuple[float, float], at: float) -> None:
-    record = buried(shape("sine"), frequency=1.5, amplitude=2.0, noise=0.1)
+    record = buried(pulse_shape("sine"), frequency=1.5, amplitude=2.0, noise=0.1)
     best = primary_pulses(record, period=np.geomspace(*ends, 20))[0]
     assert best.at_end
     assert 1.0 / best.frequency == pytest.approx(at, rel=1e-6)
@@ -141,7 +151,7 @@ def test_a_match_that_grows_beyond_the_grid_is_told(ends: tuple[float, float], a
 
 def test_an_offset_is_the_longest_pulse() -> None:
     record = make_record("offset", 0.5 + violent().acceleration, 0.01)
-    longest = primary_pulses(record, shape=shape("half-sine"), count=99)
+    longest = primary_pulses(record, shape=pulse_shape("half-sine"), count=99)
     assert any(pulse.at_end and pulse.frequency == pytest.approx(0.05, rel=1e-6) for pulse in longest)
 
 
@@ -164,7 +174,7 @@ def test_refused(samples: np.ndarray, dt: float, period: list[float], text: str)
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
 @pytest.mark.parametrize("count", [1, 3])
-def test_the_best_are_the_first_of_all(one: Shape, count: int) -> None:
+def test_the_best_are_the_first_of_all(one: PulseShape, count: int) -> None:
     """A maximum that is not refined could not have become one of them."""
     for seed in (1, 2, 3):
         assert (
@@ -175,7 +185,7 @@ def test_the_best_are_the_first_of_all(one: Shape, count: int) -> None:
 
 def found_in(name: str, one: str) -> tuple[Record, PrimaryPulse]:
     record = read_records(PEER / name)[0]
-    return record, primary_pulses(record, shape=shape(one))[0]
+    return record, primary_pulses(record, shape=pulse_shape(one))[0]
 
 
 @needs_real_records

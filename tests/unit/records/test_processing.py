@@ -8,11 +8,9 @@ from scipy.signal.windows import tukey
 
 from assess.messages.message import Quantity
 from records.errors import RecordError
-from records.integration import displacement, integrate_absolute, integrate_squared, velocity
-from records.processing import butterworth, correct_baseline, resample, trim
+from records.processing import butterworth, correct_baseline, resample, rotate_to_azimuth, rotd, rotd_spectrum, trim
 from records.record import Record, make_record
-from records.response import response_spectrum
-from records.rotation import rotate_to_azimuth, rotd, rotd_spectrum
+from records.response import displacement, integrate_absolute, integrate_squared, response_spectrum, velocity
 
 DT = 0.01
 TIME = DT * np.arange(4001)

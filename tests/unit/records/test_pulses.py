@@ -9,27 +9,27 @@ from scipy.integrate import quad, simpson
 from scipy.special import eval_hermitenorm
 
 from records.errors import RecordError
-from records.pulses import SHAPES, Shape, mavroeidis_papageorgiou, pulse_record, shape
+from records.pulses import PULSE_SHAPES, PulseShape, mavroeidis_papageorgiou, pulse_record, pulse_shape
 
 FAMILY = [
     mavroeidis_papageorgiou(gamma=gamma, nu=nu) for gamma in (1.01, 1.5, 2.0, 5.0, 31.7) for nu in (0.0, 0.6, -2.0)
 ]
-EVERY = [*SHAPES.values(), *FAMILY]
+EVERY = [*PULSE_SHAPES.values(), *FAMILY]
 CONTINUOUS = [one for one in EVERY if one.name != "cosine"]
 
 
-def label(one: Shape) -> str:
+def label(one: PulseShape) -> str:
     return one.name if one.gamma is None else f"{one.name}-{one.gamma}-{one.nu}"
 
 
-def inside(one: Shape, n: int) -> np.ndarray:
+def inside(one: PulseShape, n: int) -> np.ndarray:
     """Phases within the shape where it is not yet negligible."""
     margin = 0.3 * (one.end - one.start) if "ricker" in one.name else 0.01
     return np.linspace(one.start + margin, one.end - margin, n)
 
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
-def test_each_derivative_is_that_of_the_one_before(one: Shape) -> None:
+def test_each_derivative_is_that_of_the_one_before(one: PulseShape) -> None:
     theta, h = inside(one, 101), 2e-3
     ahead = [one.derivatives(theta + k * h) for k in (-2, -1, 1, 2)]
     slope = (ahead[0] - 8 * ahead[1] + 8 * ahead[2] - ahead[3]) / (12 * h)  # of fourth order in h
@@ -37,14 +37,14 @@ def test_each_derivative_is_that_of_the_one_before(one: Shape) -> None:
 
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
-def test_the_largest_value_is_one(one: Shape) -> None:
+def test_the_largest_value_is_one(one: PulseShape) -> None:
     theta = np.linspace(one.start, one.end, 200_001)
     assert np.max(np.abs(one.value(theta))) == pytest.approx(1.0, rel=0, abs=2e-7)
     assert np.max(np.abs(one.value(theta))) <= 1.0 + 1e-14
 
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
-def test_nothing_outside_and_limits_from_within_at_the_ends(one: Shape) -> None:
+def test_nothing_outside_and_limits_from_within_at_the_ends(one: PulseShape) -> None:
     np.testing.assert_array_equal(one.derivatives([one.start - 1e-9, one.end + 1e-9, 1e9, -1e9]), 0.0)
     ends, near = one.derivatives([one.start, one.end]), one.derivatives([one.start + 1e-9, one.end - 1e-9])
     np.testing.assert_allclose(ends, near, rtol=0, atol=1e-7)
@@ -52,22 +52,24 @@ def test_nothing_outside_and_limits_from_within_at_the_ends(one: Shape) -> None:
 
 def test_sine_cosine_and_half_sine() -> None:
     theta = np.linspace(0.0, 2 * math.pi, 50)
-    np.testing.assert_allclose(shape("sine").value(theta), np.sin(theta), rtol=0, atol=1e-15)
-    np.testing.assert_allclose(shape("cosine").value(theta), np.cos(theta), rtol=0, atol=1e-15)
-    half = shape("half-sine").value(theta)
+    np.testing.assert_allclose(pulse_shape("sine").value(theta), np.sin(theta), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(pulse_shape("cosine").value(theta), np.cos(theta), rtol=0, atol=1e-15)
+    half = pulse_shape("half-sine").value(theta)
     np.testing.assert_allclose(half, np.maximum(np.sin(theta), 0.0), rtol=0, atol=1e-15)
-    assert shape("cosine").value([0.0, 2 * math.pi]) == pytest.approx([1.0, 1.0], rel=1e-15)
+    assert pulse_shape("cosine").value([0.0, 2 * math.pi]) == pytest.approx([1.0, 1.0], rel=1e-15)
 
 
 def test_symmetric_ricker_as_written_over_time() -> None:
     f, t = 1.7, np.linspace(-1.0, 1.0, 400)
     b = (np.pi * f * t) ** 2
-    np.testing.assert_allclose(shape("ricker").value(2 * np.pi * f * t), (1 - 2 * b) * np.exp(-b), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        pulse_shape("ricker").value(2 * np.pi * f * t), (1 - 2 * b) * np.exp(-b), rtol=0, atol=1e-15
+    )
 
 
 def test_antisymmetric_ricker_is_the_third_derivative_of_the_gaussian() -> None:
     """As Vassiliou and Makris write it, beta = 1.38; its larger positive half comes first."""
-    one, x = shape("ricker-antisymmetric"), np.linspace(-5.0, 5.0, 301)
+    one, x = pulse_shape("ricker-antisymmetric"), np.linspace(-5.0, 5.0, 301)
     value = one.value(math.sqrt(3) * x)
     bell = eval_hermitenorm(3, x) * np.exp(-0.5 * x**2)
     assert np.max(np.abs(bell)) == pytest.approx(1.38, rel=0, abs=0.002)
@@ -78,18 +80,18 @@ def test_antisymmetric_ricker_is_the_third_derivative_of_the_gaussian() -> None:
 @pytest.mark.parametrize("name", ["ricker", "ricker-antisymmetric"])
 def test_rickers_dominant_frequency_is_that_of_the_pulse(name: str) -> None:
     f, dt, n = 2.0, 0.01, 2**16
-    spectrum = np.abs(np.fft.rfft(pulse_record(shape(name), frequency=f, amplitude=1.0, dt=dt).acceleration, n))
+    spectrum = np.abs(np.fft.rfft(pulse_record(pulse_shape(name), frequency=f, amplitude=1.0, dt=dt).acceleration, n))
     assert np.fft.rfftfreq(n, dt)[np.argmax(spectrum)] == pytest.approx(f, rel=0, abs=1.0 / (n * dt))
 
 
 @pytest.mark.parametrize("name", ["ricker", "ricker-antisymmetric"])
 def test_rickers_are_cut_where_nothing_is_left(name: str) -> None:
-    one = shape(name)
+    one = pulse_shape(name)
     assert np.max(np.abs(one.value([one.start, one.end]))) < 1e-12
 
 
 @pytest.mark.parametrize("one", FAMILY, ids=label)
-def test_acceleration_integrates_to_the_published_velocity_pulse(one: Shape) -> None:
+def test_acceleration_integrates_to_the_published_velocity_pulse(one: PulseShape) -> None:
     theta = np.linspace(one.start, one.end, 20_001)
     carrier = np.cos(theta + one.nu)
     velocity = 0.5 * (1 + np.cos(theta / one.gamma)) * carrier
@@ -105,7 +107,7 @@ def test_acceleration_integrates_to_the_published_velocity_pulse(one: Shape) -> 
     [(one, 2.0 if one.name == "half-sine" else 0.0) for one in EVERY],
     ids=[label(one) for one in EVERY],
 )
-def test_net_velocity(one: Shape, area: float) -> None:
+def test_net_velocity(one: PulseShape, area: float) -> None:
     theta = np.linspace(one.start, one.end, 40_001)
     assert simpson(one.value(theta), x=theta) == pytest.approx(area, rel=0, abs=1e-9)
 
@@ -113,23 +115,28 @@ def test_net_velocity(one: Shape, area: float) -> None:
 def test_net_displacement_of_sine_and_ricker() -> None:
     """Of one sine 2 pi amplitude / (2 pi f_p)^2; of the symmetric Ricker, second derivative of a Gaussian, none."""
     for name, expected in (("sine", 2 * math.pi), ("ricker", 0.0)):
-        one = shape(name)
+        one = pulse_shape(name)
         moment = quad(lambda x, one=one: (one.end - x) * one.value([x])[0], one.start, one.end, epsabs=1e-10)[0]
         assert moment == pytest.approx(expected, rel=0, abs=1e-8)
 
 
 def test_first_large_half_is_positive() -> None:
-    for one in (shape("sine"), shape("half-sine"), shape("ricker-antisymmetric"), shape("mavroeidis-papageorgiou")):
+    for one in (
+        pulse_shape("sine"),
+        pulse_shape("half-sine"),
+        pulse_shape("ricker-antisymmetric"),
+        pulse_shape("mavroeidis-papageorgiou"),
+    ):
         theta = np.linspace(one.start, one.end, 10_001)
         value = one.value(theta)
         assert value[np.flatnonzero(np.abs(value) > 0.9)[0]] > 0.0, one.name
 
 
 def test_shape_by_name_and_parameters() -> None:
-    assert shape("sine") is SHAPES["sine"]
-    assert shape("mavroeidis-papageorgiou", nu=0.5) == mavroeidis_papageorgiou(gamma=2.0, nu=0.5)
-    assert shape("mavroeidis-papageorgiou").gamma == 2.0
-    assert shape("mavroeidis-papageorgiou", gamma=3.0).duration(2.0) == pytest.approx(1.5, rel=1e-14)
+    assert pulse_shape("sine") is PULSE_SHAPES["sine"]
+    assert pulse_shape("mavroeidis-papageorgiou", nu=0.5) == mavroeidis_papageorgiou(gamma=2.0, nu=0.5)
+    assert pulse_shape("mavroeidis-papageorgiou").gamma == 2.0
+    assert pulse_shape("mavroeidis-papageorgiou", gamma=3.0).duration(2.0) == pytest.approx(1.5, rel=1e-14)
     for one in EVERY:
         assert pickle.loads(pickle.dumps(one)) == one
 
@@ -147,12 +154,12 @@ def test_shape_by_name_and_parameters() -> None:
 )
 def test_shapes_refused(name: str, values: dict[str, float], text: str) -> None:
     with pytest.raises(RecordError, match=text):
-        shape(name, **values)
+        pulse_shape(name, **values)
 
 
 @pytest.mark.parametrize("one", EVERY, ids=label)
 @pytest.mark.parametrize("dt", [0.01, 0.0123])
-def test_a_record_begins_and_ends_at_zero(one: Shape, dt: float) -> None:
+def test_a_record_begins_and_ends_at_zero(one: PulseShape, dt: float) -> None:
     record = pulse_record(one, frequency=0.8, amplitude=-3.0, dt=dt)
     assert record.acceleration[0] == record.acceleration[-1] == 0.0
     assert record.pga == pytest.approx(3.0, rel=0.02)
@@ -161,7 +168,7 @@ def test_a_record_begins_and_ends_at_zero(one: Shape, dt: float) -> None:
 
 
 @pytest.mark.parametrize("one", CONTINUOUS, ids=label)
-def test_a_continuous_pulse_starts_with_the_record(one: Shape) -> None:
+def test_a_continuous_pulse_starts_with_the_record(one: PulseShape) -> None:
     record = pulse_record(one, frequency=0.8, amplitude=3.0, dt=0.01)
     expected = 3.0 * one.value(one.start + 2 * np.pi * 0.8 * record.time)
     np.testing.assert_allclose(record.acceleration, expected, rtol=0, atol=1e-11)
@@ -169,7 +176,7 @@ def test_a_continuous_pulse_starts_with_the_record(one: Shape) -> None:
 
 @pytest.mark.parametrize("n", [12, 40, 400])
 def test_lines_between_samples_lower_the_first_harmonic(n: int) -> None:
-    record = pulse_record(shape("sine"), frequency=1.0, amplitude=1.0, dt=1.0 / n)
+    record = pulse_record(pulse_shape("sine"), frequency=1.0, amplitude=1.0, dt=1.0 / n)
     t = np.linspace(0.0, 1.0, 240_001)
     harmonic = 2 * simpson(np.interp(t, record.time, record.acceleration) * np.sin(2 * np.pi * t), x=t)
     assert harmonic == pytest.approx(np.sinc(1.0 / n) ** 2, rel=1e-9)
@@ -191,4 +198,4 @@ def test_lines_between_samples_lower_the_first_harmonic(n: int) -> None:
 )
 def test_records_refused(values: dict[str, float], text: str) -> None:
     with pytest.raises(RecordError, match=text):
-        pulse_record(shape("sine"), **({"frequency": 1.0, "amplitude": 1.0, "dt": 0.01} | values))
+        pulse_record(pulse_shape("sine"), **({"frequency": 1.0, "amplitude": 1.0, "dt": 0.01} | values))

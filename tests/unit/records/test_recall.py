@@ -9,8 +9,8 @@ import pytest
 
 from records import reading
 from records.errors import RecordError
-from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
-from records.reading import read_with, recall_records
+from records.formats.header import NO_OVERRIDES, HeaderOverrides
+from records.reading import read_with_overrides, recall_records
 from records.record import make_record
 from records.response import response_spectrum
 
@@ -23,7 +23,9 @@ def written(path: Path, factor: float) -> Path:
 
 def test_file_is_read_once_until_it_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     read: list[Path] = []
-    monkeypatch.setattr(reading, "read_with", lambda path, given: read.append(path) or read_with(path, given))
+    monkeypatch.setattr(
+        reading, "read_with_overrides", lambda path, given: read.append(path) or read_with_overrides(path, given)
+    )
     path = written(tmp_path / "a.csv", 1.0)
     first = recall_records(path, NO_OVERRIDES)
     assert recall_records(path, NO_OVERRIDES) is first

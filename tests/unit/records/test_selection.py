@@ -6,11 +6,20 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from records.band import band, truncate_band
 from records.candidates import PERIODS, Candidate, sequence_number
 from records.errors import RecordError
-from records.selection import Criteria, Filters, passes, select
-from records.suites import Pool, best_suite, exchange, exhaustive, greedy
+from records.scaling import band, truncate_band
+from records.selection import (
+    CandidateFilters,
+    Pool,
+    SuiteCriteria,
+    best_suite,
+    exchanged_suite,
+    exhaustive_suite,
+    greedy_suite,
+    passes,
+    select,
+)
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
 
@@ -65,14 +74,14 @@ def test_a_small_catalogue_gives_the_best_of_all_suites(seed: int) -> None:
     assert found == pytest.approx(least(of, 4), rel=1e-12)
     assert found <= before * (1 + 1e-12)
     assert len(set(of.group[chosen])) == 4
-    assert exhaustive(of, 4) == chosen
+    assert exhaustive_suite(of, 4) == chosen
 
 
 @pytest.mark.parametrize("seed", range(12))
 def test_exchanges_never_make_a_greedy_suite_worse_and_mostly_reach_the_best(seed: int) -> None:
     of = pool(seed, 14, 14)
-    first = greedy(of, 4)
-    misfit = [float(of.misfit(of.ratio[suite].mean(axis=0))) for suite in (first, exchange(of, first))]
+    first = greedy_suite(of, 4)
+    misfit = [float(of.misfit(of.ratio[suite].mean(axis=0))) for suite in (first, exchanged_suite(of, first))]
     assert misfit[1] <= misfit[0]
     assert misfit[1] <= 2.5 * least(of, 4)  # one exchange at a time may stop at a local optimum
 
@@ -80,7 +89,7 @@ def test_exchanges_never_make_a_greedy_suite_worse_and_mostly_reach_the_best(see
 def test_a_record_of_the_targets_own_shape_is_found_and_its_factor_is_exact() -> None:
     like = replace(candidate(3), spectrum=0.25 * TARGET.acceleration(PERIODS))
     others = [candidate(number) for number in range(5, 40)]
-    found = select([*others, like], TARGET, Criteria(1, BAND, fit="each"))
+    found = select([*others, like], TARGET, SuiteCriteria(1, BAND, fit="each"))
     (choice,) = found.choices
     assert choice.components == (like,)
     assert choice.factor == pytest.approx(4.0, rel=1e-12)
@@ -90,9 +99,9 @@ def test_a_record_of_the_targets_own_shape_is_found_and_its_factor_is_exact() ->
 
 def test_each_record_is_the_best_of_its_earthquake() -> None:
     many = [candidate(number, event=f"quake {number % 6}") for number in range(60)]
-    found = select(many, TARGET, Criteria(6, BAND, fit="each"))
+    found = select(many, TARGET, SuiteCriteria(6, BAND, fit="each"))
     assert {choice.components[0].earthquake for choice in found.choices} == {f"quake{n}" for n in range(6)}
-    alone = [select([one], TARGET, Criteria(1, BAND)).choices[0] for one in many]
+    alone = [select([one], TARGET, SuiteCriteria(1, BAND)).choices[0] for one in many]
     for choice in found.choices:
         same = [other.mse for other in alone if other.components[0].event == choice.components[0].event]
         assert choice.mse == pytest.approx(min(same), rel=1e-12)
@@ -105,7 +114,7 @@ def test_components_of_a_recording_keep_one_factor() -> None:
         for c in ("000", "090")
     ]
     up = replace(candidate(1, component="UP"), station="s1", event="e1")
-    found = select([*pairs, up], TARGET, Criteria(3, BAND, components="together"))
+    found = select([*pairs, up], TARGET, SuiteCriteria(3, BAND, components="together"))
     for choice in found.choices:
         first, second = choice.components
         assert first.station == second.station
@@ -118,7 +127,7 @@ def test_components_of_a_recording_keep_one_factor() -> None:
 def test_weights_move_the_factor_to_where_they_are() -> None:
     tilted = replace(candidate(0), spectrum=TARGET.acceleration(PERIODS) * PERIODS)
     at_one = band(0.2, 2.0, weights=[(0.2, 0.0), (0.94, 0.0), (1.0, 1.0), (1.06, 0.0)])
-    choice = select([tilted], TARGET, Criteria(1, at_one)).choices[0]
+    choice = select([tilted], TARGET, SuiteCriteria(1, at_one)).choices[0]
     assert choice.factor == pytest.approx(1.0, rel=0.01)  # by equal weights 1.58
     assert at_one.weight.max() == 1.0
 
@@ -126,37 +135,39 @@ def test_weights_move_the_factor_to_where_they_are() -> None:
 @pytest.mark.parametrize(
     ("filters", "expected"),
     [
-        (Filters(magnitude=(6.0, 7.0)), {1, 2, 4, 5}),
-        (Filters(distance=(2e4, 3e4)), {1, 2}),
-        (Filters(vs30=(0.0, 1e4)), {0, 2, 4}),
-        (Filters(events=("EVENT 1", "t 5")), {1, 5}),
-        (Filters(duration=(11.0, 20.0)), set()),
+        (CandidateFilters(magnitude=(6.0, 7.0)), {1, 2, 4, 5}),
+        (CandidateFilters(distance=(2e4, 3e4)), {1, 2}),
+        (CandidateFilters(vs30=(0.0, 1e4)), {0, 2, 4}),
+        (CandidateFilters(events=("EVENT 1", "t 5")), {1, 5}),
+        (CandidateFilters(duration=(11.0, 20.0)), set()),
     ],
 )
-def test_filters_keep_what_is_within_both_ends_and_drop_what_is_not_known(filters: Filters, expected: set[int]) -> None:
+def test_filters_keep_what_is_within_both_ends_and_drop_what_is_not_known(
+    filters: CandidateFilters, expected: set[int]
+) -> None:
     assert {number for number in range(6) if passes(candidate(number), filters)} == expected
 
 
 def test_scale_limits_and_too_few_records_are_told_with_numbers() -> None:
     many = [candidate(number) for number in range(20)]
-    inside = select(many, TARGET, Criteria(2, BAND, scale_limits=(0.5, 2.0)))
+    inside = select(many, TARGET, SuiteCriteria(2, BAND, scale_limits=(0.5, 2.0)))
     assert all(0.5 <= choice.factor <= 2.0 for choice in inside.choices)
     with pytest.raises(RecordError, match="21 records wanted; there are 20 components, 20 horizontal at"):
-        select(many, TARGET, Criteria(21, BAND))
+        select(many, TARGET, SuiteCriteria(21, BAND))
     with pytest.raises(RecordError, match="0 within the limits"):
-        select(many, TARGET, Criteria(1, BAND, scale_limits=(1e-9, 2e-9)))
+        select(many, TARGET, SuiteCriteria(1, BAND, scale_limits=(1e-9, 2e-9)))
 
 
 def test_scaling_to_pga_and_as_recorded() -> None:
     many = [candidate(number) for number in range(20)]
-    for choice in select(many, TARGET, Criteria(5, BAND, scale_to="pga")).choices:
+    for choice in select(many, TARGET, SuiteCriteria(5, BAND, scale_to="pga")).choices:
         assert choice.factor * choice.components[0].measures["pga"] == pytest.approx(TARGET.pga, rel=1e-12)
-    assert {choice.factor for choice in select(many, TARGET, Criteria(5, BAND, scale_to="none")).choices} == {1.0}
+    assert {choice.factor for choice in select(many, TARGET, SuiteCriteria(5, BAND, scale_to="none")).choices} == {1.0}
 
 
 def test_the_order_of_the_catalogue_does_not_matter() -> None:
     many = [candidate(number) for number in range(300)]
-    first, again = (select(order, TARGET, Criteria(7, BAND)) for order in (many, many[::-1]))
+    first, again = (select(order, TARGET, SuiteCriteria(7, BAND)) for order in (many, many[::-1]))
     assert {choice.components[0].id for choice in first.choices} == {
         choice.components[0].id for choice in again.choices
     }
@@ -165,7 +176,7 @@ def test_the_order_of_the_catalogue_does_not_matter() -> None:
 
 def test_seven_of_a_thousand_rows_fit_closely() -> None:
     many = [candidate(number) for number in range(1000)]
-    assert select(many, TARGET, Criteria(7, BAND)).misfit < 1e-3
+    assert select(many, TARGET, SuiteCriteria(7, BAND)).misfit < 1e-3
 
 
 @pytest.mark.parametrize("ends", [(2.0, 0.2), (0.001, 1.0), (0.2, 50.0), (float("nan"), 1.0), (0.1011, 0.1012)])
@@ -205,7 +216,7 @@ def test_between_periods_of_the_catalogue_a_band_has_those_alone() -> None:
 def test_a_factor_over_any_band_is_centred_in_it(high: float) -> None:
     """A tilted spectrum against a flat target: by the mean of ln T over the band; to half a step at each end of 44."""
     flat = table_spectrum(np.array([0.0, 10.0]), np.array([1.0, 1.0]))
-    (choice,) = select([replace(candidate(0), spectrum=PERIODS)], flat, Criteria(1, band(0.15, high))).choices
+    (choice,) = select([replace(candidate(0), spectrum=PERIODS)], flat, SuiteCriteria(1, band(0.15, high))).choices
     assert choice.factor == pytest.approx(1 / np.sqrt(0.15 * high), rel=0.015)
 
 
@@ -216,7 +227,7 @@ def test_what_moves_beyond_an_end_of_the_band_moves_the_fit(end: float, step: in
     outside = int(np.searchsorted(PERIODS, end)) + (step - 1) // 2
     peaked = replace(flat, spectrum=np.where(np.arange(121) == outside, np.e, 1.0) * flat.spectrum)
     over = band(0.15, 1.75)
-    factors = [select([one], TARGET, Criteria(1, over)).choices[0].factor for one in (flat, peaked)]
+    factors = [select([one], TARGET, SuiteCriteria(1, over)).choices[0].factor for one in (flat, peaked)]
     inside = PERIODS[outside - step]
     share = np.log(inside / end) / np.log(inside / PERIODS[outside])
     assert np.log(factors[0] / factors[1]) == pytest.approx(share / over.period.size, rel=1e-9)
@@ -238,13 +249,13 @@ def test_one_earthquake_by_several_names_is_known_by_its_day() -> None:
     assert replace(old, date="1940").earthquake == "imperialvalley 1940"
     assert replace(old, date="", event="").earthquake == "file 1.AT2"
     with pytest.raises(RecordError, match="1 of different earthquakes"):
-        select([old, new], TARGET, Criteria(2, BAND))
-    assert len(select([old, new], TARGET, Criteria(2, BAND, one_per_event=False)).choices) == 2
+        select([old, new], TARGET, SuiteCriteria(2, BAND))
+    assert len(select([old, new], TARGET, SuiteCriteria(2, BAND, one_per_event=False)).choices) == 2
 
 
 def test_what_stands_in_the_ground_or_a_structure_is_not_chosen() -> None:
     many = [replace(candidate(n), place="borehole" if n else "") for n in range(4)]
-    assert [one.components[0].id for one in select(many, TARGET, Criteria(1, BAND)).choices] == ["0"]
+    assert [one.components[0].id for one in select(many, TARGET, SuiteCriteria(1, BAND)).choices] == ["0"]
 
 
 def test_sequence_numbers_of_peer_names() -> None:
@@ -259,5 +270,5 @@ def test_one_motion_in_two_files_is_taken_once() -> None:
     again = replace(one, path="copy.csv", event="", station="", spectrum=3.0 * one.spectrum, measures={"pga": 1.0})
     for one_per_event in (True, False):
         with pytest.raises(RecordError, match="1 "):
-            select([one, again], TARGET, Criteria(2, BAND, one_per_event=one_per_event))
-    assert len(select([one, again, candidate(2)], TARGET, Criteria(2, BAND)).choices) == 2
+            select([one, again], TARGET, SuiteCriteria(2, BAND, one_per_event=one_per_event))
+    assert len(select([one, again, candidate(2)], TARGET, SuiteCriteria(2, BAND)).choices) == 2

@@ -10,8 +10,7 @@ from scipy.integrate import solve_ivp
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
-from records.spectral_fit import end_weights, envelope, with_peak
-from records.synthetic import artificial
+from records.synthetic import artificial_records, end_weights, envelope, with_peak
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
 
@@ -20,7 +19,7 @@ TARGET = design_spectrum(s_ds=0.1667 * g, s_d1=0.0533 * g, t_l=6.0)
 
 @pytest.fixture(scope="module")
 def seven() -> tuple[Record, ...]:
-    return artificial(TARGET, count=7, seed=1)
+    return artificial_records(TARGET, count=7, seed=1)
 
 
 def integrated(record: Record) -> tuple[np.ndarray, np.ndarray]:
@@ -70,19 +69,19 @@ def test_motion_begins_and_ends_quietly(seven: tuple[Record, ...]) -> None:
 
 
 def test_the_seed_settles_everything_and_the_count_nothing(seven: tuple[Record, ...]) -> None:
-    three = artificial(TARGET, count=3, seed=1)
+    three = artificial_records(TARGET, count=3, seed=1)
     for record, same in zip(three, seven, strict=False):
         assert record.id == same.id
         assert record.processing_history == same.processing_history
         np.testing.assert_array_equal(record.acceleration, same.acceleration)
-    other = artificial(TARGET, count=1, seed=2)[0]
+    other = artificial_records(TARGET, count=1, seed=2)[0]
     for record in seven:
         assert abs(np.corrcoef(record.acceleration, other.acceleration)[0, 1]) < 0.3
     assert [record.id for record in seven] == [f"artificial-{k}" for k in range(1, 8)]
 
 
 def test_threads_change_nothing(seven: tuple[Record, ...]) -> None:
-    for record, same in zip(artificial(TARGET, count=7, seed=1, threads=3), seven, strict=True):
+    for record, same in zip(artificial_records(TARGET, count=7, seed=1, threads=3), seven, strict=True):
         assert record.id == same.id
         np.testing.assert_array_equal(record.acceleration, same.acceleration)
 
@@ -95,7 +94,7 @@ def test_a_record_knows_that_it_was_made_and_how_long_it_is_stationary(seven: tu
 
 @pytest.mark.parametrize("longest", [5.0, 7.5, 10.0])
 def test_a_longer_band_is_followed_as_far_as_half_of_the_duration(longest: float) -> None:
-    (record,) = artificial(TARGET, count=1, seed=1, duration=2.0 * longest + 5.0, band=(0.04, longest))
+    (record,) = artificial_records(TARGET, count=1, seed=1, duration=2.0 * longest + 5.0, band=(0.04, longest))
     T = np.geomspace(0.04, longest, 300)
     assert (response_spectrum(record, T) / TARGET.acceleration(T)).min() >= 0.88  # 0.90 at the periods fitted
 
@@ -108,13 +107,13 @@ def test_the_trail_states_the_fit(seven: tuple[Record, ...]) -> None:
 
 @pytest.mark.parametrize(("duration", "dt"), [(10.0, 0.01), (40.0, 0.01), (20.0, 0.005)])
 def test_length_and_step_are_as_asked(duration: float, dt: float) -> None:
-    (record,) = artificial(TARGET, count=1, seed=4, duration=duration, dt=dt)
+    (record,) = artificial_records(TARGET, count=1, seed=4, duration=duration, dt=dt)
     assert (record.dt, record.npts) == (dt, round(duration / dt) + 1)
 
 
 def test_a_table_is_matched_as_far_as_it_goes() -> None:
     table = table_spectrum([0.0, 0.1, 0.5, 2.0], [1.0, 2.5, 2.5, 0.6])
-    (record,) = artificial(table, count=1, seed=1)
+    (record,) = artificial_records(table, count=1, seed=1)
     T = np.geomspace(0.05, 2.0, 129)
     assert (response_spectrum(record, T) / table.acceleration(T)).min() >= 0.90
     assert "to 2 s" in str(record.processing_history[1])
@@ -124,7 +123,7 @@ def test_a_target_that_no_motion_has_is_refused() -> None:
     """Ordinates of a hundredth of the peak acceleration at 0.05 s, beside twice the peak at 0.06 s."""
     jagged = table_spectrum([0.0, 0.05, 0.06, 0.07, 4.0], [1.0, 0.01, 2.0, 0.01, 0.01])
     with pytest.raises(RecordError, match="sets of phases"):
-        artificial(jagged, count=1, seed=1)
+        artificial_records(jagged, count=1, seed=1)
 
 
 @pytest.mark.parametrize(
@@ -144,7 +143,7 @@ def test_a_target_that_no_motion_has_is_refused() -> None:
 )
 def test_arguments_that_make_no_record_are_refused(change: dict[str, object], words: str) -> None:
     with pytest.raises(RecordError, match=words):
-        artificial(TARGET, **{"count": 1, "seed": 1, **change})
+        artificial_records(TARGET, **{"count": 1, "seed": 1, **change})
 
 
 def test_the_end_weights_integrate_exactly() -> None:

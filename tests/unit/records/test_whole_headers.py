@@ -17,8 +17,8 @@ import pytest
 
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.header_overrides import NO_OVERRIDES
-from records.record import Earthquake, Record, Site
+from records.formats.header import NO_OVERRIDES
+from records.record import Earthquake, Record, StationSite
 
 N, STEP = 400, 0.01
 SHAPE = np.round(50.0 * np.sin(10 * np.pi * STEP * np.arange(N)) * np.hanning(N), 3)  # 5 Hz: within every filter below
@@ -39,7 +39,7 @@ class Stated:
     azimuth: float  # deg
     history: tuple[str, ...]
     earthquake: Earthquake
-    site: Site
+    site: StationSite
     distance: float | None = None  # m
     longest_period: float | None = None  # s
     start: str = ""
@@ -259,7 +259,7 @@ HEADERS = {
             90.0,
             ("read from K-NET/KiK-net, unit gal", f"mean of {OFFSET:.6g} gal taken off"),
             Earthquake("2003-09-25T19:50:00Z", 8.0, "MJMA", 41.78, 144.078, 42e3),
-            Site(42.4839, 143.1552, 253.0, place="borehole"),
+            StationSite(42.4839, 143.1552, 253.0, place="borehole"),
         ),
     ),
     "dyna": (
@@ -274,7 +274,7 @@ HEADERS = {
             0.0,
             ("read from ESM/ITACA DYNA, unit cm/s^2", "filtered by the source: 0.04 Hz to 40 Hz"),
             Earthquake("2016-08-24T01:36:32Z", 6.0, "Mw", 42.6983, 13.2335, 8.1e3),
-            Site(42.7925, 13.0964, 610.0, 498.0, "EC8 B", "12.5 m deep"),
+            StationSite(42.7925, 13.0964, 610.0, 498.0, "EC8 B", "12.5 m deep"),
             distance=15.3e3,
             longest_period=20.0,  # 1 / (1.25 · 0.04 Hz)
             start="2016-08-24T01:36:30.5Z",
@@ -292,7 +292,7 @@ HEADERS = {
             0.0,
             ("read from ITACA cor.acc, unit m/s/s", "filtered by the source: 0.10 - 40.00 Hz"),
             Earthquake("2009-04-06T01:32:39Z"),
-            Site(),
+            StationSite(),
             longest_period=8.0,  # 1 / (1.25 · 0.10 Hz)
         ),
     ),
@@ -308,7 +308,7 @@ HEADERS = {
             0.0,
             ("read from AFAD, unit gal",),
             Earthquake("1999-08-17T00:01:39Z", 7.4, "Mw", 40.76, 29.97, 18e3),
-            Site(-40.73707, -30.38006, 30.0),
+            StationSite(-40.73707, -30.38006, 30.0),
             start="1999-08-17T00:01:30Z",
         ),
     ),
@@ -324,7 +324,7 @@ HEADERS = {
             90.0,
             ("read from COSMOS, unit cm/sec2", "Corrected acceleration"),
             Earthquake("1994-01-17T12:30:55.4Z", 6.4, "ML", 34.206, -118.554, 17.5e3),  # ML before Ms
-            Site(34.236, -118.439, 272.0),
+            StationSite(34.236, -118.439, 272.0),
             distance=11.25e3,
         ),
     ),
@@ -340,7 +340,7 @@ HEADERS = {
             0.0,
             ("read from CSMIP volume 2, unit CM/SEC/SEC",),
             Earthquake("1989-10-17T00:04:15.2Z", 7.0, "ML", 37.037, -121.883, 18e3),
-            Site(37.046, -121.803),
+            StationSite(37.046, -121.803),
         ),
     ),
     "v2a": (
@@ -357,7 +357,7 @@ HEADERS = {
             Earthquake(
                 "2016-11-13T11:02:56.3Z", 7.82, "Mw", -(42 + 41 / 60 + 33 / 3600), 173 + 1 / 60 + 19 / 3600, 15e3
             ),
-            Site(-(42 + 24 / 60 + 58 / 3600), 173 + 32 / 60 + 20 / 3600),
+            StationSite(-(42 + 24 / 60 + 58 / 3600), 173 + 32 / 60 + 20 / 3600),
             distance=54e3,
         ),
     ),
@@ -373,7 +373,7 @@ HEADERS = {
             230.0,
             ("read from SMC, unit cm/s2 by the format", "corrected accelerogram"),
             Earthquake("1979-10-15T23:16:00Z", 6.6, "ML", 32.614, -115.318, 12.1e3),  # ML before Ms
-            Site(32.829, -115.504, -15.0),
+            StationSite(32.829, -115.504, -15.0),
             distance=29.5e3,
         ),
     ),
@@ -389,7 +389,7 @@ HEADERS = {
             90.0,
             ("read from PEER AT2, unit g, event of 10/18/89",),
             Earthquake("1989-10-18"),
-            Site(),
+            StationSite(),
         ),
     ),
 }
@@ -421,7 +421,7 @@ def test_a_whole_header(tmp_path: Path, name: str) -> None:
     assert found.dt == STEP
 
 
-def same(one: Earthquake | Site, other: Earthquake | Site) -> bool:
+def same(one: Earthquake | StationSite, other: Earthquake | StationSite) -> bool:
     """Whether all that is known is the same."""
     return vars(one) == {key: near(value) for key, value in vars(other).items()}
 

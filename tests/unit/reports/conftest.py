@@ -17,18 +17,19 @@ from assess.codes.verdict import Action, Decision, MechanismChecks, Question, ma
 from assess.messages.message import Message, Severity, whole_number
 from assess.results import (
     SCHEMA_VERSION,
+    AmplificationFactor,
     AmplificationResult,
-    Axis,
     BranchCurve,
+    CapacityCurve,
     ComparisonRow,
-    Curve,
     DirectionSweep,
-    Displaced,
+    DisplacedDrawing,
     Drawing,
     DrawnLoad,
-    Factor,
+    HingeAxis,
     HingeForceResult,
     HistoryResult,
+    HistoryTrace,
     Input,
     LinearisedResult,
     LoadResult,
@@ -39,18 +40,17 @@ from assess.results import (
     Program,
     RecordResult,
     RecordSpectrum,
-    Resolved,
+    ResolvedValue,
     Results,
     SpectrumResult,
     SuiteResult,
     SweepResult,
-    Trace,
     View,
 )
 
 if TYPE_CHECKING:
     from reports.document import Document
-    from reports.render.vector import Drawings
+    from reports.render.vector import TracedFigures
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
@@ -236,7 +236,7 @@ def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
     return tuple(made)
 
 
-def trace(alpha: float, *, sides: str) -> Trace:
+def trace(alpha: float, *, sides: str) -> HistoryTrace:
     t = np.arange(0.0, 20.0, 0.01)
     shape = (t / 4) ** 2 * np.exp(2 * (1 - t / 4))
     ground = 0.45 * shape * np.sin(2 * np.pi * 2.3 * t + 3 * np.sin(t)) * np.cos(0.7 * t)
@@ -244,7 +244,7 @@ def trace(alpha: float, *, sides: str) -> Trace:
     if sides == "one":
         turned = np.abs(2 * turned) + np.where(t > 5.0, alpha * np.expm1(1.2 * (t - 5.0).clip(0.0, 1.0)), 0.0)
         t, turned, ground = (column[t < 5.9] for column in (t, turned, ground))
-    return Trace(*(tuple(map(float, column)) for column in (t, turned, ground)))
+    return HistoryTrace(*(tuple(map(float, column)) for column in (t, turned, ground)))
 
 
 def histories(alpha: float, records: tuple[RecordResult, ...], *, sides: str, falls: bool) -> tuple[HistoryResult, ...]:
@@ -318,7 +318,7 @@ def rectangle(thickness: float, height: float, base: float, *, two: bool) -> Dra
     hinges = (NamedPoint("A", (t, base)), NamedPoint("A′", (-t, base)))[: 2 if two else 1]
     loads = () if two else (DrawnLoad("floor beam", (t, 0.9 * height), "mass", (0.0, -1.0)),)
     sides = [
-        Displaced(
+        DisplacedDrawing(
             0.07,
             (turned(outline, hinge.at[0], base, angle),),
             (0,),
@@ -339,7 +339,7 @@ def box_view(thickness: float, height: float) -> View:
     box = [(0, 1, 3), (0, 3, 2), (4, 7, 5), (4, 6, 7), (0, 5, 1), (0, 4, 5)]
     box += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
     triangles = [(a + start, b + start, c + start) for start in (0, 8) for a, b, c in box]
-    axes = (Axis("A", ((x, -y, 4.77), (x, y, 4.77))), Axis("A′", ((-x, -y, 4.77), (-x, y, 4.77))))
+    axes = (HingeAxis("A", ((x, -y, 4.77), (x, y, 4.77))), HingeAxis("A′", ((-x, -y, 4.77), (-x, y, 4.77))))
     section = tuple((i, j, 4.77) for i, j in (corners[0], corners[1], corners[3], corners[2], corners[0]))
     size = (thickness, 3.0, 4.77 + height)
     owner = (-1,) * 12 + (0,) * 12
@@ -376,9 +376,11 @@ def mechanism(
         box_view(thickness, height) if two else None,
         parameters,
         parameters if two else None,
-        Curve(curve, curve if two else None),
+        CapacityCurve(curve, curve if two else None),
         (),
-        AmplificationResult("srss" if weak else "none", tuple(Factor(r.id, 1.25) for r in records) if weak else ()),
+        AmplificationResult(
+            "srss" if weak else "none", tuple(AmplificationFactor(r.id, 1.25) for r in records) if weak else ()
+        ),
         checks(alpha, weak),
         history,
         suites(history),
@@ -436,20 +438,20 @@ def make_results() -> Results:
         for c in m.checks
     )
     project = {
-        "title": Resolved("Great House", True),
-        "engineer": Resolved("A. Builder, CEng", True),
-        "checker": Resolved(None, False),
-        "client": Resolved("The Trustees", True),
-        "reference": Resolved("GH-07", True),
-        "notes": Resolved("Survey of May; north face not reached.", True),
-        "site.vertical_ratio": Resolved(0.0, False),
-        "materials.caliche.density": Resolved(2240.0, True),
-        "mechanisms.wall-6.direction": Resolved([1, 0, 0], False),
-        "mechanisms.wall-6.cut": Resolved(4.77, True),
-        "mechanisms.wall-6.hinges.A": Resolved({"x": 0.396, "z": 4.77}, True),
-        "analysis.levels": Resolved(list(LEVELS), True),
-        "procedures.dmi2008.confidence_factor": Resolved(1.0, False),
-        "report.paper": Resolved("A4", False),
+        "title": ResolvedValue("Great House", True),
+        "engineer": ResolvedValue("A. Builder, CEng", True),
+        "checker": ResolvedValue(None, False),
+        "client": ResolvedValue("The Trustees", True),
+        "reference": ResolvedValue("GH-07", True),
+        "notes": ResolvedValue("Survey of May; north face not reached.", True),
+        "site.vertical_ratio": ResolvedValue(0.0, False),
+        "materials.caliche.density": ResolvedValue(2240.0, True),
+        "mechanisms.wall-6.direction": ResolvedValue([1, 0, 0], False),
+        "mechanisms.wall-6.cut": ResolvedValue(4.77, True),
+        "mechanisms.wall-6.hinges.A": ResolvedValue({"x": 0.396, "z": 4.77}, True),
+        "analysis.levels": ResolvedValue(list(LEVELS), True),
+        "procedures.dmi2008.confidence_factor": ResolvedValue(1.0, False),
+        "report.paper": ResolvedValue("A4", False),
     }
     spectrum = SpectrumResult(
         "asce7-16",
@@ -532,19 +534,18 @@ def document(results: Results) -> Document:
 
 
 @pytest.fixture(scope="session")
-def drawings(document: Document) -> Drawings:
-    from reports.render.processes import processes
-    from reports.render.vector import trace_figures
+def drawings(document: Document) -> TracedFigures:
+    from reports.render.vector import document_processes, trace_figures
 
-    with processes(1, document) as submit:
+    with document_processes(1, document) as submit:
         return trace_figures(document, submit)
 
 
 @pytest.fixture(scope="session")
-def page(document: Document, drawings: Drawings, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(document: Document, drawings: TracedFigures, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report as HTML."""
     from reports.render.html import write_html
-    from reports.render.svg import picture
+    from reports.render.vector import svg_picture
 
-    pictures = {name: picture(drawing.result()) for name, drawing in drawings.items()}
+    pictures = {name: svg_picture(drawing.result()) for name, drawing in drawings.items()}
     return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

@@ -15,8 +15,8 @@ from assess.results.fragility import FragilityResults, LognormalResult, Mechanis
 from reports.assessment import fragility_report
 from reports.chapters import fragility_tables, fragility_words
 from reports.document import Document, Figure, Table
+from reports.intensity_measures import main_curve, main_risk, measure_text
 from reports.language.locale import Locale
-from reports.measures import main_curve, main_risk, measure_text
 from reports.writing import write_document
 from tests.languages.test_reports import Listener, texts_in
 from tests.support.document_numbers import is_known, misread, numbers_of, shown_numbers
@@ -49,7 +49,7 @@ def plain(text: str) -> str:
 
 
 def summary(mechanism: MechanismFragility, locale: Locale | None = None) -> str:
-    return plain(" ".join(map((locale or Locale()).text, fragility_words.summary(mechanism))))
+    return plain(" ".join(map((locale or Locale()).text, fragility_words.mechanism_summary(mechanism))))
 
 
 def first_page(results: FragilityResults) -> str:
@@ -138,7 +138,7 @@ def test_the_bound_is_called_a_bound(document: Document) -> None:
 
 
 def test_trends_are_called_significant_in_words(results: FragilityResults) -> None:
-    table = fragility_tables.comparison(results.mechanisms[0], "measures")
+    table = fragility_tables.measures_table(results.mechanisms[0], "measures")
     texts = [[plain(Locale().text(cell)) for cell in row if hasattr(cell, "english")] for row in table.rows]
     for row, each in zip(texts, results.mechanisms[0].comparison, strict=True):
         for trend, said in zip(each.trends, row[-3:], strict=True):
@@ -148,7 +148,7 @@ def test_trends_are_called_significant_in_words(results: FragilityResults) -> No
 def test_a_page_has_the_first_islands_and_the_tables_have_all(results: FragilityResults) -> None:
     front = results.mechanisms[0]
     many = replace(front, runs=tuple(replace(run, islands=((2.0, 2.5), (3.0, 3.5))) for run in front.runs))
-    printed = fragility_tables.islands(many, "islands", most=10)
+    printed = fragility_tables.islands_table(many, "islands", most=10)
     assert (len(printed.rows), "the first 10 of 48" in plain(Locale().text(printed.caption))) == (10, True)
     made = fragility_report(replace(results, mechanisms=(many,)))
     assert len(next(table for table in made.data if table.name == "fragility-islands").rows) == 48
@@ -220,7 +220,7 @@ def test_a_target_that_is_open_says_why(results: FragilityResults, change: dict,
     ):
         one = replace(mechanism, risks=tuple(replace(each, **changes) for each in mechanism.risks))
         assert expected in summary(one)
-        (row,) = fragility_tables.overview(replace(results, mechanisms=(one,))).rows
+        (row,) = fragility_tables.overview_table(replace(results, mechanisms=(one,))).rows
         assert shown in plain(Locale().text(row[-1].text))
 
 
@@ -254,9 +254,13 @@ def test_a_cloud_without_a_lognormal_says_why_there_is_no_rate(results: Fragilit
 
 
 def test_rates_and_their_probabilities_have_two_figures(results: FragilityResults) -> None:
-    figures = {column.figures for column in fragility_tables.RISK if column.dimension in ("annual rate", "percent")}
+    figures = {
+        column.figures for column in fragility_tables.RATE_COLUMNS if column.dimension in ("annual rate", "percent")
+    }
     assert figures == {2, 3}
     risk = main_risk(results.mechanisms[0])
-    said = Locale().text(fragility_words.how_likely(replace(risk, annual_rate=1.26e-4, probability_50_years=0.00628)))
+    said = Locale().text(
+        fragility_words.rate_sentence(replace(risk, annual_rate=1.26e-4, probability_50_years=0.00628))
+    )
     assert "0.00013" in said
     assert "0.63" in said

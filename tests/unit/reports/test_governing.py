@@ -12,7 +12,7 @@ from reports.chapters.cells import BEYOND, OVERTURNED
 
 
 def test_overturning_stands_before_every_ratio(results: Results) -> None:
-    worst = governing.worst(results.mechanisms[1].checks)
+    worst = governing.worst_check(results.mechanisms[1].checks)
     assert worst is not None
     assert (worst.procedure, worst.level_pga_g, worst.demand) == ("asce43-05-history", 0.45, None)
 
@@ -26,17 +26,17 @@ def test_one_check_stands_for_each_procedure(results: Results) -> None:
 
 def test_the_sites_own_action_is_apart_from_the_levels_of_the_study(results: Results) -> None:
     assert governing.site_pga(results) == 0.067
-    assert {check.level_pga_g for check in governing.at_site(results, results.mechanisms[0])} == {0.067}
+    assert {check.level_pga_g for check in governing.checks_at_site(results, results.mechanisms[0])} == {0.067}
     assert governing.other_levels(results) == (0.2, 0.45)
     assert governing.other_levels(replace(results, verdict=None)) == (0.067, 0.2, 0.45)
 
 
 def test_the_overturning_history_governs(results: Results) -> None:
-    found = governing.history(results.mechanisms[1])
+    found = governing.governing_history(results.mechanisms[1])
     assert found is not None
     assert found[0].overturned
     bare = replace(results.mechanisms[1], histories=())
-    assert governing.history(bare) is None
+    assert governing.governing_history(bare) is None
 
 
 def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results) -> None:
@@ -55,8 +55,8 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
     made = replace(results, mechanisms=(one, *others), comparison=(*results.comparison, row))
     assert not governing.is_overturned(worst)
     lines = (
-        next(line for line in data_tables.verdicts(made).rows if line[1] == 9.0),
-        next(line for line in data_tables.comparison(made).rows if line[1] == 9.0),
+        next(line for line in data_tables.checks_table(made).rows if line[1] == 9.0),
+        next(line for line in data_tables.comparison_table(made).rows if line[1] == 9.0),
     )
     assert all(BEYOND in line and OVERTURNED not in line for line in lines)
 

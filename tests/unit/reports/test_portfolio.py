@@ -9,17 +9,17 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from assess.portfolio.row import Row
+from assess.portfolio.row import ProjectRow
 from reports.language.catalogue import languages
 from reports.portfolio import FILES, write_ranking
 
 HOSTILE = ('=HYPERLINK("http://x")', "<script>alert(1)</script>", "@SUM(A1)", "a\nb", "x" * 500)
 ROWS = (
-    Row("b", "Second", "2", "done", "", "pass", "ntc2018", "SLV", "wall", 1.5, 2 / 3, "ntc2018-nonlinear", 0, 1),
-    Row("a", "First", "1", "done", "", "fail", "ntc2018", "SLV", "wall", 0.5, 2.0, "ntc2018-nonlinear", 0, 1,
+    ProjectRow("b", "Second", "2", "done", "", "pass", "ntc2018", "SLV", "wall", 1.5, 2 / 3, "ntc2018-nonlinear", 0, 1),
+    ProjectRow("a", "First", "1", "done", "", "fail", "ntc2018", "SLV", "wall", 0.5, 2.0, "ntc2018-nonlinear", 0, 1,
         report="a #1?/report.html", results='a" onclick="x/results.json'),
-    Row("c", "Open", "3", "done", outcome="incomplete", missing=2, mechanisms=1),
-    *(Row(text, text, "4", "broken", reason=f"{text}: not a length", exit_code=2) for text in HOSTILE),
+    ProjectRow("c", "Open", "3", "done", outcome="incomplete", missing=2, mechanisms=1),
+    *(ProjectRow(text, text, "4", "broken", reason=f"{text}: not a length", exit_code=2) for text in HOSTILE),
 )  # fmt: skip
 
 
@@ -74,6 +74,8 @@ def test_empty_and_single_portfolios_are_written_in_every_language(language: str
 
 
 def test_numbers_of_a_long_table_are_shown_to_three_figures(tmp_path: Path) -> None:
-    write_ranking([Row(f"{n}", "", "", "done", outcome="pass", margin=1 + 1 / (n + 3)) for n in range(600)], tmp_path)
+    write_ranking(
+        [ProjectRow(f"{n}", "", "", "done", outcome="pass", margin=1 + 1 / (n + 3)) for n in range(600)], tmp_path
+    )
     sheet = load_workbook(tmp_path / "ranked.xlsx")["ranked"]
     assert sheet["D300"].number_format == "0.00"

@@ -17,38 +17,33 @@ RENDERERS = sorted(
 )
 LETTERS = {
     "spectra.formulas",  # which text a spreadsheet would run
-    "assess.codes.calculation_step",  # the lines of a calculation sheet
+    "assess.codes.calculation_sheet",  # the lines of a calculation sheet
     "assess.messages.message",
     "assess.messages.texts",
 }
 DATA = {
     *LETTERS,
     "spectra.arrays",  # the types of arrays
-    "assess.geometry.simplify",  # fewer faces for a drawing
+    "assess.geometry.surface",  # fewer faces for a drawing
     "assess.outputs.signals",  # interruptions end the process that writes
-    "assess.outputs.single",  # files whole or not at all
+    "assess.outputs.writing",  # files whole or not at all
     "assess.workers",  # processes that end with their parent
     "assess.errors",
     "assess.results",
-    "assess.results.envelopes",
-    "assess.portfolio.ranking",
+    "assess.results.response",
     "assess.portfolio.row",
-    "assess.results.program",
-    "assess.results.fragility",
     "assess.results.inputs",
-    "assess.results.uncertainty",
-    "assess.results.uses",
+    "assess.results.fragility",
+    "assess.results.variations",
+    "assess.results.solved_cases",
     "assess.results.verification",
     "assess.codes.bases",
-    "assess.codes.basis",
     "assess.codes.check",
     "assess.codes.checklists",
     "assess.codes.families",
-    "assess.codes.standing_figures",
+    "assess.codes.histories",
     "assess.codes.verdict",
-    "assess.codes.verdict.outcome",
-    "assess.codes.verdict_text",
-    "assess.messages.plural",
+    "assess.messages.message",
 }
 
 

@@ -9,10 +9,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from assess.errors import AssessError
-from assess.results import Resolved, Results
-from reports.assessment import assessment
+from assess.results import ResolvedValue, Results
+from reports.assessment import assessment, figure_names, report_figure
 from reports.render.vector import Letters, trace_figure
-from reports.report_figure import figure_names, report_figure
 
 
 def letters(figure: Figure) -> list[str]:
@@ -44,7 +43,11 @@ def test_the_only_mechanism_need_not_be_named(alone: Results) -> None:
 
 
 def test_a_figure_has_the_units_and_language_of_the_report(results: Results) -> None:
-    project = {**results.project, "report.language": Resolved("it", True), "report.units": Resolved("US", True)}
+    project = {
+        **results.project,
+        "report.language": ResolvedValue("it", True),
+        "report.units": ResolvedValue("US", True),
+    }
     found = letters(report_figure("capacity", replace(results, project=project), mechanism=results.mechanisms[0].name))
     assert any(text.endswith("[kip ft]") for text in found), found
     assert "0,0" in {text[:3] for text in found}

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from spectra.asce7 import design_spectrum
-from spectra.asce7_editions import EDITIONS
+from spectra.asce7 import EDITIONS, design_spectrum
 from spectra.errors import SpectrumError
 from spectra.spectrum import scale_to_pga
 

@@ -3,7 +3,13 @@
 import pytest
 
 from spectra.errors import SpectrumError
-from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_floor_factor, ec8_resonance, nzs1170_5
+from spectra.floor import (
+    ec8_floor_factor,
+    ec8_resonant_part_factor,
+    ec8_resonant_part_factor_with_soil,
+    ec8_rigid_part_factor,
+    nzs1170_5_height_coefficient,
+)
 
 
 @pytest.mark.parametrize(
@@ -21,14 +27,18 @@ def test_a_part_of_very_long_period_keeps_the_ground_s_acceleration():
 
 
 def test_the_three_readings_of_ec8():
-    assert [ec8(z, building_height=12.0) for z in (0.0, 6.0, 12.0)] == pytest.approx([1.0, 1.75, 2.5], rel=1e-12)
-    assert [ec8_resonance(z, building_height=12.0) for z in (0.0, 6.0, 12.0)] == pytest.approx([2.5, 4.0, 5.5])
-    assert ec8_at_resonance_with_soil(6.0, building_height=12.0, soil_factor=1.15) == pytest.approx(1.15 * 4.0)
+    assert [ec8_rigid_part_factor(z, building_height=12.0) for z in (0.0, 6.0, 12.0)] == pytest.approx(
+        [1.0, 1.75, 2.5], rel=1e-12
+    )
+    assert [ec8_resonant_part_factor(z, building_height=12.0) for z in (0.0, 6.0, 12.0)] == pytest.approx(
+        [2.5, 4.0, 5.5]
+    )
+    assert ec8_resonant_part_factor_with_soil(6.0, building_height=12.0, soil_factor=1.15) == pytest.approx(1.15 * 4.0)
 
 
 def test_thesis_table_4_6_nzs():
     """1.8 for both columns, whose mechanisms begin at 4.60 m (4.3.3): 1 + h/6 governs in a building of 24 m."""
-    assert round(nzs1170_5(4.60, building_height=24.0), 1) == 1.8
+    assert round(nzs1170_5_height_coefficient(4.60, building_height=24.0), 1) == 1.8
 
 
 @pytest.mark.parametrize(
@@ -44,10 +54,10 @@ def test_thesis_table_4_6_nzs():
 )
 def test_nzs_takes_the_least_that_applies(height, building, factor):
     """1 + h/6 below 12 m; 1 + 10 h/H below 0.2 H; 3 from there on."""
-    assert nzs1170_5(height, building_height=building) == pytest.approx(factor, rel=1e-12)
+    assert nzs1170_5_height_coefficient(height, building_height=building) == pytest.approx(factor, rel=1e-12)
 
 
-@pytest.mark.parametrize("factor", [ec8, ec8_resonance, nzs1170_5])
+@pytest.mark.parametrize("factor", [ec8_rigid_part_factor, ec8_resonant_part_factor, nzs1170_5_height_coefficient])
 @pytest.mark.parametrize(("height", "building"), [(-0.1, 9.0), (9.1, 9.0), (float("nan"), 9.0), (1.0, 0.0)])
 def test_heights_outside_the_building_are_refused(factor, height, building):
     with pytest.raises(SpectrumError, match="height"):

@@ -9,7 +9,7 @@ import pytest
 from scipy.constants import g
 
 from spectra import asce7, ec8, ntc, nzs1170_5
-from spectra.asce7_editions import EDITIONS
+from spectra.asce7 import EDITIONS
 from spectra.errors import SpectrumError
 from spectra.registry import SPECTRA, spectrum
 from spectra.spectrum import Spectrum, scale_to_pga
@@ -32,7 +32,7 @@ POINTS: dict[str, Any] = {"period": (0.0, 0.2, 0.6, 4.0), "acceleration": (1.0, 
 def at_limit_state(code: str, state: str) -> Spectrum:
     rows = [ntc.Hazard(**row) for row in ROWS]
     at = ntc.limit_state_hazard(rows, limit_state=state, nominal_life=50.0, use_class="II")
-    return ntc.elastic_spectrum(at, place=ntc.Place("B"), code=code)
+    return ntc.elastic_spectrum(at, place=ntc.SoilAndTopography("B"), code=code)
 
 
 CASES: list[tuple[str, dict[str, Any], Spectrum]] = [
@@ -52,7 +52,11 @@ CASES: list[tuple[str, dict[str, Any], Spectrum]] = [
         nzs1170_5.site_spectrum(**NZS, r=1.3, near_fault_distance=5e3),
     ),
     *(
-        (code, {**ROCK, "soil": "C"}, ntc.elastic_spectrum(ntc.Hazard(**ROCK), place=ntc.Place("C"), code=code))
+        (
+            code,
+            {**ROCK, "soil": "C"},
+            ntc.elastic_spectrum(ntc.Hazard(**ROCK), place=ntc.SoilAndTopography("C"), code=code),
+        )
         for code in ntc.CLAUSES
     ),
     *((code, HAZARD, at_limit_state(code, "SLV")) for code in ntc.CLAUSES),

@@ -10,8 +10,14 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.applicability import apply_procedure
-from assess.codes.asce41_13.clauses import Options, largest_s_x1, permissible, position_of
-from assess.codes.asce41_13.slenderness import NAME, assess
+from assess.codes.asce41_13 import (
+    SLENDERNESS,
+    Asce41Options,
+    assess_slenderness,
+    permissible_slenderness,
+    permitted_s_x1,
+    position_of,
+)
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -39,7 +45,7 @@ def building(storeys: int | None, height: float = 8.4) -> Building:
     ],
 )
 def test_wall_by_its_place(position, most, verdict) -> None:
-    (check,) = assess(BLOCK, AT, options=Options(position))
+    (check,) = assess_slenderness(BLOCK, AT, options=Asce41Options(position))
     assert (check.demand, check.capacity) == pytest.approx((12.727, most), rel=1e-4)
     assert check.ratio == pytest.approx(12.727 / most, rel=1e-4)
     assert (check.verdict, check.role, check.reading) == (verdict, "comparison", "letter")
@@ -49,20 +55,20 @@ def test_wall_by_its_place(position, most, verdict) -> None:
 def test_columns(s_x1, column) -> None:
     rows = {"one-storey": (20, 16, 13), "first-storey": (20, 18, 15), "top-storey": (14, 14, 9), "other": (20, 16, 13)}
     for position, row in rows.items():
-        assert permissible(position, s_x1) == row[column]
+        assert permissible_slenderness(position, s_x1) == row[column]
 
 
 @pytest.mark.parametrize(
     ("slenderness", "bound"), [(13.0, None), (13.1, 0.37), (16.0, 0.37), (16.1, 0.24), (20.1, 0.0)]
 )
 def test_s_x1_up_to_which_a_wall_is_permitted(slenderness, bound) -> None:
-    assert largest_s_x1("other", slenderness) == bound
+    assert permitted_s_x1("other", slenderness) == bound
 
 
 def test_pga_at_capacity_is_where_the_column_ends() -> None:
     """h/t = 15 in row "other": up to S_X1 = 0.37 g, PGA = 0.37 x 0.4 / 0.45."""
     at = dataclasses.replace(AT, wall=Wall(4.95, 0.33))
-    (check,) = assess(BLOCK, at, options=Options("other"))
+    (check,) = assess_slenderness(BLOCK, at, options=Asce41Options("other"))
     assert check.capacity_pga_g == pytest.approx(0.37 * 0.4 / 0.45, rel=1e-12)
 
 
@@ -91,20 +97,20 @@ def test_a_wall_as_high_as_the_building_is_in_the_top_storey() -> None:
 )
 def test_without_storeys_a_wall_passes_by_the_strictest_row_and_fails_by_the_mildest(height, verdict) -> None:
     """S_X1 = 0.45 g: 9 in the top storey, 15 in the first."""
-    (check,) = assess(BLOCK, dataclasses.replace(AT, wall=Wall(height, 0.33)), options=Options())
+    (check,) = assess_slenderness(BLOCK, dataclasses.replace(AT, wall=Wall(height, 0.33)), options=Asce41Options())
     assert (check.verdict, check.capacity) == (verdict, 9.0)
     assert (check.reason.key == Reason.STOREY_UNKNOWN) == (verdict == "not-answered")
 
 
 def test_a_place_that_nobody_gave_is_said() -> None:
-    (check,) = assess(BLOCK, AT, options=Options())
+    (check,) = assess_slenderness(BLOCK, AT, options=Asce41Options())
     (step,) = (step for step in check.steps if step.symbol == "max h/t")
     assert "not known" in step.remark
 
 
 def test_on_a_spectrum_of_another_family_it_says_so() -> None:
     abroad = dataclasses.replace(AT, spectrum=elastic_spectrum(a_g=0.2 * g, ground_type="B"))
-    (foreign,) = assess(BLOCK, abroad, options=Options())
+    (foreign,) = assess_slenderness(BLOCK, abroad, options=Asce41Options())
     assert "one of ec8" in foreign.caveat
 
 
@@ -120,7 +126,9 @@ MISSING = {
 
 @pytest.mark.parametrize(("change", "verdict", "reason"), list(MISSING.values()), ids=list(MISSING))
 def test_what_is_missing_is_said(change, verdict, reason) -> None:
-    (check,) = apply_procedure(NAME, partial(assess, options=Options()), BLOCK, dataclasses.replace(AT, **change))
+    (check,) = apply_procedure(
+        SLENDERNESS, partial(assess_slenderness, options=Asce41Options()), BLOCK, dataclasses.replace(AT, **change)
+    )
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 
@@ -137,7 +145,7 @@ def parapet(height: float, *, base: float = 8.4) -> Context:
 )
 def test_parapets_have_limits_of_their_own(seismicity, height, verdict) -> None:
     """h/t at most 1.5 in high seismicity, 2.5 in moderate."""
-    (check,) = assess(BLOCK, parapet(height), options=Options(seismicity=seismicity))
+    (check,) = assess_slenderness(BLOCK, parapet(height), options=Asce41Options(seismicity=seismicity))
     assert (check.verdict, check.ratio) == (
         verdict,
         pytest.approx(height / 0.33 / {"high": 1.5, "moderate": 2.5}[seismicity]),
@@ -146,21 +154,21 @@ def test_parapets_have_limits_of_their_own(seismicity, height, verdict) -> None:
 
 def test_what_stands_free_elsewhere_is_no_parapet() -> None:
     for context in (parapet(0.4, base=4.2), dataclasses.replace(parapet(0.4), building=None)):
-        (check,) = assess(BLOCK, context, options=Options())
+        (check,) = assess_slenderness(BLOCK, context, options=Asce41Options())
         assert (check.verdict, check.reason.key) == ("not-applicable", Reason.NOT_SPANNING)
 
 
 def test_rubble_is_not_judged_and_unknown_masonry_is_a_condition() -> None:
-    (rubble,) = assess(BLOCK, AT, options=Options(masonry="rubble"))
+    (rubble,) = assess_slenderness(BLOCK, AT, options=Asce41Options(masonry="rubble"))
     assert (rubble.verdict, rubble.reason.key) == ("not-applicable", Reason.RUBBLE)
-    (unknown,) = assess(BLOCK, AT, options=Options())
+    (unknown,) = assess_slenderness(BLOCK, AT, options=Asce41Options())
     assert [condition.key for condition in unknown.conditions] == ["premise-coursed"]
-    (coursed,) = assess(BLOCK, AT, options=Options(masonry="coursed"))
+    (coursed,) = assess_slenderness(BLOCK, AT, options=Asce41Options(masonry="coursed"))
     assert coursed.conditions == ()
 
 
 def test_s_x1_given_by_name_answers_on_a_table() -> None:
     """S_X1 = 0.45 g at the table's PGA of 0.4 g, so half of it at 0.2 g: 0.225 g is the first column."""
     table = dataclasses.replace(AT, spectrum=SHORT, levels=(0.2 * g, 0.4 * g))
-    half, whole = assess(BLOCK, table, options=Options(position="top-storey", s_x1=0.45))
+    half, whole = assess_slenderness(BLOCK, table, options=Asce41Options(position="top-storey", s_x1=0.45))
     assert (half.capacity, whole.capacity) == (14.0, 9.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.asce43_05.clauses import (
+from assess.codes.asce43_05 import (
     capacity_acceleration,
     effective_damping,
     effective_frequency,

@@ -11,17 +11,11 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes import dmi2008
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context
-from assess.codes.dmi2008 import clauses, linear, nonlinear
-from assess.codes.dmi2008.clauses import (
-    floor_acceleration,
-    floor_displacement,
-    ground_displacement,
-)
-from assess.codes.italian.curves import curves_of_all_actions
-from assess.codes.italian.edition import Options
-from assess.codes.italian.floor import floor_of
+from assess.codes.dmi2008 import floor_acceleration, floor_displacement, ground_displacement
+from assess.codes.italian_limit_states import ItalianOptions, curves_of_all_actions, floor_of
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.single_block import single_block
@@ -46,7 +40,7 @@ LC1 = 1.35
 
 def capacity_of(rocker, *, confidence_factor=LC1):
     (curves,) = curves_of_all_actions(rocker)
-    return clauses.capacity_of(curves, confidence_factor=confidence_factor)
+    return dmi2008.capacity_of(curves, confidence_factor=confidence_factor)
 
 
 @pytest.mark.parametrize(("FC", "a0", "as_", "Ts"), [(1.0, 0.981, 0.8240, 1.516), (1.35, 0.7267, 0.6104, 1.762)])
@@ -68,30 +62,30 @@ def test_height_factor_of_the_displacement_demand(r, factor):
 
 
 def test_linear_check_with_q(rocker):
-    (check,) = linear.assess(rocker, context(), options=Options())
+    (check,) = dmi2008.assess_linear(rocker, context(), options=ItalianOptions())
     assert check.capacity_pga_g == pytest.approx(0.148, rel=5e-3)  # ag S <= 2 x 0.7267 m/s2
     assert check.verdict == "fail"
-    (passing,) = linear.assess(rocker, context(levels=(0.14 * g,)), options=Options())
+    (passing,) = dmi2008.assess_linear(rocker, context(levels=(0.14 * g,)), options=ItalianOptions())
     assert passing.verdict == "pass"
 
 
 def test_damage_limit_state_has_no_behaviour_factor(rocker):
-    damage, life = linear.assess(rocker, context(), options=Options(limit_states=("SLD", "SLV")))
+    damage, life = dmi2008.assess_linear(rocker, context(), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert damage.capacity_pga_g == pytest.approx(life.capacity_pga_g / 2, rel=1e-12)
 
 
 def test_above_ground_the_floor_governs(rocker):
     at = context(elevation=9.0, building=HOUSE)
-    (raised,) = linear.assess(rocker, at, options=Options())
+    (raised,) = dmi2008.assess_linear(rocker, at, options=ItalianOptions())
     assert raised.demand == pytest.approx(floor_acceleration(at, floor_of(at)) * 0.15 / 0.2 / 2, rel=1e-12)
     assert raised.input_at == "mechanism base"
-    (ground,) = linear.assess(rocker, context(), options=Options())
+    (ground,) = dmi2008.assess_linear(rocker, context(), options=ItalianOptions())
     assert raised.capacity_pga_g < ground.capacity_pga_g
 
 
 def test_nonlinear_demand_is_the_displacement_spectrum_at_the_secant_period(rocker):
     at = context(levels=(0.18 * g,))
-    (check,) = nonlinear.assess(rocker, at, options=Options())
+    (check,) = dmi2008.assess_nonlinear(rocker, at, options=ItalianOptions())
     cap = capacity_of(rocker)
     assert 0.4 < cap.Ts < 6.0  # on the branch S_D1 / T
     by_hand = 0.2 * g / cap.Ts * (cap.Ts / 6.283185307179586) ** 2 * 0.18 / 0.2
@@ -108,7 +102,9 @@ def test_beyond_t_e_the_demand_is_the_code_s_own_displacement(size, beyond):
     wall = box(thickness=0.6 * size, length=1.0, height=6.0 * size, base=(0, 0, 0), density=1800.0, name="wall")
     rocker = single_block("wall", planar_body(wall, direction=(1, 0, 0))).oscillator
     spectrum = elastic_spectrum(a_g=0.2 * g, ground_type="B")
-    (check,) = nonlinear.assess(rocker, Context(spectrum, (0.24 * g,), 0.0, 0.0, None), options=Options())
+    (check,) = dmi2008.assess_nonlinear(
+        rocker, Context(spectrum, (0.24 * g,), 0.0, 0.0, None), options=ItalianOptions()
+    )
     T = capacity_of(rocker).Ts
     assert (5.0 < T < 10.0) is beyond
     d_g = 0.025 * 0.24 * g * 0.5 * 2.0
@@ -121,7 +117,7 @@ def test_beyond_t_e_the_demand_is_the_code_s_own_displacement(size, beyond):
 
 
 def test_below_uplift_nothing_rocks(rocker):
-    (check,) = nonlinear.assess(rocker, context(levels=(0.07 * g,)), options=Options())
+    (check,) = dmi2008.assess_nonlinear(rocker, context(levels=(0.07 * g,)), options=ItalianOptions())
     assert (check.demand, check.rotation_ratio, check.verdict) == (0.0, 0.0, "pass")
     assert check.reason.key == Reason.NO_ROCKING
 

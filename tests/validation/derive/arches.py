@@ -12,7 +12,7 @@ from math import cos, pi, radians, sin
 import numpy as np
 from scipy.optimize import linprog
 
-from assess.mechanisms.chain import Block
+from assess.mechanisms.chain import RigidBlock
 
 
 def largest_multiplier(voussoirs, joints):
@@ -56,7 +56,7 @@ def quadrilateral(a, b, c, d, density=2000.0):
     ring = np.array([a, b, d, c, a])
     cross = ring[:-1, 0] * ring[1:, 1] - ring[1:, 0] * ring[:-1, 1]
     centre = (ring[:-1] + ring[1:]).T @ cross / (3 * cross.sum())
-    return Block(abs(cross.sum()) / 2 * density, (float(centre[0]), float(centre[1])), 1.0)
+    return RigidBlock(abs(cross.sum()) / 2 * density, (float(centre[0]), float(centre[1])), 1.0)
 
 
 def ring(count, *, thickness=0.15, opening=157.5):
@@ -77,7 +77,7 @@ def filled(count=10):
     """A ring whose voussoirs carry fill: heavier to the springings, their centroids moved."""
     voussoirs, joints = ring(count, thickness=0.12)
     return [
-        Block(each.mass * (1 + 0.2 * abs(each.centroid[0])), (each.centroid[0], each.centroid[1] + 0.3), 1.0)
+        RigidBlock(each.mass * (1 + 0.2 * abs(each.centroid[0])), (each.centroid[0], each.centroid[1] + 0.3), 1.0)
         for each in voussoirs
     ], joints
 
@@ -91,13 +91,13 @@ def sectors(count, *, radius=10.0, thickness=1.5, opening=157.5):
     reach = 2 / 3 * (outer**3 - inner**3) / (outer**2 - inner**2) * sin(half) / half
     polar = half * (outer**4 - inner**4) / 2 - mass * reach**2
     middles = (angles[1:] + angles[:-1]) / 2
-    voussoirs = [Block(mass, (reach * cos(a), reach * sin(a)), polar) for a in middles]
+    voussoirs = [RigidBlock(mass, (reach * cos(a), reach * sin(a)), polar) for a in middles]
     return voussoirs, [((inner * cos(a), inner * sin(a)), (outer * cos(a), outer * sin(a))) for a in angles]
 
 
 def mirrored(voussoirs, joints):
     """Return the arch pushed the other way."""
-    image = [Block(each.mass, (-each.centroid[0], each.centroid[1]), 1.0) for each in voussoirs[::-1]]
+    image = [RigidBlock(each.mass, (-each.centroid[0], each.centroid[1]), 1.0) for each in voussoirs[::-1]]
     return image, [tuple((-x, z) for x, z in joint) for joint in joints[::-1]]
 
 

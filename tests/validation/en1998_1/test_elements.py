@@ -12,8 +12,7 @@ from scipy.constants import g
 from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
-from assess.codes.en1998_1.clauses import Options, amplification, element_period
-from assess.codes.en1998_1.element import NAME, assess
+from assess.codes.en1998_1 import ELEMENT, Ec8Options, amplification, assess_element, element_period
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
@@ -29,7 +28,7 @@ def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Contex
 
 
 def asked(context: Context):
-    return apply_procedure(NAME, partial(assess, options=Options()), PARAPET, context)
+    return apply_procedure(ELEMENT, partial(assess_element, options=Ec8Options()), PARAPET, context)
 
 
 @pytest.mark.parametrize(
@@ -41,7 +40,7 @@ def test_seismic_coefficient(height, ratio, coefficient) -> None:
 
 def test_a_parapet_on_the_roof() -> None:
     """F_a / W_a = 0.75 x 1.5 / 1 = 1.125 beside lambda = 0.20271: D/C 5.5498; PGA at capacity 0.3 / 5.5498 g."""
-    (check,) = assess(PARAPET, at(10.0), options=Options(importance_factor=1.5))
+    (check,) = assess_element(PARAPET, at(10.0), options=Ec8Options(importance_factor=1.5))
     assert (check.demand, check.capacity) == pytest.approx((1.125, 0.20271), rel=1e-4)
     assert check.ratio == pytest.approx(5.5498, rel=1e-4)
     assert check.capacity_pga_g == pytest.approx(0.3 / 5.5498, rel=1e-4)
@@ -52,9 +51,9 @@ def test_a_parapet_on_the_roof() -> None:
 def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:
     """From 2 to 4 m of 10 m: z/H = 0.3, S_a = 0.3 (1.5 x 1.3 - 0.5) = 0.435; q_a = 2."""
     spanning = at(2.0, support="spanning", wall=Wall(2.0, 0.3), rise=2.0)
-    (check,) = assess(PARAPET, spanning, options=Options())
+    (check,) = assess_element(PARAPET, spanning, options=Ec8Options())
     assert check.demand == pytest.approx(0.2175, rel=1e-9)
-    (own,) = assess(PARAPET, spanning, options=Options(behaviour_factor=1.0))
+    (own,) = assess_element(PARAPET, spanning, options=Ec8Options(behaviour_factor=1.0))
     assert own.demand == pytest.approx(0.435, rel=1e-9)
 
 
@@ -76,10 +75,10 @@ def test_an_element_that_vibrates_has_its_own_period() -> None:
     by_hand = 2 * np.pi * np.sqrt(branch.inertia[0] / stiffness)
     assert element_period(branch) == pytest.approx(by_hand, rel=1e-4)
     house = dataclasses.replace(HOUSE, period=4.0 * element_period(branch))
-    (check,) = assess(soft(), at(10.0, house), options=Options())
+    (check,) = assess_element(soft(), at(10.0, house), options=Ec8Options())
     assert check.demand == pytest.approx(0.3 * 3.34, rel=1e-9)
     assert check.uplift_pga_g is None
-    (unknown,) = assess(soft(), at(0.0, None), options=Options())
+    (unknown,) = assess_element(soft(), at(0.0, None), options=Ec8Options())
     assert unknown.demand == pytest.approx(0.3 * 2.5, rel=1e-12)
 
 
@@ -93,7 +92,7 @@ def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
 
 def test_on_a_spectrum_of_another_family_it_says_so() -> None:
     american = dataclasses.replace(at(), spectrum=design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0))
-    (check,) = assess(PARAPET, american, options=Options())
+    (check,) = assess_element(PARAPET, american, options=Ec8Options())
     assert "one of asce7-16" in check.caveat
 
 
@@ -108,9 +107,9 @@ def test_on_a_table_alpha_s_has_to_be_given_by_name() -> None:
     """A table that begins at 0.24 g: with alpha S = 0.3 g the answer is that of the spectrum that begins with it."""
     table = table_spectrum(np.array([0.0, 0.15, 0.5]), np.array([0.24, 0.75, 0.75]) * g)
     on_table = dataclasses.replace(at(10.0), spectrum=table, levels=(0.24 * g,))
-    (silent,) = assess(PARAPET, on_table, options=Options())
+    (silent,) = assess_element(PARAPET, on_table, options=Ec8Options())
     assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
-    (named,) = assess(PARAPET, on_table, options=Options(alpha_s=0.3))
-    (code,) = assess(PARAPET, at(10.0), options=Options())
+    (named,) = assess_element(PARAPET, on_table, options=Ec8Options(alpha_s=0.3))
+    (code,) = assess_element(PARAPET, at(10.0), options=Ec8Options())
     assert (named.ratio, named.verdict) == (pytest.approx(code.ratio, rel=1e-12), code.verdict)
     assert named.capacity_pga_g == pytest.approx(0.8 * code.capacity_pga_g, rel=1e-12)

@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from assess.oscillator import multiplier, participation_ratio, restoring_moment
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 
 B, H = 0.9, 5.4  # width and height of a column
 

@@ -14,11 +14,10 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.context import Building, Context, FirstMode, Hazard
-from assess.codes.italian.edition import Options
-from assess.codes.ntc2018 import linear, nonlinear
-from assess.codes.ntc2018.building import floor_demand, modes_at
-from assess.codes.ntc2018.toothing import LEVER, toothing_friction
+from assess.codes import ntc2018
+from assess.codes.context import Building, Context, SiteHazard, StatedFirstMode
+from assess.codes.italian_limit_states import ItalianOptions
+from assess.codes.ntc2018_clauses import TOOTHING_LEVER, floor_demand, toothing_friction, ultimate_modes
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
@@ -46,12 +45,12 @@ def wall(*, thickness=0.6, height=6.0, base=0.0):
 @cache
 def spectrum(state):
     a_g, f_0, t_c_star = ROWS[state]
-    return ntc.elastic_spectrum(ntc.Hazard(a_g * g, f_0, t_c_star), place=ntc.Place("B"))
+    return ntc.elastic_spectrum(ntc.Hazard(a_g * g, f_0, t_c_star), place=ntc.SoilAndTopography("B"))
 
 
 def site(**more):
     spectra = {state: spectrum(state) for state in ROWS}
-    hazard = Hazard(spectra, (50.3, 474.6, 974.8), tuple(each.pga for each in spectra.values()))
+    hazard = SiteHazard(spectra, (50.3, 474.6, 974.8), tuple(each.pga for each in spectra.values()))
     return Context(spectra["SLV"], (spectra["SLV"].pga,), 0.0, 0.0, None, hazard=hazard, **more)
 
 
@@ -77,7 +76,7 @@ def test_soil_factors():
 
 
 def test_a_linear_at_the_ground():
-    damage, life = linear.assess(wall(), site(), options=Options(limit_states=("SLD", "SLV")))
+    damage, life = ntc2018.assess_linear(wall(), site(), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert (damage.capacity, life.capacity) == close(0.72642, 0.72642)
     assert (damage.demand, on_rock(damage), damage.safety_index) == close(1.22387, 0.061728, 0.5935)
     assert (life.demand, on_rock(life), life.safety_index) == close(1.47583, 0.128467, 0.4922)
@@ -92,7 +91,7 @@ def test_a_linear_at_the_ground():
     ids=["SLV", "SLC"],
 )
 def test_b_nonlinear_at_the_ground(state, d, a, T, demand, ratio, a_g, zeta):
-    (check,) = nonlinear.assess(wall(), site(), options=Options(limit_states=(state,)))
+    (check,) = ntc2018.assess_nonlinear(wall(), site(), options=ItalianOptions(limit_states=(state,)))
     found = steps(check)
     assert (found["d0*"], found[f"d_{state}"], found[f"a(d_{state})"], found[f"T_{state}"]) == close(0.300, d, a, T)
     assert (check.demand, check.ratio, on_rock(check), check.safety_index) == close(demand, ratio, a_g, zeta)
@@ -101,8 +100,8 @@ def test_b_nonlinear_at_the_ground(state, d, a, T, demand, ratio, a_g, zeta):
 
 @pytest.mark.parametrize(("T1", "xi", "a_Z", "A", "S_eZ", "demand", "least", "a_g", "zeta"), CORNERS)
 def test_c_nonlinear_at_height_of_each_corner(T1, xi, a_Z, A, S_eZ, demand, least, a_g, zeta):
-    at = raised({"SLV": FirstMode(T1, xi, "one corner of the range")})
-    (check,) = nonlinear.assess(wall(height=3.0, base=6.0), at, options=Options())
+    at = raised({"SLV": StatedFirstMode(T1, xi, "one corner of the range")})
+    (check,) = ntc2018.assess_nonlinear(wall(height=3.0, base=6.0), at, options=ItalianOptions())
     found = steps(check)
     assert (found["γψ"], found["T1'"]) == close(0.857143, T1)
     assert (found["a(d_SLV)"], found["T_SLV"]) == close(0.86075, 1.97065)
@@ -111,15 +110,15 @@ def test_c_nonlinear_at_height_of_each_corner(T1, xi, a_Z, A, S_eZ, demand, leas
 
 
 def test_c_the_softest_building_decides_and_20_per_cent_is_printed():
-    (check,) = nonlinear.assess(wall(height=3.0, base=6.0), raised(), options=Options())
+    (check,) = ntc2018.assess_nonlinear(wall(height=3.0, base=6.0), raised(), options=ItalianOptions())
     assert (steps(check)["T1'"], check.demand, check.safety_index) == close(0.56, 0.200461, 0.5986)
     assert steps(check)["d(20 %)"] == pytest.approx(0.182994, rel=TOLERANCE)
 
 
 def test_c_of_an_elastic_building_the_ground_governs():
     """The floor's own spectrum is below the ground's, which C7.2.5 keeps: 0.8328."""
-    at = raised({"SLV": FirstMode(0.28, 0.05, "elastic")})
-    (check,) = nonlinear.assess(wall(height=3.0, base=6.0), at, options=Options())
+    at = raised({"SLV": StatedFirstMode(0.28, 0.05, "elastic")})
+    (check,) = ntc2018.assess_nonlinear(wall(height=3.0, base=6.0), at, options=ItalianOptions())
     assert (check.demand, check.safety_index) == close(0.144095, 0.8328)
 
 
@@ -132,9 +131,9 @@ def test_a_peak_inside_the_range_asks_nine_per_cent_more_than_its_worst_corner()
     very top lies a little below 1.1 s: at 1.088 s 1.1 / 1.088 / (1 + (A - 1) (1.21 / 1.1968 - 1)^1.2) = 1.002.
     """
     top = replace(raised(T1=0.6), elevation=9.0)
-    found = floor_demand(top, modes_at(top, "SLV"), T0=0.0, T=1.21, damping=0.08)
-    ends = [replace(raised({"SLV": FirstMode(T, 0.1, "corner")}), elevation=9.0) for T in (0.9, 1.2)]
-    corners = [floor_demand(at, modes_at(at, "SLV"), T0=0.0, T=1.21, damping=0.08).largest for at in ends]
+    found = floor_demand(top, ultimate_modes(top, "SLV"), T0=0.0, T=1.21, damping=0.08)
+    ends = [replace(raised({"SLV": StatedFirstMode(T, 0.1, "corner")}), elevation=9.0) for T in (0.9, 1.2)]
+    corners = [floor_demand(at, ultimate_modes(at, "SLV"), T0=0.0, T=1.21, damping=0.08).largest for at in ends]
     A = 1.1 / sqrt(0.1) * sqrt(10 / 13)
 
     def over_plateau(first):
@@ -153,7 +152,7 @@ def test_d_toothed_crack():
     assert pytest.approx(49.334e3, rel=TOLERANCE) == F
     body = box(thickness=0.5, length=5.0, height=6.0, base=(0, 0, 0), density=19e3 / g, name="wall")
     plain = planar_body(body, direction=(1, 0, 0))
-    friction = Force("cross walls", (-2.0 * F, 0.0), (0.0, LEVER * 6.0))
+    friction = Force("cross walls", (-2.0 * F, 0.0), (0.0, TOOTHING_LEVER * 6.0))
     alone, held = (
         float(multiplier(single_block("wall", plain, loads=loads, sides="one").oscillator.positive)[0])
         for loads in ((), (friction,))

@@ -13,7 +13,7 @@ from spectra.ntc import (
     LARGEST_FACTORS,
     SOILS,
     Hazard,
-    Place,
+    SoilAndTopography,
     elastic_spectrum,
     hazard_at,
     limit_state_hazard,
@@ -34,7 +34,7 @@ TABLE = (
 
 @pytest.mark.parametrize("code", list(CLAUSES))
 def test_the_clause_names_its_edition(code):
-    assert code[-4:] in elastic_spectrum(SITE, place=Place("B"), code=code).clause
+    assert code[-4:] in elastic_spectrum(SITE, place=SoilAndTopography("B"), code=code).clause
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,7 @@ def test_soil_factors_end_at_their_limits(soil, weak, strong):
 @pytest.mark.parametrize("soil", list(SOILS))
 @pytest.mark.parametrize("damping", [0.02, 0.05, 0.2])
 def test_branches_meet(soil, damping):
-    spectrum = elastic_spectrum(SITE, place=Place(soil))
+    spectrum = elastic_spectrum(SITE, place=SoilAndTopography(soil))
     for name in ("t_b", "t_c", "t_d"):
         corner = spectrum.parameters[name]
         below, above = spectrum.acceleration([corner * (1 - 1e-9), corner * (1 + 1e-9)], damping=damping)
@@ -56,28 +56,28 @@ def test_branches_meet(soil, damping):
 
 
 def test_ten_per_cent_damping():
-    spectrum = elastic_spectrum(SITE, place=Place("B"))
+    spectrum = elastic_spectrum(SITE, place=SoilAndTopography("B"))
     assert spectrum.acceleration([0.0, 1.0], damping=0.10) / g == pytest.approx([0.3010, 0.3356 * 0.8165], abs=1e-4)
 
 
 @pytest.mark.parametrize(("topography", "s_t"), list(LARGEST_FACTORS.items()))
 def test_topography_at_the_top_and_half_way_up(topography, s_t):
-    level = elastic_spectrum(SITE, place=Place("A")).pga
-    assert elastic_spectrum(SITE, place=Place("A", topography)).pga == pytest.approx(s_t * level, rel=1e-12)
-    half = elastic_spectrum(SITE, place=Place("A", topography, 0.5)).pga
+    level = elastic_spectrum(SITE, place=SoilAndTopography("A")).pga
+    assert elastic_spectrum(SITE, place=SoilAndTopography("A", topography)).pga == pytest.approx(s_t * level, rel=1e-12)
+    half = elastic_spectrum(SITE, place=SoilAndTopography("A", topography, 0.5)).pga
     assert half == pytest.approx(0.5 * (1 + s_t) * level, rel=1e-12)
 
 
 def test_displacements_of_long_periods():
     """Soil A: T_E = 4.5 s, T_F = 10 s; d_g = 0.025 a_g T_C T_D."""
-    spectrum, d_g = elastic_spectrum(SITE, place=Place("A")), 0.025 * SITE.a_g * 0.347 * (4 * 0.261 + 1.6)
+    spectrum, d_g = elastic_spectrum(SITE, place=SoilAndTopography("A")), 0.025 * SITE.a_g * 0.347 * (4 * 0.261 + 1.6)
     assert spectrum.displacement([7.25, 10.0, 15.0]) == pytest.approx([d_g * (1 + 2.364) / 2, d_g, d_g], rel=1e-12)
     assert spectrum.displacement(1.0) == pytest.approx(float(spectrum.acceleration(1.0)) / (4 * pi**2), rel=1e-12)
 
 
 def test_vertical():
     """F_V = 1.35 F_0 sqrt(a_g / g); a_g F_V from 0.05 to 0.15 s, a_g F_V / F_0 at T = 0."""
-    spectrum, f_v = vertical_spectrum(SITE, place=Place("D")), 1.35 * 2.364 * 0.261**0.5
+    spectrum, f_v = vertical_spectrum(SITE, place=SoilAndTopography("D")), 1.35 * 2.364 * 0.261**0.5
     plateau = 0.261 * f_v
     expected = [plateau / 2.364, plateau, plateau, plateau * 0.3, plateau * 0.15 / 4]
     assert spectrum.acceleration([0.0, 0.05, 0.15, 0.5, 2.0]) / g == pytest.approx(expected, rel=1e-12)
@@ -136,12 +136,12 @@ def test_hazards_that_do_not_reach_are_refused(table, years, words):
 @pytest.mark.parametrize(
     ("hazard", "place", "words"),
     [
-        (replace(SITE, f_0=2.1), Place(), r"f_0 = 2\.1; .*3\.2\.3\.2 has at least 2\.2"),
-        (replace(SITE, a_g=-1.0), Place(), "a_g = -1.0"),
-        (SITE, Place("S2"), "special analysis"),
-        (SITE, Place("F"), "soil = F; choose one of A, B, C, D, E"),
-        (SITE, Place("A", "T5"), "topography = T5; choose one of T1, T2, T3, T4"),
-        (SITE, Place("A", "T2", 1.1), "relief_position = 1.1"),
+        (replace(SITE, f_0=2.1), SoilAndTopography(), r"f_0 = 2\.1; .*3\.2\.3\.2 has at least 2\.2"),
+        (replace(SITE, a_g=-1.0), SoilAndTopography(), "a_g = -1.0"),
+        (SITE, SoilAndTopography("S2"), "special analysis"),
+        (SITE, SoilAndTopography("F"), "soil = F; choose one of A, B, C, D, E"),
+        (SITE, SoilAndTopography("A", "T5"), "topography = T5; choose one of T1, T2, T3, T4"),
+        (SITE, SoilAndTopography("A", "T2", 1.1), "relief_position = 1.1"),
     ],
 )
 @pytest.mark.parametrize("make", [elastic_spectrum, vertical_spectrum])
@@ -156,4 +156,4 @@ def test_unknown_names_list_the_known():
     with pytest.raises(SpectrumError, match="I, II, III, IV"):
         reference_life(50.0, use_class="2")
     with pytest.raises(SpectrumError, match="ntc2008, ntc2018"):
-        elastic_spectrum(SITE, place=Place(), code="ntc2030")
+        elastic_spectrum(SITE, place=SoilAndTopography(), code="ntc2030")

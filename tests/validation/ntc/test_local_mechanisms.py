@@ -13,12 +13,11 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes import ntc2018, ntc2018_clauses
 from assess.codes.check import Reason
-from assess.codes.context import Building, Context, FirstMode, FreePeriod
-from assess.codes.italian.curves import curves_of_all_actions
-from assess.codes.italian.edition import Options
-from assess.codes.ntc2018 import clauses, linear, nonlinear
-from assess.codes.ntc2018.clauses import free_period
+from assess.codes.context import Building, Context, FreePeriod, StatedFirstMode
+from assess.codes.italian_limit_states import ItalianOptions, curves_of_all_actions
+from assess.codes.ntc2018_clauses import free_period
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -45,7 +44,7 @@ def wall(*, thickness):
 
 
 def ground(*, levels=(PGA,), **more):
-    spectrum = ntc.elastic_spectrum(ntc.Hazard(A_G, F_0, 0.347), place=ntc.Place("B"))
+    spectrum = ntc.elastic_spectrum(ntc.Hazard(A_G, F_0, 0.347), place=ntc.SoilAndTopography("B"))
     return Context(spectrum, levels, 0.0, 0.0, None, **more)
 
 
@@ -58,10 +57,10 @@ def top(*, levels=(0.2 * g,), modes=None, **more):
 
 def capacity_of(rocker, *, state, confidence_factor, T0=0.0):
     (curves,) = curves_of_all_actions(rocker)
-    return clauses.capacity_of(curves, state=state, confidence_factor=confidence_factor, T0=T0)
+    return ntc2018_clauses.capacity_of(curves, state=state, confidence_factor=confidence_factor, T0=T0)
 
 
-STIFF = {"SLV": FirstMode(0.3, 0.05, "hardly cracked")}
+STIFF = {"SLV": StatedFirstMode(0.3, 0.05, "hardly cracked")}
 
 
 def steps(check):
@@ -82,7 +81,7 @@ def test_capacity(rocker, state, d, a, T):
 
 def test_linear_at_the_ground(rocker):
     """a_g,SLD S = a0* = 0.7267 m/s2, a_g,SLV S = 2 a_g,SLD S = 0.148 g (C8.7.1.8)."""
-    damage, life = linear.assess(rocker, ground(), options=Options(limit_states=("SLD", "SLV")))
+    damage, life = ntc2018.assess_linear(rocker, ground(), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert damage.capacity_pga_g == pytest.approx(0.7267 / 9.81, rel=MODEL)
     assert life.capacity_pga_g == pytest.approx(0.148, rel=MODEL)
     assert damage.ratio == pytest.approx(0.301 * 9.81 / 0.7267, rel=MODEL)
@@ -93,7 +92,7 @@ def test_linear_at_the_ground(rocker):
 @pytest.mark.parametrize(("state", "eta", "d"), [("SLV", ETA_8, 0.120), ("SLC", ETA_10, 0.180)], ids=["SLV", "SLC"])
 def test_nonlinear_at_the_ground(rocker, state, eta, d):
     """Both periods lie beyond T_D, where S_De = a_g S eta F_0 T_C T_D / 4 pi2: 0.193 m at 8 %, 0.180 m at 10 %."""
-    (check,) = nonlinear.assess(rocker, ground(), options=Options(limit_states=(state,)))
+    (check,) = ntc2018.assess_nonlinear(rocker, ground(), options=ItalianOptions(limit_states=(state,)))
     by_hand = PGA * eta * F_0 * T_C * T_D / (4 * pi**2)
     assert check.demand == pytest.approx(by_hand, rel=5e-4)
     assert check.capacity == pytest.approx(d, rel=1e-9)
@@ -106,14 +105,14 @@ def test_nonlinear_stands_at_least_the_pga_of_activation():
     """A thick low wall whose displacement capacity would allow less than a0* does not rock below a_g,SLD S = a0*."""
     low = box(thickness=0.6, length=1.0, height=0.9, base=(0, 0, 0), density=1800.0, name="low")
     rocker = single_block("low", planar_body(low, direction=(1, 0, 0))).oscillator
-    (check,) = nonlinear.assess(rocker, ground(levels=(0.45 * g,)), options=Options())
+    (check,) = ntc2018.assess_nonlinear(rocker, ground(levels=(0.45 * g,)), options=ItalianOptions())
     assert check.capacity_pga_g >= 0.6667 / LC1 * (1 - MODEL)  # b / h over FC, rigid at the ground
     assert (check.demand, check.verdict, check.reason.key) == (0.0, "pass", Reason.NO_ROCKING)
 
 
 def test_floor_acceleration_and_activation_at_height(rocker):
     """a_Z = 0.5 g 9/7 sqrt(1 + 0.0004 25) = 0.6461 g, so a_g,SLD S = 0.1 g / 1.35 0.2 / 0.6461 (C7.2.7, .8)."""
-    damage, life = linear.assess(rocker, top(), options=Options(limit_states=("SLD", "SLV")))
+    damage, life = ntc2018.assess_linear(rocker, top(), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert steps(damage)["a_Z(T1)"] / g == pytest.approx(0.6461, rel=1e-4)
     assert damage.demand / g == pytest.approx(0.6461, rel=1e-4)
     assert damage.capacity_pga_g == pytest.approx(0.1 / LC1 * 0.2 / 0.6461, rel=MODEL)
@@ -125,14 +124,14 @@ def test_floor_acceleration_and_activation_at_height(rocker):
 def test_free_elements_at_height_feel_the_floor_spectrum_at_their_period(rocker, T0, ordinate):
     """S_eZ(T0) of C7.2.6 [g], 5 % damping (C8.7.1.9)."""
     at = top(free_period=FreePeriod(T0))
-    (check,) = linear.assess(rocker, at, options=Options(limit_states=("SLD",)))
+    (check,) = ntc2018.assess_linear(rocker, at, options=ItalianOptions(limit_states=("SLD",)))
     assert check.demand / g == pytest.approx(ordinate, rel=2e-4)
     assert check.capacity_pga_g == pytest.approx(0.1 / LC1 * 0.2 / ordinate, rel=MODEL)
 
 
 def test_free_elements_at_the_ground_feel_the_ground_spectrum_at_their_period(rocker):
     """On the level branch S_e = a_g S F_0."""
-    (check,) = linear.assess(rocker, ground(free_period=FreePeriod(0.3)), options=Options())
+    (check,) = ntc2018.assess_linear(rocker, ground(free_period=FreePeriod(0.3)), options=ItalianOptions())
     assert check.demand == pytest.approx(PGA * F_0 / 2, rel=1e-4)
 
 
@@ -142,7 +141,7 @@ def test_nonlinear_at_height(rocker):
     The building has 0.3 s and 5 % at SLV, as stated. A = 1.1 / sqrt(0.05) B, with B of the damping;
     S_eZ = A a_Z / (1 + (A - 1) (T / 0.33 - 1)^1.2), at least S_e(T).
     """
-    (check,) = nonlinear.assess(rocker, top(modes=STIFF), options=Options())
+    (check,) = ntc2018.assess_nonlinear(rocker, top(modes=STIFF), options=ItalianOptions())
     found = steps(check)
     T, A = 1.68 * pi * sqrt(0.12 / 0.4360), 1.1 / sqrt(0.05) * ETA_8
     assert found["T_SLV"] == pytest.approx(T, rel=MODEL)
@@ -161,7 +160,7 @@ def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
     rocker = single_block("pinnacle", planar_body(small, direction=(1, 0, 0))).oscillator
     tower = Building(height=20.0, storeys=5, period=1.0, damping=0.05)
     at = Context(top().spectrum, (0.3 * g,), 0.0, 20.0, tower)
-    (check,) = nonlinear.assess(rocker, at, options=Options())
+    (check,) = ntc2018.assess_nonlinear(rocker, at, options=ItalianOptions())
     found = steps(check)
     assert check.input_at == "mechanism base"
     assert found["S_eZ(T_SLV)"] > 2 * found["S_e(T)"]
@@ -171,7 +170,7 @@ def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
 def test_floor_is_never_taken_to_shake_less_than_the_ground(rocker):
     """Low in the house gamma psi tends to zero, and a_Z with it; the demand stays the PGA."""
     low = dataclasses.replace(top(), elevation=0.6)
-    (check,) = linear.assess(rocker, low, options=Options(limit_states=("SLD",)))
+    (check,) = ntc2018.assess_linear(rocker, low, options=ItalianOptions(limit_states=("SLD",)))
     assert steps(check)["a_Z(T1)"] < 0.2 * g
     assert check.demand == pytest.approx(0.2 * g, rel=1e-12)
 
@@ -181,7 +180,7 @@ def test_largest_displacement_of_a_spectrum_that_is_not_monotone(rocker):
     period = np.array([0.0, 0.1, 1.3, 1.5, 1.7, 3.0, 5.0])
     spectrum = table_spectrum(period, np.array([0.2, 0.5, 0.2, 0.6, 0.1, 0.02, 0.01]) * g)
     at = Context(spectrum, (0.2 * g,), 0.0, 0.0, None)
-    (check,) = nonlinear.assess(rocker, at, options=Options())
+    (check,) = ntc2018.assess_nonlinear(rocker, at, options=ItalianOptions())
     peak = float(spectrum.acceleration(1.5, damping=0.08)) * (1.5 / (2 * pi)) ** 2
     end = float(spectrum.acceleration(steps(check)["T_SLV"], damping=0.08)) * (steps(check)["T_SLV"] / (2 * pi)) ** 2
     assert peak > 2 * end
@@ -211,10 +210,10 @@ def test_elastic_branch_leaves_a_mechanism_of_short_period_as_it_is(rocker):
 
 
 def test_wider_base_never_fares_worse():
-    for procedure in (linear, nonlinear):
+    for procedure in (ntc2018, ntc2018):
         capacities = []
         for thickness in (0.3, 0.5, 0.7, 0.9, 1.2):
-            (check,) = procedure.assess(wall(thickness=thickness), ground(), options=Options())
+            (check,) = procedure.assess(wall(thickness=thickness), ground(), options=ItalianOptions())
             capacities.append(check.capacity_pga_g)
         assert capacities == sorted(capacities)
 
@@ -222,10 +221,10 @@ def test_wider_base_never_fares_worse():
 def test_an_element_that_begins_to_rock_is_not_displaced_less_than_before():
     """T0 = b T1: before it rocks 5 % of damping at T0, after it at least 10 % there, which is eta = 0.82 of that."""
     rocker = equivalent_block("pinnacle", p=2.0, uplift=0.3, radius=1.0).oscillator
-    tower = Building(10.0, 3, 1.0, 0.05, {"SLC": FirstMode(1.0, 0.05, "hardly cracked")})
+    tower = Building(10.0, 3, 1.0, 0.05, {"SLC": StatedFirstMode(1.0, 0.05, "hardly cracked")})
     levels = tuple(float(level) for level in np.linspace(0.04, 0.06, 21) * g / LC1)
     at = Context(ground().spectrum, levels, 0.0, 9.0, tower, free_period=FreePeriod(1.1))
-    checks = nonlinear.assess(rocker, at, options=Options(limit_states=("SLC",)))
+    checks = ntc2018.assess_nonlinear(rocker, at, options=ItalianOptions(limit_states=("SLC",)))
     ratios = [check.ratio for check in checks]
     assert ratios == sorted(ratios)
     assert any("as it begins to rock" in step.remark for check in checks for step in check.steps)

@@ -13,10 +13,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess.risk.exports.curve import ExportedCurve, ExportedState
-from assess.risk.exports.nrml import nrml_text
+from assess.risk.empirical import wilson_interval
+from assess.risk.exports import ExportedCurve, ExportedState, nrml_text
 from assess.risk.lognormal import Lognormal
-from assess.risk.wilson import wilson
 
 PYTHON = os.environ.get("OPENQUAKE_PYTHON", "")
 PROGRAM = """
@@ -41,7 +40,7 @@ def test_openquake_reads_the_probabilities_of_the_curves(tmp_path, measure, peri
     fits = {"rocking": Lognormal(0.15, 0.30), "overturning": Lognormal(0.40, 0.45)}
     records, reached = np.full(3, 10), {"rocking": np.array([3, 9, 10]), "overturning": np.array([0, 2, 6])}
     im = np.array([0.1, 0.3, 0.5])
-    states = tuple(ExportedState(name, fit, im, records, reached[name], *wilson(reached[name], records))
+    states = tuple(ExportedState(name, fit, im, records, reached[name], *wilson_interval(reached[name], records))
                    for name, fit in fits.items())  # fmt: skip
     names = ['Wall 6, <eroded> & "cut"', "wall-7"]
     export = nrml_text([ExportedCurve(name, measure, period, unit, states) for name in names], format=format)

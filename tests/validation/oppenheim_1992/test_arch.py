@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from assess.errors import ProjectError
-from assess.mechanisms.arch import weakest_hinges
-from assess.mechanisms.chain import Block, mirror_point
+from assess.mechanisms.chain import RigidBlock, mirror_point
+from assess.model.arches import weakest_hinges
 from assess.oscillator import multiplier
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from tests.validation.derive.arches import sectors as arch
 
 R, T, ANGLE = 10.0, 1.5, radians(157.5)
@@ -41,7 +41,7 @@ def test_more_joints_never_make_it_stronger():
 
 def test_choices_looked_at_in_portions_are_all_looked_at(monkeypatch):
     whole = weakest_hinges(*arch(16), name="arch")
-    monkeypatch.setattr("assess.mechanisms.arch.AT_ONCE", 7)
+    monkeypatch.setattr("assess.model.arches.CHOICES_AT_ONCE", 7)
     assert weakest_hinges(*arch(16), name="arch") == whole
 
 
@@ -132,8 +132,8 @@ def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
 def test_the_weakest_mirrors_with_the_arch():
     """A lopsided arch: heavier to the right; to be pushed to the left is to push its mirror image to the right."""
     voussoirs, joints = arch(9)
-    heavy = [Block(each.mass * (1 + k / 9), each.centroid, each.inertia) for k, each in enumerate(voussoirs)]
-    image = [Block(each.mass, mirror_point(each.centroid), each.inertia) for each in heavy[::-1]]
+    heavy = [RigidBlock(each.mass * (1 + k / 9), each.centroid, each.inertia) for k, each in enumerate(voussoirs)]
+    image = [RigidBlock(each.mass, mirror_point(each.centroid), each.inertia) for each in heavy[::-1]]
     flipped = [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]]
     assert weakest_hinges(heavy, joints, name="a").multiplier != pytest.approx(
         weakest_hinges(image, flipped, name="a").multiplier

@@ -8,10 +8,10 @@ import pytest
 from scipy.constants import g
 from scipy.signal import cont2discrete, lfilter, ss2tf
 
+from records.processing import rotd_spectrum
 from records.reading import read_records
 from records.record import Record
 from records.response import response_spectrum
-from records.rotation import rotd_spectrum
 from tests.support.places import REAL_RECORDS, needs_real_records
 
 FILE = REAL_RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"

@@ -13,8 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess.risk.exports.curve import ExportedCurve, ExportedState
-from assess.risk.exports.pelicun import pelicun_text
+from assess.risk.exports import ExportedCurve, ExportedState, pelicun_text
 from assess.risk.lognormal import Lognormal
 
 PYTHON = os.environ.get("PELICUN_PYTHON", "")

@@ -16,11 +16,10 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics import sine_branches as sine
-from assess.dynamics.envelope import envelope
 from assess.dynamics.packing import Equation
-from assess.dynamics.pulse_response import PulseJobs, outcomes
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from records.pulses import SHAPES
+from assess.dynamics.pulses import PulseJobs, envelope, pulse_outcomes
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
+from records.pulses import PULSE_SHAPES
 
 P, SAMPLED = 2.0, 1.0 / np.sinc(1 / 400) ** 2
 
@@ -37,7 +36,7 @@ ISLANDS = {2.0: (1.2252, 2.34), 3.0: (1.40, 3.5), 4.0: (1.7955, 4.85), 5.0: (3.0
 
 def block(restitution: float, *, alpha: float = 0.2, sides: int = 2, end: float = 1.5) -> Oscillator:
     """end: of the table, beyond which the exact body counts as overturned, over alpha."""
-    side = plain_branch(SingleBlock(1.0, 1.0, alpha, g / P**2), restitution=restitution, end=end)
+    side = plain_branch(RockingBlock(1.0, 1.0, alpha, g / P**2), restitution=restitution, end=end)
     return Oscillator(side, side if sides == 2 else None, 1.0)
 
 
@@ -57,7 +56,9 @@ def falls(
     signed = -amplitude * np.atleast_1d(np.asarray(A, dtype=float))
     none = np.zeros(signed.size, dtype=np.int64)
     jobs = PulseJobs(none, none, signed)
-    found = outcomes([body], SHAPES[name], np.array([omega * frequency]), jobs, equation=equation, threads=1)
+    found = pulse_outcomes(
+        [body], PULSE_SHAPES[name], np.array([omega * frequency]), jobs, equation=equation, threads=1
+    )
     return list(found.overturned.tolist())
 
 
@@ -65,7 +66,7 @@ def bounds(body: Oscillator, omegas: object, highest: float, equation: Equation)
     """The lower bound of the envelope as A."""
     amplitude, frequency = unit(body, equation)
     grid = np.array([0.0, highest]) * amplitude
-    found = envelope(body, SHAPES["sine"], np.asarray(omegas) * frequency, grid, equation=equation, threads=1)
+    found = envelope(body, PULSE_SHAPES["sine"], np.asarray(omegas) * frequency, grid, equation=equation, threads=1)
     return found.lower_bound / amplitude
 
 
@@ -103,7 +104,9 @@ def test_the_branch_without_impact_is_where_the_outcome_changes(omega: float, re
     one_sided = block(0.0, sides=1)
     amplitude, frequency = unit(one_sided, "linearised")
     jobs = PulseJobs(*np.zeros((2, 2), dtype=np.int64), -amplitude * A * np.array([1 - 1e-10, 1 + 1e-10]))
-    found = outcomes([one_sided], SHAPES["sine"], np.array([omega * frequency]), jobs, equation="linearised", threads=1)
+    found = pulse_outcomes(
+        [one_sided], PULSE_SHAPES["sine"], np.array([omega * frequency]), jobs, equation="linearised", threads=1
+    )
     assert found.overturned.tolist() == [False, True]
     assert falls(block(restitution), omega, A * (1 + 1e-10)) == [True]
 
@@ -150,7 +153,7 @@ def test_the_map_shows_the_safe_island() -> None:
     amplitude, frequency = unit(body, "linearised")
     A = np.arange(0.0, 6.0, 0.05)
     found = envelope(
-        body, SHAPES["sine"], np.array([4.0, 8.0]) * frequency, A * amplitude, equation="linearised", threads=1
+        body, PULSE_SHAPES["sine"], np.array([4.0, 8.0]) * frequency, A * amplitude, equation="linearised", threads=1
     )
     changes = A[1:][np.diff(found.overturned[0].astype(int)) != 0]
     assert changes == pytest.approx([1.80, 4.90, 5.25])
@@ -168,7 +171,7 @@ def test_one_sided_rocking_needs_less_where_the_pulse_presses_first(omega: float
     if omega > 0.5:  # longer pulses overturn after rebounds, below
         assert falls(body, omega, [-pressing * (1 - 1e-10), -pressing * (1 + 1e-10)]) == [False, True]
     grid = np.array([0.0, 20.0]) * amplitude
-    made = envelope(body, SHAPES["sine"], np.array([omega * frequency]), grid, equation="linearised", threads=1)
+    made = envelope(body, PULSE_SHAPES["sine"], np.array([omega * frequency]), grid, equation="linearised", threads=1)
     assert made.polarity.tolist() == [1]  # the ground moves in the direction first, which presses on the support
     assert made.lower_bound[0] / amplitude == pytest.approx(pressing, rel=1e-9)
 

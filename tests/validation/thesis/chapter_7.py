@@ -14,13 +14,12 @@ from scipy.constants import g
 
 from assess.dynamics.history import peaks, product
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Block
+from assess.mechanisms.chain import Joint, RigidBlock
 from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.joint import Joint
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from records.record import make_record
@@ -35,7 +34,7 @@ SEEDS, SCALES = range(16), (1.6, 2.4)  # of the noise that frames are judged by,
 
 def block(x, z, width, height, *, length=1.0):
     mass = 1800.0 * width * height * length
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def body(of):
@@ -80,7 +79,7 @@ def frame(stiffness, model, *, even=True):
         back = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
         depths, kept = (0.8,) * 4, "thesis"
     else:
-        blocks = block(0.0, 0.0, 0.8, 4.0), Block(7000.0, (2.4, 4.9), 15000.0), block(3.6, 1.2, 1.0, 3.4)
+        blocks = block(0.0, 0.0, 0.8, 4.0), RigidBlock(7000.0, (2.4, 4.9), 15000.0), block(3.6, 1.2, 1.0, 3.4)
         front = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2))
         back = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
         depths, kept = (0.8, 0.8, 1.0, 1.0), 0.90

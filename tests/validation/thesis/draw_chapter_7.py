@@ -25,7 +25,7 @@ from scipy.constants import g
 from assess.dynamics.history import Trace, trace
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
-from records.synthetic import artificial
+from records.synthetic import artificial_records
 from reports.figures.style import FAIL, INK, MUTED, report_style, sheet
 from reports.language.locale import Locale
 from reports.render.figure_file import write_figure
@@ -96,7 +96,7 @@ def shaken(case: Case, model: str, *, level: float) -> Trace:
 @cache
 def ground() -> Record:
     """The artificial record of all histories: S_DS 1.0 g, S_D1 0.6 g, 20 s."""
-    return artificial(design_spectrum(s_ds=1.0 * g, s_d1=0.6 * g, t_l=6.0), count=1, seed=7)[0]
+    return artificial_records(design_spectrum(s_ds=1.0 * g, s_d1=0.6 * g, t_l=6.0), count=1, seed=7)[0]
 
 
 def free_figure(caption: str, cases: list[Case], *, duration: float) -> Figure:

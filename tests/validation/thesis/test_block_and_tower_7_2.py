@@ -14,13 +14,11 @@ from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.contact import thresholds
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import annulus, rectangle
+from assess.interfaces.contact import JointLaw, thresholds
+from assess.interfaces.section import annulus, rectangle
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.flexible import FlexibleChain
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Chain, Joint, RigidBlock
+from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.single_block import single_block
 
 R_O, R_I, W, R_0, ALPHA_0 = 3.99, 2.12, 24003.94e3, 30.44, 0.125  # Table 7.1
@@ -40,7 +38,7 @@ def test_table_7_1_contradicts_itself():
     assert R_0 * sin(ALPHA_0) == pytest.approx(3.795, abs=5e-4)
     upright = FlexibleChain(tower(JointLaw(1e9, inf)).positive, "t").solve_equilibrium(np.zeros(1)).work.restoring[0]
     assert abs(upright) < 1e-9 * W * R_O
-    printed = Chain((Block(W / g, (0.0, R_0 * cos(ALPHA_0)), 1e9),), ((R_0 * sin(ALPHA_0), 0.0),), joints=(
+    printed = Chain((RigidBlock(W / g, (0.0, R_0 * cos(ALPHA_0)), 1e9),), ((R_0 * sin(ALPHA_0), 0.0),), joints=(
         Joint((-1.0, 0.0), annulus(2 * R_O, inner=2 * R_I), JointLaw(1e9, inf), "flexible"),))  # fmt: skip
     assert FlexibleChain(printed, "t").solve_equilibrium(np.zeros(1)).work.restoring[0] == pytest.approx(
         -4678e3, rel=1e-3

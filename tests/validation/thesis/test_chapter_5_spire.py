@@ -14,9 +14,9 @@ import trimesh
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results import MechanismResult
-from assess.study.parameters import case_parameters
+from assess.study.mechanism_results import case_parameters
 
 RADIUS, HEIGHT, SIDES = 2.0, 9.0, 32
 PROJECT = """

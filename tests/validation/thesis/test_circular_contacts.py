@@ -14,9 +14,8 @@ import pytest
 from scipy.integrate import dblquad, quad
 from scipy.optimize import brentq
 
-from assess.interfaces.contact import contact, semi_flexible_shift, thresholds
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import annulus, circle
+from assess.interfaces.contact import JointLaw, contact, semi_flexible_shift, thresholds
+from assess.interfaces.section import annulus, circle
 
 EXACT = 1e-12
 BY_QUADRATURE = 1e-9

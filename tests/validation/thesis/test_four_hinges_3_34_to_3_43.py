@@ -19,11 +19,11 @@ import pytest
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.mechanisms.chain import Block, Chain, mirror_chain
-from assess.mechanisms.table import branch
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
 from assess.mechanisms.virtual_work import virtual_work
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 
 STEP = 4e-3  # rad, of differences of eighth order
 FIRST = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
@@ -42,7 +42,7 @@ def bend(f, x):
 class Frame:
     """The thesis' formulas for a frame of blocks AB, BC, CD and hinges A, B, C, D."""
 
-    blocks: tuple[Block, Block, Block]
+    blocks: tuple[RigidBlock, RigidBlock, RigidBlock]
     hinges: tuple
     turn: float = 1.0  # +1 where rotation lessens varphi, towards +x; -1 for the hinges of negative rotation
 
@@ -145,7 +145,7 @@ class Frame:
 def rectangle(x, z, width, height, *, density=2000.0):
     """A block of 1 m length by its lower left corner."""
     mass = density * width * height
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def portal(left, right, *, beam=0.7, step=0.0):
@@ -189,7 +189,7 @@ def test_inertia_excitation_and_slope_of_the_potential_at_any_rotation(frame):
 
 @EVERY
 def test_constants_of_the_linearised_equation(frame):
-    side, angle = branch(frame.chain, restitution=0.9, name="p"), frame.critical()
+    side, angle = rigid_branch(frame.chain, restitution=0.9, name="p"), frame.critical()
     form = side.linearised
     assert form.critical == pytest.approx(frame.turn * (frame.angle(*"AB") - angle), rel=1e-11)  # 3.37, as it is meant
     assert (side.overturning, form.overturning) == pytest.approx((form.critical, form.critical), rel=1e-11)
@@ -249,7 +249,7 @@ hinges_negative = { A = [0.0, 0.0], B = [0.8, 4.0], C = [4.9, 5.0], D = [3.8, 0.
 """)
     (mechanism,) = build(load(tmp_path)).mechanisms
     for chain, frame in ((mechanism.positive, front), (mechanism.negative, back)):
-        form = branch(chain, restitution=0.9, name="p").linearised
+        form = rigid_branch(chain, restitution=0.9, name="p").linearised
         angle = frame.critical()
         assert form.critical == pytest.approx(frame.turn * (frame.angle(*"AB") - angle), rel=1e-10)
         assert form.inertia == pytest.approx(frame.inertia(angle), rel=1e-8)

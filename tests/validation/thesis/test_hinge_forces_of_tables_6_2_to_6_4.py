@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.constants import g
 
-from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.statics import incipient_motion
+from assess.mechanisms.chain import Chain, RigidBlock
+from assess.mechanisms.hinge_forces import incipient_motion
 
 
 def vertical(chain):
@@ -23,9 +23,9 @@ def vertical(chain):
 def frame(W1, W2, W3, *, over=(2.3, 4.0), right=4.6):
     """Columns 0.8 m thick and 4 m high, up to x = `right`, and a beam with its centroid at `over`."""
     blocks = (
-        Block(W1 / g, (0.4, 2.0), 500.0),
-        Block(W2 / g, over, 900.0),
-        Block(W3 / g, (right - 0.4, 2.0), 500.0),
+        RigidBlock(W1 / g, (0.4, 2.0), 500.0),
+        RigidBlock(W2 / g, over, 900.0),
+        RigidBlock(W3 / g, (right - 0.4, 2.0), 500.0),
     )
     return Chain(blocks, ((0.8, 0.0), (0.0, 4.0), (right - 0.8, 4.0), (right, 0.0)))
 
@@ -40,8 +40,8 @@ def test_halves_of_tables_6_2_and_6_3_by_moments_of_the_beam():
 
 def vault(wall):
     """Two equal halves of a vault of 5 t on a wall of `wall` kg: hinge B at the apex, C at the wall, D below."""
-    halves = Block(2500.0, (1.15, 7.9), 1500.0), Block(2500.0, (3.85, 7.9), 1500.0)
-    return Chain((*halves, Block(wall, (5.5, 3.7), 1e4)), ((0.0, 7.0), (2.5, 8.3), (5.0, 7.0), (6.2, 0.0)))
+    halves = RigidBlock(2500.0, (1.15, 7.9), 1500.0), RigidBlock(2500.0, (3.85, 7.9), 1500.0)
+    return Chain((*halves, RigidBlock(wall, (5.5, 3.7), 1e4)), ((0.0, 7.0), (2.5, 8.3), (5.0, 7.0), (6.2, 0.0)))
 
 
 def test_table_6_4_has_shear_at_the_apex_where_the_ground_shakes():

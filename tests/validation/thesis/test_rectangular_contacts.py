@@ -11,9 +11,8 @@ from math import sqrt
 import numpy as np
 import pytest
 
-from assess.interfaces.contact import contact, semi_flexible_shift, thresholds
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import hollow_rectangle, rectangle
+from assess.interfaces.contact import JointLaw, contact, semi_flexible_shift, thresholds
+from assess.interfaces.section import hollow_rectangle, rectangle
 
 EXACT = 1e-12
 B, L, T = 6.0, 8.0, 1.2  # hollow rectangle [m]

@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
-from assess.mechanisms.chain import Block, Chain, mirror_chain
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
@@ -44,7 +44,7 @@ def polar(hinge, at, *, side=1.0):
 def rectangle(x, z, width, height, *, density=RHO):
     """A block of 1 m length by its lower left corner."""
     mass = density * width * height
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def body(block):
@@ -274,7 +274,7 @@ def frames(shift=0.0):
     """Columns of two heights on bases at two levels under a wedge of a beam, for both signs; hinges 2, 3 shifted."""
     blocks = (
         rectangle(0.0, 0.0, 0.8, 4.0),
-        Block(7000.0, (2.4, 4.9), 15000.0),
+        RigidBlock(7000.0, (2.4, 4.9), 15000.0),
         rectangle(3.6, 1.2, 1.0, 3.4),
     )
     front = ((0.8, 0.0), (shift, 4.0), (3.6 + shift, 4.6), (4.6, 1.2))
@@ -295,7 +295,7 @@ def test_asymmetric_frame_6_73_to_6_79(which, shift):
 
 
 A, B, C, D = (0.0, 7.0), (2.6, 8.3), (4.8, 6.9), (6.2, 0.0)
-VAULT = Block(2600.0, (1.15, 7.9), 1500.0), Block(2300.0, (3.8, 7.85), 1200.0), rectangle(4.8, 0.0, 1.4, 7.4)
+VAULT = RigidBlock(2600.0, (1.15, 7.9), 1500.0), RigidBlock(2300.0, (3.8, 7.85), 1200.0), rectangle(4.8, 0.0, 1.4, 7.4)
 
 
 def test_side_aisle_vault_6_80_to_6_86():

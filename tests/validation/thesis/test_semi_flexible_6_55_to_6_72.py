@@ -13,14 +13,13 @@ import pytest
 from scipy.constants import g
 
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Block
-from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.chain import Joint, RigidBlock
+from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.joint import Joint
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 
@@ -31,7 +30,7 @@ STIFFNESS = pytest.mark.parametrize("stiffness", [85e6, 340e6, 13500e6])
 def rectangle_block(x, z, width, height):
     """A block of 1 m length by its lower left corner."""
     mass = RHO * width * height
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def body(block):

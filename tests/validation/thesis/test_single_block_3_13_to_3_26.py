@@ -15,13 +15,13 @@ from scipy.constants import g
 
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass
-from assess.mechanisms.chain import Block, Chain
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.table import branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import multiplier
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 
 TABLE = 1e-8  # K is the slope of the branch's table
 
@@ -71,7 +71,7 @@ def test_plain_block_3_13_to_3_16_for_a_spire_given_as_a_mesh(tmp_path):
 
 # A wall of 4.75 t, a floor and a beam that it bears, a roof of 0.4 t at 4.8 m that rests elsewhere, two thrusts.
 T, H, M = 0.5, 5.0, 4750.0
-WALL = Block(M, (0.0, H / 2), M * (T**2 + H**2) / 12)
+WALL = RigidBlock(M, (0.0, H / 2), M * (T**2 + H**2) / 12)
 HINGE = (T / 2, 0.0)
 FLOOR, BEAM = PointMass("floor", 650.0, (0.1, 4.7), True), PointMass("beam", 400.0, (-0.12, 4.6), True)
 ROOF = PointMass("roof", 400.0, (-0.023, 4.8), False)
@@ -95,7 +95,7 @@ I_PRINTED = WALL.inertia + M * hypot(T / 2, H / 2) ** 2 + BEARING
 
 
 def test_constants_3_22_and_3_24_to_3_26_with_several_masses_and_thrusts():
-    form = branch(CHAIN, restitution=0.9, name="w").linearised
+    form = rigid_branch(CHAIN, restitution=0.9, name="w").linearised
     K = g * M_C * R_C + F * R_F * sin(ALPHA_F - ALPHA_C)
     moment = F * R_F * cos(ALPHA_F - ALPHA_C)
     assert form.stiffness == pytest.approx(K, rel=TABLE)  # 3.22
@@ -106,7 +106,10 @@ def test_constants_3_22_and_3_24_to_3_26_with_several_masses_and_thrusts():
 
 def test_linear_overturning_rotation_3_26_beside_the_exact_one():
     """The zero of the whole restoring moment is a little farther: 3.26 is one step of Newton from alpha_c."""
-    exact, form = branch(CHAIN, restitution=0.9, name="w"), branch(CHAIN, restitution=0.9, name="w").linearised
+    exact, form = (
+        rigid_branch(CHAIN, restitution=0.9, name="w"),
+        rigid_branch(CHAIN, restitution=0.9, name="w").linearised,
+    )
     phi = exact.overturning
     moments = M_C * g * R_C * sin(ALPHA_C - phi), F * R_F * cos(ALPHA_F - phi)
     assert moments[0] == pytest.approx(moments[1], rel=1e-9)
@@ -166,7 +169,7 @@ loads = [
 """)
     (mechanism,) = build(load(tmp_path)).mechanisms
     ours, theirs = (each.linearised for each in (mechanism.oscillator.positive,
-                                                 branch(CHAIN, restitution=0.9, name="w")))  # fmt: skip
+                                                 rigid_branch(CHAIN, restitution=0.9, name="w")))  # fmt: skip
     for name in ("inertia", "stiffness", "excitation", "moment", "critical"):
         assert getattr(ours, name) == pytest.approx(getattr(theirs, name), rel=1e-9)
 

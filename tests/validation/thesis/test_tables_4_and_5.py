@@ -17,7 +17,7 @@ from scipy.constants import g
 from scipy.optimize import brentq, least_squares
 
 from assess.examples import EXAMPLES
-from assess.examples.san_leonardo_spire import RADIUS, WALL, spire
+from assess.examples.surfaces import SPIRE_RADIUS, SPIRE_WALL, spire
 from assess.geometry.cut import divide, inclined_plane
 from assess.geometry.planar import base_of_section, planar_body
 from assess.geometry.solid import polyhedron
@@ -246,7 +246,7 @@ def test_radius_and_wall_of_the_spire_are_the_least_squares_fit():
         return np.array(out)
 
     found = least_squares(distances, [0.8, 0.25], diff_step=1e-3)
-    assert found.x == pytest.approx([RADIUS, WALL], abs=OFF)
+    assert found.x == pytest.approx([SPIRE_RADIUS, SPIRE_WALL], abs=OFF)
 
 
 @pytest.mark.parametrize(

@@ -17,12 +17,12 @@ from scipy.optimize import minimize_scalar
 
 from assess.errors import MechanismError
 from assess.loads.load import Force
-from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.crack import crack_ratio
-from assess.mechanisms.table import branch
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain, RigidBlock
+from assess.model.walls import crack_ratio
 from assess.oscillator import multiplier
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 
 TABLE = 1e-8  # K is the slope of the branch's table
 B, L, H, RHO = 0.4, 3.0, 4.0, 1800.0
@@ -100,7 +100,7 @@ def test_crack_is_the_least_multiplier_over_its_height(n, t, place, arm):
 @pytest.mark.parametrize("place", [0.0, 0.5, 0.8])
 def test_multiplier_of_the_chain_by_statics(ratio, place):
     chain, *_ = chain_of(ratio * H, n=0.35, place=place)
-    side = branch(chain, restitution=0.9, name="w")
+    side = rigid_branch(chain, restitution=0.9, name="w")
     assert multiplier(side)[0] == pytest.approx(
         B / H * multiplier_by_statics(ratio, n=0.35, t=0.0, place=place, arm=0.5), rel=1e-12
     )
@@ -186,8 +186,8 @@ def chain_of(crack, *, n, place):
     m1, m2 = (RHO * B * L * h for h in (h1, h2))
     N = n * W
     blocks = (
-        Block(m1, (B / 2, h1 / 2), m1 * (B**2 + h1**2) / 12),
-        Block(m2, (B / 2, h1 + h2 / 2), m2 * (B**2 + h2**2) / 12),
+        RigidBlock(m1, (B / 2, h1 / 2), m1 * (B**2 + h1**2) / 12),
+        RigidBlock(m2, (B / 2, h1 + h2 / 2), m2 * (B**2 + h2**2) / 12),
     )
     loads = (Force("N", (0.0, -N), (B * (1 - place), H), block=1),) if N else ()
     return Chain(blocks, ((B, 0.0), (0.0, h1), (B, H)), loads), (h1, m1), (h2, m2), N
@@ -203,7 +203,7 @@ def test_constants_3_28_to_3_33(crack, place, n):
     I1, I2 = (m * hypot(B, h) ** 2 / 3 for m, h in ((m1, h1), (m2, h2)))
     K = R2 * q * (g * (m1 + m2 * (2 + q)) + 2 * N * q * (cos(a2) ** 2 + (1 - xi) * sin(a2) ** 2 + 1 / q))
     M = xi * N * sin(2 * a2) * R2 * q
-    side = branch(chain, restitution=0.9, name="w")
+    side = rigid_branch(chain, restitution=0.9, name="w")
     form = side.linearised
     assert R1 * sin(a1) == pytest.approx(R2 * sin(a2), rel=1e-14)  # one thickness: what the formulas rest on
     assert form.inertia == pytest.approx(I1 + I2 * q**2, rel=1e-9)  # 3.28
@@ -226,7 +226,7 @@ def test_a_wall_of_a_project_has_the_constants_on_both_sides(tmp_path):
     rocker = mechanism.oscillator
     for side, place in ((rocker.positive, 0.3), (rocker.negative, 0.7)):
         chain, *_ = chain_of(2.2, n=0.4, place=place)
-        alike = branch(chain, restitution=0.9, name="w")
+        alike = rigid_branch(chain, restitution=0.9, name="w")
         assert side.overturning == pytest.approx(alike.overturning, rel=1e-9)
         for name in ("inertia", "restoring", "excitation", "participation"):
             expected = getattr(alike, name)

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import FirstMode, Srss, SrssRelative, Unamplified, pulse_factor
+from assess.amplification import FirstMode, Srss, SrssRelative, Unamplified, pulse_factor
 from assess.codes.context import Context
 from assess.codes.registry import CodeOptions, procedure
-from assess.dynamics.envelope import envelope
+from assess.dynamics.pulses import envelope
 from assess.mechanisms.assembly import add_joints
 from assess.project.build import build
-from assess.project.schema import load
-from assess.project.sections.amplification import FirstModeAmplification
-from assess.verification.read import CASES, choose_cases, read_cases
-from records.pulses import SHAPES
+from assess.project.project_file import load
+from assess.project.sections.mechanisms import FirstModeAmplification
+from assess.verification.case_files import CASES, choose_cases, read_cases
+from records.pulses import PULSE_SHAPES
 from tests.support.examples import example_study
 
 FOLDER = CASES / "mehrotra_2019"
@@ -104,7 +104,7 @@ def critical(frequency, method):
         if isinstance(mode, FirstModeAmplification):
             above = method(FirstMode(mode.natural_frequency, mode.effective_height), section.elevation)
         found = envelope(
-            mechanism.oscillator, SHAPES["sine"], f, np.array([0.0, 12.0 * g]), equation="linearised",
+            mechanism.oscillator, PULSE_SHAPES["sine"], f, np.array([0.0, 12.0 * g]), equation="linearised",
             factor=pulse_factor(above, f), threads=1,
         )  # fmt: skip
         bounds.append(np.where(np.isnan(found.lower_bound), np.inf, found.lower_bound))

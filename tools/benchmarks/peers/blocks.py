@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from assess.dynamics.history import trace
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from records.record import Record
 from tools.benchmarks.bench_dynamics import ALPHA, P, g, swings_by_scipy
 from tools.benchmarks.peers import engines, opensees
@@ -26,7 +26,7 @@ SETTINGS: tuple[tuple[str, str, str, Contact, tuple[float, ...]], ...] = (
 
 def by_us(record: Record) -> Ran:
     """Solve the exact equation with Housner's restitution; peaks are those at samples, and the largest is exact."""
-    side = plain_branch(SingleBlock(1.0, 1.0, ALPHA, g / P**2), restitution=RESTITUTION)
+    side = plain_branch(RockingBlock(1.0, 1.0, ALPHA, g / P**2), restitution=RESTITUTION)
     found = trace(Oscillator(side, side, 1.0), record, scale=1.0, equation="exact")
     return Ran(swings(found.rotation), record.npts - 1)
 

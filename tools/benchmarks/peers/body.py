@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g
 
-from records.pulses import SHAPES, pulse_record
+from records.pulses import PULSE_SHAPES, pulse_record
 from records.record import Record, make_record
 from tools.benchmarks.bench_dynamics import ALPHA, P
 
@@ -35,7 +35,7 @@ class Ran:
 
 def pulse() -> Record:
     """Return one cycle of a sine of three times what starts the block, and rest after it."""
-    motion = pulse_record(SHAPES["sine"], frequency=1 / PERIOD, amplitude=AMPLITUDE, dt=STEP).acceleration
+    motion = pulse_record(PULSE_SHAPES["sine"], frequency=1 / PERIOD, amplitude=AMPLITUDE, dt=STEP).acceleration
     return make_record("sine", np.append(motion, np.zeros(round(LENGTH / STEP) + 1 - motion.size)), STEP)
 
 

@@ -6,7 +6,7 @@ import tempfile
 from functools import partial
 from pathlib import Path
 
-from assess.geometry.mesh import load
+from assess.geometry.mesh import load_solid
 from assess.geometry.planar import planar_body
 from assess.mechanisms.single_block import single_block
 from tools.benchmarks.bench_mesh import stl, wall
@@ -18,7 +18,7 @@ VOLUME, DENSITY = 1.25 * 3.0 * 8.0, 2000.0
 
 def oscillator_volume(file: Path) -> float:
     """Load, check and close the mesh, outline it and make its mechanism; return the volume [m3] that rocks."""
-    body = planar_body(load(file, density=DENSITY, name="wall"), direction=[0.8, 0.6, 0.0])
+    body = planar_body(load_solid(file, density=DENSITY, name="wall"), direction=[0.8, 0.6, 0.0])
     _ = single_block("wall", body).oscillator
     return body.mass / DENSITY
 

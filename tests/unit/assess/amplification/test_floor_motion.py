@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from assess.amplification.floor_motion import (
+from assess.amplification import (
     FirstMode,
     FloorFactor,
     ModalFilter,

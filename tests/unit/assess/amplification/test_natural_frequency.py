@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from assess.amplification.natural_frequency import Slices, deflection, rayleigh_mode, slice_cantilever
+from assess.amplification import Slices, rayleigh_mode, self_weight_deflection, slice_cantilever
 from assess.errors import GeometryError
-from assess.examples.nepal_monuments import prismatic_tower, tapered_tower
+from assess.examples.surfaces import prismatic_tower, tapered_tower
 from assess.geometry.solid import box, polyhedron
 
 
@@ -54,7 +54,9 @@ def test_a_heavy_top_is_a_mass_on_a_spring() -> None:
 def test_slices_converge_at_the_second_order() -> None:
     errors = [abs(rayleigh_mode(uniform(n)).frequency * 2 * np.pi - np.sqrt(162 / 13)) for n in (10, 20, 40)]
     np.testing.assert_allclose(np.divide(errors[:-1], errors[1:]), 4.0, rtol=0.1)
-    assert deflection(uniform(7))[-1] == pytest.approx(9.80665 / 8, rel=1e-12)  # w L^4 / (8 EI), whatever the slices
+    assert self_weight_deflection(uniform(7))[-1] == pytest.approx(
+        9.80665 / 8, rel=1e-12
+    )  # w L^4 / (8 EI), whatever the slices
 
 
 def test_slices_of_a_wall_bend_in_the_direction_of_motion() -> None:

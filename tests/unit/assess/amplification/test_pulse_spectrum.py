@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from assess.amplification.pulse_spectrum import largest_pseudo, largest_relative, largest_total
+from assess.amplification import largest_pseudo, largest_relative, largest_total
 
 RATIO = [0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 10.0]
 

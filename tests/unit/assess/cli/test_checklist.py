@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from assess.cli.tables.checklist import checklist_lines
+from assess.cli.tables.project import checklist_lines
 from assess.examples import source
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.project.sections import Content
 
 SPIRE = {"spire\n": {"kind": "equivalent-block", "p": 1.6, "uplift": 0.14, "radius": 2.8, "examines": 27}}

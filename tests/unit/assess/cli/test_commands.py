@@ -11,17 +11,17 @@ from typing import Any
 import pytest
 from scipy.constants import g
 
-from assess.cli.tables.summary import summary
+from assess.cli.tables.analysis import run_text
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.verdict import Action, MechanismChecks, Missing, Question, verdict
 from assess.messages.message import Message, Severity
 from assess.outputs.manifest import MANIFEST
 from assess.project.build import build
-from assess.project.schema import load
-from assess.results import ChecklistItem, Program, ReportMatter, Resolved, Results
+from assess.project.project_file import load
+from assess.results import ChecklistItem, Program, ReportMatter, ResolvedValue, Results
 from assess.results.json import dumps
-from assess.study.parameters import parameters
+from assess.study.mechanism_results import parameters
 from tests.support.command import ended
 from tests.support.projects import block, project_toml, published
 
@@ -64,7 +64,7 @@ def results_of(path: Path, *checks: Check, missing: tuple[Missing, ...] = ()) ->
     )
     question = Question(BASES["asce43-05"], Action(0.1, "DBE"), procedures=(HISTORY, SPECTRUM))
     found = verdict(question, [MechanismChecks(first.name, checks, missing)])
-    project = {"materials.brick.density": Resolved(1800.0, True)}
+    project = {"materials.brick.density": ResolvedValue(1800.0, True)}
     return Results(
         2, Program("assess", "0"), (), warnings, project, None, (), (first, *mechanisms[1:]), None, (), (), found
     )  # fmt: skip
@@ -81,7 +81,7 @@ def faked(project: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]
             progress("histories", jobs, jobs)
             return results
 
-        monkeypatch.setattr("assess.study.run.run", run)
+        monkeypatch.setattr("assess.study.run.run_study", run)
         monkeypatch.setattr("reports.writing.write_all", small_report)
 
     return fake
@@ -223,7 +223,7 @@ def test_a_language_without_a_catalogue_is_refused(project: Path, tmp_path: Path
 def test_an_unknown_language_in_results_is_one_line(
     project: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], said: str | int
 ) -> None:
-    results = replace(results_of(project), project={"report.language": Resolved(said, True)})
+    results = replace(results_of(project), project={"report.language": ResolvedValue(said, True)})
     path = tmp_path / "results.json"
     path.write_text(dumps(results))
     assert ended("report", path) == 2
@@ -240,7 +240,7 @@ def test_report_again_needs_no_analysis(
     out, other = tmp_path / "out", tmp_path / "other"
     assert ended("run", project, "-o", out) == 0
     before = {path.name: path.read_bytes() for path in out.iterdir()}
-    monkeypatch.delattr("assess.study.run.run")
+    monkeypatch.delattr("assess.study.run.run_study")
     assert ended("report", out / "results.json") == 0
     assert {path.name: path.read_bytes() for path in out.iterdir()} == before
     assert ended("report", out / "results.json", "-o", other) == 0
@@ -266,7 +266,7 @@ def test_report_is_as_detailed_as_asked(project: Path, faked: Callable[..., None
 
 def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:
     results = results_of(project, check(SPECTRUM, "fail", 1.25), check(HISTORY, "not-answered", None))
-    assert [line.split() for line in summary(results).splitlines()] == [
+    assert [line.split() for line in run_text(results).splitlines()] == [
         ["mechanism", "verdict", "state", "decided", "by", "index", "holds", "up", "to"],
         ["=wall,", "1", "FAIL", "DBE", "asce43-05-spectrum", "D/C", "1.25", "0.0800", "g", "=", "0.800", "x"],
         ["=wall,", "1:", "the", "demand", "exceeds", "the", "allowable"],
@@ -307,14 +307,14 @@ def test_the_index_is_bounded_by_the_mechanisms_that_were_not_examined(project: 
     )
     said = {4: "only; 2 possible mechanisms not", 3: "only; 1 possible mechanism not", 2: "only\n"}
     for number, words in said.items():
-        told = summary(replace(results, report=ReportMatter(building_type="house", checklist=items[:number])))
+        told = run_text(replace(results, report=ReportMatter(building_type="house", checklist=items[:number])))
         assert f"local mechanisms {words}" in told
 
 
 def test_what_lies_at_the_limit_is_told(project: Path) -> None:
-    told = summary(results_of(project, check(SPECTRUM, "pass", 0.97)))
+    told = run_text(results_of(project, check(SPECTRUM, "pass", 0.97)))
     assert "\nverdict: pass at the limit\n" in told
-    assert "verdict: pass\n" in summary(results_of(project, check(SPECTRUM, "pass", 0.9)))
+    assert "verdict: pass\n" in run_text(results_of(project, check(SPECTRUM, "pass", 0.9)))
 
 
 def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> None:
@@ -324,7 +324,7 @@ def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> N
         Missing("materials.old stone.disintegration", "nobody says", 'disintegration = "excluded"'),
         Missing("site.limit_state", "what the spectrum stands for", 'limit_state = "DBE"'),
     )
-    lines = summary(results_of(project, check(SPECTRUM, "pass", 0.9), missing=missing)).splitlines()
+    lines = run_text(results_of(project, check(SPECTRUM, "pass", 0.9), missing=missing)).splitlines()
     start = lines.index("verdict: incomplete")
     assert "missing: materials.brick.disintegration: nobody\\nsays" in lines[start:]
     assert "safe values where they exist, the verdict would be: pass" in " ".join(lines[start:])
@@ -344,7 +344,7 @@ def test_hostile_names_stay_on_their_line(project: Path) -> None:
     results = results_of(project, check(SPECTRUM, "fail", 1.9))
     assert results.verdict is not None
     hostile = (replace(results.verdict.mechanisms[0], mechanism="x\n\x1b[2J" + "y" * 10_000),)
-    text = summary(replace(results, verdict=replace(results.verdict, mechanisms=hostile)))
+    text = run_text(replace(results, verdict=replace(results.verdict, mechanisms=hostile)))
     assert "\x1b" not in text
     assert max(map(len, text.splitlines())) <= 100
 

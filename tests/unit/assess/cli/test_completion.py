@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from assess.examples import EXAMPLES
-from assess.verification.read import read_cases
+from assess.verification.case_files import read_cases
 from spectra.registry import SPECTRA
 
 CASES = {key for each in read_cases() for key in (each.key, each.key.partition("/")[0])}

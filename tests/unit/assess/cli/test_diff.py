@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.tables.diff import changes_text
+from assess.cli.tables.results import changes_text
 from assess.messages.message import Message, Severity
 from assess.project.build import build
-from assess.project.schema import load
-from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
-from assess.results.diff import Change
+from assess.project.project_file import load
+from assess.results import SCHEMA_VERSION, Input, Program, ResolvedValue, Results
+from assess.results.diff import Difference
 from assess.results.json import dumps
-from assess.study.parameters import parameters
+from assess.study.mechanism_results import parameters
 from tests.support.command import ended
 from tests.support.projects import published, tables_toml
 
@@ -34,7 +34,7 @@ def runs(tmp_path: Path) -> tuple[Path, Path]:
         results = Results(
             SCHEMA_VERSION, Program("assess", "0"), (Input("project.toml", name * 8),),
             (Message("w", Severity.WARNING, "here", f"said\n {name}"),),
-            {"mechanisms.parapet.p": Resolved(p, True)}, None, (), parameters(build(load(folder))), None, (), (),
+            {"mechanisms.parapet.p": ResolvedValue(p, True)}, None, (), parameters(build(load(folder))), None, (), (),
         )  # fmt: skip
         made.append(folder / "project-results" / "results.json")
         made[-1].parent.mkdir()
@@ -43,7 +43,7 @@ def runs(tmp_path: Path) -> tuple[Path, Path]:
 
 
 def test_blocks_without_two_sides_are_one_line() -> None:
-    found = changes_text([Change("other", "", "blocks that differ", None, "critical, checks of wall")])
+    found = changes_text([Difference("other", "", "blocks that differ", None, "critical, checks of wall")])
     assert found == "other blocks of results.json that differ: critical, checks of wall\n\n1 difference\n"
 
 
@@ -107,7 +107,7 @@ def test_what_is_no_results_file_is_one_line(runs: tuple[Path, Path], capsys: py
 
 def test_names_are_only_text() -> None:
     hostile = "=cmd|' /C calc'!A0\x1b[31m‮" + "x" * 10_000
-    change = Change("verdict", hostile, hostile, "pass", "fail")
+    change = Difference("verdict", hostile, hostile, "pass", "fail")
     told = changes_text([change, replace(change, kind="warning"), replace(change, kind="project", before=[hostile])])
     assert "\x1b" not in told
     assert max(map(len, told.splitlines()[:3])) < 180
@@ -116,7 +116,7 @@ def test_names_are_only_text() -> None:
 
 def test_texts_that_are_cut_show_where_they_part() -> None:
     alike = "the same words over and over again, "
-    told = changes_text([Change("project", "", "notes", f"{4 * alike}lime", f"{4 * alike}cement")])
+    told = changes_text([Difference("project", "", "notes", f"{4 * alike}lime", f"{4 * alike}cement")])
     assert "…over again, lime" in told
     assert "…over again, cement" in told
 

@@ -165,7 +165,7 @@ def test_a_mistake_of_the_program_is_not_blamed_on_results_as_they_were_written(
     def fail(*_: object, **__: object) -> Iterator[None]:
         raise ZeroDivisionError("a mistake")
 
-    monkeypatch.setattr("assess.results.diff.changes", fail)
+    monkeypatch.setattr("assess.results.diff.differences", fail)
     assert ended("diff", outputs, outputs) == 70
     Path(capsys.readouterr().err.rpartition("(log: ")[2].rstrip(")\n")).unlink()
 

@@ -11,9 +11,9 @@ import pytest
 from scipy.constants import g
 
 from assess.cli import main
+from records.processing import at2_text, csv_text
 from records.reading import read_records
-from records.record import Earthquake, Record, Site, make_record
-from records.writing import at2_text, csv_text
+from records.record import Earthquake, Record, StationSite, make_record
 from tests.support.projects import ASCE7, published, tables_toml
 
 DT = 0.01
@@ -202,7 +202,7 @@ def test_a_project_states_unit_and_step_of_files_that_do_not(
 def described() -> Record:
     """A record of which everything is known."""
     quake = Earthquake("1989-10-18T00:04:15Z", 6.93, "Mw", 37.04, -121.883, 17_480.0)
-    site = Site(37.046, -121.803, 97.5, 462.24, "NEHRP C", "crest of a dam")
+    site = StationSite(37.046, -121.803, 97.5, 462.24, "NEHRP C", "crest of a dam")
     words = {"event": "Loma Prieta", "station": "Corralitos, 1 Road", "component": "N30E"}
     more = {"azimuth": np.radians(30.0), "distance": 7_170.0, "earthquake": quake, "site": site}
     return make_record("x", SAMPLES, DT, processing_history=("read", "filtered"), **words, **more)

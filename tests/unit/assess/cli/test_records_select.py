@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records import description
+from records import candidates
 from records.catalogue import NAME
+from records.processing import at2_text
 from records.reading import read_records
 from records.record import make_record
-from records.writing import at2_text
 from spectra.table import read_table
 from tests.support.command import ended
 from tests.support.projects import project_toml
@@ -286,7 +286,7 @@ def test_many_files_are_read_by_processes(
 
     monkeypatch.setattr("assess.workers.SpawnedPool", Executor)
     monkeypatch.setattr("assess.workers.available_cores", lambda: 8)
-    monkeypatch.setattr(description, "FEW", 1)
+    monkeypatch.setattr(candidates, "FEW", 1)
     (folder.parent / "project.toml").write_text(
         project_toml(
             site={"spectrum": {"code": "table", "file": "target.csv"}},

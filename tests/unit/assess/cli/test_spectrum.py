@@ -8,10 +8,10 @@ import pytest
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.schema import load
-from assess.project.sections.spectra import SPECTRA
+from assess.project.project_file import load
+from assess.project.sections.site import SPECTRA
 from assess.results.json import dumps
-from assess.study.run import run
+from assess.study.run import run_study
 from spectra.table import read_table
 from tests.support.command import ended
 from tests.support.projects import EC8, project_toml, published, tables_toml
@@ -48,7 +48,7 @@ def project(tmp_path: Path) -> Path:
 def test_json_is_the_block_of_results(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("spectrum", project, "--json") == 0
     printed = json.loads(capsys.readouterr().out)
-    assert printed == json.loads(dumps(run(build(load(project)), jobs=1)))["spectrum"]
+    assert printed == json.loads(dumps(run_study(build(load(project)), jobs=1)))["spectrum"]
     assert printed["pga_g"] == pytest.approx(0.15, rel=1e-12)
     assert printed["damping"] == 0.08
     assert printed["parameters"]["scale"] == pytest.approx(0.5, rel=1e-12)  # 0.15 g for a_g S = 0.3 g

@@ -3,8 +3,7 @@
 import pytest
 import typer
 
-from assess.cli.app import app
-from assess.cli.usage import WRONG_USAGE, usage_error
+from assess.cli.app import WRONG_USAGE, app, usage_error
 
 
 @pytest.mark.parametrize(

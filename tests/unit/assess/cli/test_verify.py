@@ -15,12 +15,11 @@ from assess.cli.tables.verification import verification_text
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES
 from assess.project.build import build, uses_of_project
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results.files import read_verification
 from assess.results.json import dumps_verification
-from assess.results.solved_cases import exercised_by_case
-from assess.results.uses import USES
-from assess.verification.read import cases_for, read_cases
+from assess.results.solved_cases import USES, exercised_by_case
+from assess.verification.case_files import cases_for, read_cases
 from tests.support.command import ended
 from tests.support.projects import project_toml
 

@@ -5,22 +5,22 @@ from __future__ import annotations
 import pytest
 from scipy.constants import g
 
-from assess.codes.asce43_05 import history, sliding, spectrum
-from assess.codes.asce43_05.clauses import Options
+from assess.codes import asce43_05, asce43_05_sliding
+from assess.codes.asce43_05 import Asce43Options
 from assess.codes.context import Context
-from assess.codes.suite import Suite
+from assess.codes.histories import SuiteResponse
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra import ntc
 
-SUITE = Suite(0.2 * g, (0.1, 0.2, 0.1, 0.3, 0.2), "positive")
-SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.3), place=ntc.Place())
+SUITE = SuiteResponse(0.2 * g, (0.1, 0.2, 0.1, 0.3, 0.2), "positive")
+SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.3), place=ntc.SoilAndTopography())
 
 
 def checks(elevation: float, histories_at: str):
     wall = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
     context = Context(SPECTRUM, (0.2 * g,), 0.0, elevation, None, (SUITE,), histories_at=histories_at)
-    procedures = (spectrum.assess, history.assess, sliding.assess)
-    return [check for procedure in procedures for check in procedure(wall, context, options=Options())]
+    procedures = (asce43_05.assess_spectrum, asce43_05.assess_history, asce43_05_sliding.assess_sliding)
+    return [check for procedure in procedures for check in procedure(wall, context, options=Asce43Options())]
 
 
 @pytest.mark.parametrize(

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.asce43_05 import sliding
-from assess.codes.asce43_05.clauses import Options
+from assess.codes import asce43_05_sliding
+from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
+from assess.mechanisms.mechanism import Face
 from spectra.table import table_spectrum
 
 BLOCK = equivalent_block("w", p=2.0, uplift=0.5, radius=2.0)
@@ -30,7 +30,9 @@ def context(*, mu: float | None = 0.2, level: float = 0.4 * g, vertical: float =
 
 
 def answer(context: Context, allowable: float | None = None):
-    (check,) = sliding.assess(BLOCK.oscillator, context, options=Options(allowable_sliding=allowable))
+    (check,) = asce43_05_sliding.assess_sliding(
+        BLOCK.oscillator, context, options=Asce43Options(allowable_sliding=allowable)
+    )
     return check
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes import asce43_05
 from assess.codes.applicability import apply_procedure
-from assess.codes.asce43_05 import history, spectrum
-from assess.codes.asce43_05.clauses import Options
+from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
-from assess.codes.suite import Suite
+from assess.codes.histories import SuiteResponse
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum
@@ -28,17 +28,19 @@ def on_joints(branch: Branch, share: float) -> Branch:
     return replace(branch, overturning_flexible=share * branch.overturning)
 
 
-def told(rocker: Oscillator, *suites: Suite):
+def told(rocker: Oscillator, *suites: SuiteResponse):
     levels = tuple(suite.pga for suite in suites)
     context = Context(SPECTRUM, levels, 0.0, 0.0, None, suites=suites, incremental=suites)
-    return apply_procedure("asce43-05-history", partial(history.assess, options=Options()), rocker, context)
+    return apply_procedure(
+        "asce43-05-history", partial(asce43_05.assess_history, options=Asce43Options()), rocker, context
+    )
 
 
 def test_each_record_counts_by_what_overturns_its_own_branch() -> None:
     """Maxima 0.2, 0.2, 0.2 on a branch that goes at 0.8, and 0.3, 0.3 on one that goes at 0.4: shares 0.25 and 0.75."""
     rocker = replace(WALL, positive=on_joints(WALL.positive, 0.8), negative=on_joints(WALL.positive, 0.4))
     branches = ("positive", "positive", "positive", "negative", "negative")
-    suite = Suite(0.2 * g, (0.2, 0.2, 0.2, 0.3, 0.3), "negative", branches)
+    suite = SuiteResponse(0.2 * g, (0.2, 0.2, 0.2, 0.3, 0.3), "negative", branches)
     (check,) = told(rocker, suite)
     assert check.ratio == pytest.approx((3 * 0.25 + 2 * 0.75) / 5 / 0.5, rel=1e-12)
     assert (check.verdict, check.branch) == ("pass", "negative")
@@ -62,13 +64,15 @@ def test_each_record_counts_by_what_overturns_its_own_branch() -> None:
     ],
 )
 def test_the_rule_of_histories(ratio, verdict, reason) -> None:
-    (check,) = told(WALL, Suite(0.2 * g, ratio, "positive"))
+    (check,) = told(WALL, SuiteResponse(0.2 * g, ratio, "positive"))
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 
 def asked(rocker: Oscillator, *levels: float, **more):
     context = Context(SPECTRUM, levels, 0.0, more.pop("elevation", 0.0), None, **more)
-    return apply_procedure("asce43-05-spectrum", partial(spectrum.assess, options=Options()), rocker, context)
+    return apply_procedure(
+        "asce43-05-spectrum", partial(asce43_05.assess_spectrum, options=Asce43Options()), rocker, context
+    )
 
 
 def test_a_third_of_what_overturns_is_allowed_with_half_beside_it() -> None:

@@ -9,14 +9,13 @@ from math import sin
 import pytest
 from scipy.constants import g
 
+from assess.codes import dmi2008, ntc2018
 from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Context, LocalLimit
-from assess.codes.dmi2008 import history as dmi2008
-from assess.codes.italian.edition import Options
-from assess.codes.italian.history import required_pga
-from assess.codes.ntc2018 import history as ntc2018
-from assess.codes.suite import Suite
+from assess.codes.histories import SuiteResponse
+from assess.codes.italian_histories import required_pga
+from assess.codes.italian_limit_states import ItalianOptions
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
 
@@ -32,7 +31,7 @@ def block():
 def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):
     """FC is 1, as crushing is modelled and the level of knowledge is LC3."""
     spectrum, known = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0), {"dmi2008": "LC3", "ntc2018": "LC3"}
-    suites = (Suite(pga, ratios, "positive"),)
+    suites = (SuiteResponse(pga, ratios, "positive"),)
     return Context(spectrum, levels, 0.0, 0.0, None, suites=suites, crushing=True, knowledge=known, **more)
 
 
@@ -42,7 +41,7 @@ def moved(ratio):
 
 
 def one(*ratios, state="SLV", **more):
-    (check,) = ntc2018.assess(block(), context(*ratios, **more), options=Options(limit_states=(state,)))
+    (check,) = ntc2018.assess_history(block(), context(*ratios, **more), options=ItalianOptions(limit_states=(state,)))
     return check
 
 
@@ -84,10 +83,14 @@ def test_record_that_overturns_fails():
 
 def test_confidence_factor_goes_with_the_motion():
     """At LC2 the suite of 1.2 times the PGA is judged, and the PGA at collapse is that of the scan over 1.2."""
-    scan = tuple(Suite(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5)))
+    scan = tuple(
+        SuiteResponse(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5))
+    )
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=scan[1:2])
-    (plain,) = ntc2018.assess(block(), at, options=Options())
-    (less,) = ntc2018.assess(block(), dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=Options())
+    (plain,) = ntc2018.assess_history(block(), at, options=ItalianOptions())
+    (less,) = ntc2018.assess_history(
+        block(), dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=ItalianOptions()
+    )
     assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)
     assert less.ratio == pytest.approx(moved(0.3) / 0.4, rel=1e-9)
     assert plain.capacity_pga_g == pytest.approx(0.24, rel=1e-9)
@@ -96,9 +99,9 @@ def test_confidence_factor_goes_with_the_motion():
 
 
 def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_level():
-    beside = Suite(1.35 * LEVEL, (0.3,) * 7, "positive")
+    beside = SuiteResponse(1.35 * LEVEL, (0.3,) * 7, "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, extra_suites=(beside,))
-    deciding, informing = ntc2018.assess(block(), at, options=Options(confidence_factor=1.0))
+    deciding, informing = ntc2018.assess_history(block(), at, options=ItalianOptions(confidence_factor=1.0))
     assert (deciding.ratio, deciding.informs) == (pytest.approx(moved(0.3) / 0.4, rel=1e-9), False)
     assert (informing.ratio, informing.informs) == (pytest.approx(moved(0.1) / 0.4, rel=1e-9), True)
 
@@ -117,11 +120,11 @@ def test_mean_is_within_the_seat_or_the_break_where_these_come_before_the_share_
 
 def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
     """At FC 1.35 the suite of 0.27 g overturns a body that the scan leaves standing at 0.26 g and at 0.4 g."""
-    scan = tuple(Suite(pga * g, (0.1,) * 7, "positive") for pga in (0.1, 0.2, 0.26, 0.4))
-    scan = (*scan, Suite(0.5 * g, (None,) * 7, "positive"))
-    beside = Suite(0.27 * g, (None, *(0.1,) * 6), "positive")
+    scan = tuple(SuiteResponse(pga * g, (0.1,) * 7, "positive") for pga in (0.1, 0.2, 0.26, 0.4))
+    scan = (*scan, SuiteResponse(0.5 * g, (None,) * 7, "positive"))
+    beside = SuiteResponse(0.27 * g, (None, *(0.1,) * 6), "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=(beside,), crushing=False)
-    (check,) = ntc2018.assess(block(), at, options=Options())
+    (check,) = ntc2018.assess_history(block(), at, options=ItalianOptions())
     assert check.verdict == "fail"
     assert check.capacity_pga_g == pytest.approx(0.26 / 1.35, rel=1e-9)
     assert check.safety_index < 1.0
@@ -129,8 +132,8 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
 
 def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
     def admitted_at(at):
-        options = Options()
-        (check,) = apply_procedure("ntc2018-history", partial(ntc2018.assess, options=options), block(), at)
+        options = ItalianOptions()
+        (check,) = apply_procedure("ntc2018-history", partial(ntc2018.assess_history, options=options), block(), at)
         return check
 
     low = dataclasses.replace(context(*(0.1,) * 7), elevation=5.0)
@@ -141,14 +144,14 @@ def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
 
 
 def test_edition_of_2008_has_one_limit_state_and_the_same_share():
-    checks = dmi2008.assess(block(), context(*SEVEN), options=Options(limit_states=("SLD", "SLV")))
+    checks = dmi2008.assess_history(block(), context(*SEVEN), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert [check.limit_state for check in checks] == ["SLV"]
     assert checks[0].ratio == pytest.approx(one(*SEVEN).ratio, rel=1e-12)
 
 
 def test_suites_are_needed_at_the_action_of_each_state_times_fc():
-    states, rule = ("SLD", "SLV", "SLC"), ntc2018.RULE
-    given = {"rule": rule, "options": Options(None, states)}
+    states, rule = ("SLD", "SLV", "SLC"), ntc2018.HISTORY_RULE
+    given = {"rule": rule, "options": ItalianOptions(None, states)}
     spectrum = context(0.0).spectrum
     assert required_pga((0.1, 0.2), None, spectrum, **given, factors=(1.0,)) == (0.1, 0.2, 0.1, 0.2)
     needed = required_pga((0.1, 0.3), None, spectrum, **given, factors=(1.2,))

@@ -9,22 +9,22 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes import ntc2018
 from assess.codes.applicability import apply_procedure
 from assess.codes.check import Outcome, Reason
-from assess.codes.context import Building, Context, Hazard, OpenSeat
-from assess.codes.italian.edition import Options
-from assess.codes.ntc2018 import linear, nonlinear
-from assess.codes.ntc2018.building import floor_demand, modes_at
+from assess.codes.context import Building, Context, OpenSeat, SiteHazard
+from assess.codes.italian_limit_states import ItalianOptions
+from assess.codes.ntc2018_clauses import floor_demand, ultimate_modes
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra import ntc
 from spectra.table import table_spectrum
 
 SPECTRA = {
-    state: ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.35), place=ntc.Place())
+    state: ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.35), place=ntc.SoilAndTopography())
     for state, a_g in (("SLD", 0.02), ("SLV", 0.05), ("SLC", 0.06))
 }
 FLOOR = OpenSeat("floor", "positive", np.linspace(0.0, 0.3, 301), 6.0 * np.linspace(0.0, 0.3, 301))
-PROCEDURES = {"ntc2018-linear": linear, "ntc2018-nonlinear": nonlinear}
+PROCEDURES = {"ntc2018-linear": ntc2018, "ntc2018-nonlinear": ntc2018}
 
 
 def wall():
@@ -34,7 +34,7 @@ def wall():
 def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):
     used = spectrum or SPECTRA["SLV"]
     context = Context(used, (used.pga,), 0.0, more.pop("elevation", 0.0), building, **more)
-    options = Options(factor, (state,))
+    options = ItalianOptions(factor, (state,))
     return apply_procedure(procedure, partial(PROCEDURES[procedure].assess, options=options), wall(), context)
 
 
@@ -107,7 +107,7 @@ def test_a_single_spectrum_answers_for_the_limit_state_it_is_declared_for():
 
 
 def test_a_hazard_that_does_not_reach_a_limit_state_does_not_answer_it():
-    short = Hazard({state: SPECTRA[state] for state in ("SLD", "SLV")}, (30.0, 475.0), (0.02 * g, 0.05 * g))
+    short = SiteHazard({state: SPECTRA[state] for state in ("SLD", "SLV")}, (30.0, 475.0), (0.02 * g, 0.05 * g))
     (check,) = asked(state="SLC", hazard=short)
     assert (check.verdict, check.provisional, check.reason.where) == (
         Outcome.NOT_ANSWERED,
@@ -117,7 +117,7 @@ def test_a_hazard_that_does_not_reach_a_limit_state_does_not_answer_it():
 
 
 def test_each_limit_state_is_judged_at_its_own_action():
-    hazard = Hazard(SPECTRA, (30.0, 475.0, 975.0), (0.02 * g, 0.05 * g, 0.06 * g))
+    hazard = SiteHazard(SPECTRA, (30.0, 475.0, 975.0), (0.02 * g, 0.05 * g, 0.06 * g))
     (sld,) = asked("ntc2018-linear", state="SLD", hazard=hazard)
     assert sld.demand == pytest.approx(0.02 * g, rel=1e-12)
     assert sld.safety_index == pytest.approx(sld.capacity_pga_g / 0.02, rel=1e-12)
@@ -141,7 +141,7 @@ def test_above_the_ground_a_table_is_asked_for_its_largest_displacement_up_to_th
     spectrum = table_spectrum([0.0, 0.1, 1.3, 1.5, 1.7, 6.0], [g, 2 * g, g, 6 * g, 0.1 * g, 0.01 * g])
     context = Context(spectrum, (spectrum.pga,), 0.0, 1.0, Building(9.0, 3, 0.1, 0.05))
     table, read_at_T = (
-        floor_demand(at, modes_at(at, "SLV"), T0=0.0, T=3.0, damping=0.08)
+        floor_demand(at, ultimate_modes(at, "SLV"), T0=0.0, T=3.0, damping=0.08)
         for at in (context, replace(context, spectrum=replace(spectrum, code="ntc2018")))
     )
     assert table.period == pytest.approx(1.5, abs=0.02)

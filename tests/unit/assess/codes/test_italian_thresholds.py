@@ -11,17 +11,16 @@ from math import asin, pi, sin, sqrt, tan
 import pytest
 from scipy.constants import g
 
+from assess.codes import dmi2008, ntc2018
 from assess.codes.context import Context, LocalLimit
-from assess.codes.dmi2008 import nonlinear as dmi2008
-from assess.codes.italian.edition import Options
-from assess.codes.ntc2018 import linear, nonlinear
+from assess.codes.italian_limit_states import ItalianOptions
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra import ntc
 from tests.support.curved import both, pulled, thrust
 
 ALPHA, RADIUS, LC1 = 0.1, 3.0, 1.35
 D0 = RADIUS * sin(ALPHA)
-SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.2 * g, 2.4, 0.35), place=ntc.Place("B"))
+SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.2 * g, 2.4, 0.35), place=ntc.SoilAndTopography("B"))
 
 
 def block():
@@ -38,9 +37,9 @@ def moved(share):
     return RADIUS * (sin(ALPHA) - sin(ALPHA * (1 - share)))
 
 
-def asked(procedure=nonlinear, *, rocker=None, state="SLV", **more):
+def asked(procedure=ntc2018, *, rocker=None, state="SLV", **more):
     context = Context(SPECTRUM, (SPECTRUM.pga,), 0.0, 0.0, None, **more)
-    (check,) = procedure.assess(rocker or block(), context, options=Options(limit_states=(state,)))
+    (check,) = procedure.assess(rocker or block(), context, options=ItalianOptions(limit_states=(state,)))
     return check
 
 
@@ -108,7 +107,7 @@ def test_an_inward_tie_and_an_outward_thrust_of_one_size_leave_d0_to_the_thrust(
     assert steps(check)["d0*"] == pytest.approx(RADIUS * (sin(ALPHA) - half), rel=1e-6)
     assert driven.overturning == pytest.approx(ALPHA - asin(half), rel=1e-5)
     assert steps(check)["α0"] == pytest.approx(0.6 * tan(ALPHA), rel=1e-9)
-    first = asked(linear, rocker=both(driven, rocker), starting=rocker)
+    first = asked(ntc2018, rocker=both(driven, rocker), starting=rocker)
     assert steps(first)["α0"] == pytest.approx(tan(ALPHA), rel=1e-9)
     assert steps(check)["a(d_SLV)"] < 0.6 * tan(ALPHA) * g / LC1
 
@@ -119,7 +118,7 @@ def test_curves_are_paired_by_the_name_of_the_branch():
     starting = replace(rocker, negative=pulled(rocker.positive, moment(0.2), until=10 * ALPHA))
     one_way = replace(rocker, positive=starting.negative, negative=rocker.positive)
     for state, worse in ((starting, "positive"), (one_way, "negative")):
-        check = asked(linear, starting=state)
+        check = asked(ntc2018, starting=state)
         assert check.branch == worse
         assert check.capacity == pytest.approx(tan(ALPHA) * g / LC1, rel=1e-9)
     limited = asked(limits=(ending(0.1, "seat", "negative"),))

@@ -7,11 +7,9 @@ from math import exp, log
 import pytest
 from scipy.constants import g
 
-from assess.codes.context import Context, Hazard
-from assess.codes.dmi2008 import linear as dmi2008
-from assess.codes.italian.edition import Options
-from assess.codes.italian.limit_state import pga_ratio, return_period
-from assess.codes.ntc2018 import linear
+from assess.codes import dmi2008, ntc2018
+from assess.codes.context import Context, SiteHazard
+from assess.codes.italian_limit_states import ItalianOptions, pga_ratio, return_period
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra import ntc
 
@@ -19,12 +17,12 @@ ROWS = ((30, 0.08), (50, 0.10), (475, 0.25), (975, 0.33), (2475, 0.45))
 
 
 def spectrum(a_g):
-    return ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.3), place=ntc.Place())
+    return ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.3), place=ntc.SoilAndTopography())
 
 
 def site(*, levels=(0.25 * g,)):
     spectra = {"SLD": spectrum(0.10), "SLV": spectrum(0.25), "SLC": spectrum(0.33)}
-    hazard = Hazard(spectra, tuple(float(years) for years, _ in ROWS), tuple(pga * g for _, pga in ROWS))
+    hazard = SiteHazard(spectra, tuple(float(years) for years, _ in ROWS), tuple(pga * g for _, pga in ROWS))
     return Context(spectra["SLV"], levels, 0.0, 0.0, None, hazard=hazard)
 
 
@@ -33,7 +31,9 @@ def wall():
 
 
 def test_each_limit_state_has_its_own_pga_and_the_level_multiplies_all():
-    damage, life = linear.assess(wall(), site(levels=(0.125 * g,)), options=Options(limit_states=("SLD", "SLV")))
+    damage, life = ntc2018.assess_linear(
+        wall(), site(levels=(0.125 * g,)), options=ItalianOptions(limit_states=("SLD", "SLV"))
+    )
     assert damage.level_pga_g == life.level_pga_g == pytest.approx(0.125, rel=1e-12)
     assert damage.demand == pytest.approx(0.05 * g, rel=1e-12)  # 0.10 g · 0.125 / 0.25
     assert life.demand == pytest.approx(0.125 / 2 * g, rel=1e-12)
@@ -44,7 +44,7 @@ def test_each_limit_state_has_its_own_pga_and_the_level_multiplies_all():
 def test_without_hazard_every_limit_state_has_the_pga_of_the_level():
     alone = Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None)
     assert pga_ratio(None, alone.spectrum, "SLD") == 1.0
-    (damage,) = linear.assess(wall(), alone, options=Options(limit_states=("SLD",)))
+    (damage,) = ntc2018.assess_linear(wall(), alone, options=ItalianOptions(limit_states=("SLD",)))
     assert damage.demand == pytest.approx(0.2 * g, rel=1e-12)
     assert damage.return_period_years is None
     assert "that of the level" in damage.steps[0].description
@@ -66,26 +66,28 @@ def test_return_period_beyond_the_hazard_is_a_bound():
 
 def test_return_period_on_soft_soil_is_the_least():
     """S a_g may fall between two rows; the first crossing counts."""
-    hazard = Hazard({}, (30.0, 100.0, 475.0, 2475.0), (1.0, 3.0, 2.5, 4.0))
+    hazard = SiteHazard({}, (30.0, 100.0, 475.0, 2475.0), (1.0, 3.0, 2.5, 4.0))
     assert return_period(hazard, 2.8)[0] < 100.0
     assert 475.0 < return_period(hazard, 3.5)[0] < 2475.0
 
 
 def test_clamped_return_period_is_said_so():
     stocky = equivalent_block("w", p=1.8, uplift=0.7, radius=2.4).oscillator
-    (check,) = linear.assess(stocky, site(), options=Options())
+    (check,) = ntc2018.assess_linear(stocky, site(), options=ItalianOptions())
     assert (check.return_period_years, check.return_period_bound) == (2475.0, ">=")
     assert (check.steps[-1].value, check.steps[-1].bound) == (2475.0, ">=")
     assert check.steps[-1].remark == "or more: the hazard ends there"
 
 
 def test_older_edition_is_rated_where_the_site_gives_its_hazard():
-    (check,) = dmi2008.assess(wall(), site(), options=Options())
+    (check,) = dmi2008.assess_linear(wall(), site(), options=ItalianOptions())
     assert check.safety_index == pytest.approx(1 / check.ratio, rel=1e-12)
     assert check.return_period_years is not None
 
 
 def test_older_edition_has_an_index_on_a_single_spectrum_too():
-    (check,) = dmi2008.assess(wall(), Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None), options=Options())
+    (check,) = dmi2008.assess_linear(
+        wall(), Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None), options=ItalianOptions()
+    )
     assert check.safety_index == pytest.approx(1 / check.ratio, rel=1e-12)
     assert check.return_period_years is None

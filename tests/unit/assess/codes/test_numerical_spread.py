@@ -13,34 +13,42 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.constants import g
 
-from assess.codes.asce43_05 import history as asce43
-from assess.codes.asce43_05.clauses import Options as AsceOptions
+from assess.codes import asce43_05 as asce43
+from assess.codes import ntc2018
+from assess.codes.asce43_05 import Asce43Options as AsceOptions
 from assess.codes.bases import BASES
 from assess.codes.check import Outcome, Reason
 from assess.codes.context import Context
-from assess.codes.incremental import fails_below
-from assess.codes.italian.edition import Options
-from assess.codes.ntc2018 import history as ntc2018
-from assess.codes.numerical_spread import DRAWS, draw_runs, draw_values, is_between
-from assess.codes.standing_figures import interval_figures, margin_figures, side_figures, standing_figures
-from assess.codes.suite import Runs, Suite
-from assess.codes.verdict import Decision
-from assess.codes.verdict.answer import Index, decide, index_of, is_near
+from assess.codes.histories import (
+    DRAWS,
+    RecordRuns,
+    SuiteResponse,
+    draw_runs,
+    draw_values,
+    fails_below,
+    interval_figures,
+    is_between,
+    margin_figures,
+    side_figures,
+    standing_figures,
+)
+from assess.codes.italian_limit_states import ItalianOptions
+from assess.codes.verdict import Decision, Index, decide, index_of, is_near
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
 
 BLOCK = equivalent_block("w", p=1.6, uplift=0.1, radius=3.0).oscillator
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
-ASCE = partial(asce43.assess, options=AsceOptions())
-NTC = partial(ntc2018.assess, options=Options())
+ASCE = partial(asce43.assess_history, options=AsceOptions())
+NTC = partial(ntc2018.assess_history, options=ItalianOptions())
 LEVEL = 0.2 * g
 
 
-def suite(runs, pga: float = LEVEL) -> Suite:
+def suite(runs, pga: float = LEVEL) -> SuiteResponse:
     """Of runs [9][records], the records as they are first."""
     ratio = np.array(runs, dtype=float)
     own = tuple(None if each == inf else float(each) for each in ratio[0])
-    return Suite(pga, own, "positive", (), Runs(ratio, np.zeros(ratio.shape, dtype=bool)))
+    return SuiteResponse(pga, own, "positive", (), RecordRuns(ratio, np.zeros(ratio.shape, dtype=bool)))
 
 
 def check(assess, *runs, scan=()):

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes import sliding
+from assess.codes import en1998_1, sliding
 from assess.codes.applicability import apply_procedure
 from assess.codes.context import Context
-from assess.codes.en1998_1 import element
-from assess.codes.en1998_1.clauses import Options
+from assess.codes.en1998_1 import Ec8Options
 from assess.hinge_forces import HingeForces, Pressure
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
@@ -46,7 +45,7 @@ def hinge(needed: float, *, friction: float | None = 0.3, name: str = "A", **mor
 
 def checks(*hinges: HingeForces, amplification: float = 1.0):
     context = Context(SPECTRUM, LEVELS, 0.0, 0.0, None, hinges=hinges, amplification=amplification)
-    return sliding.assess(ROCKER, context)
+    return sliding.assess_sliding(ROCKER, context)
 
 
 def test_it_fails_only_where_the_level_reaches_the_acceleration_that_slides() -> None:
@@ -69,9 +68,9 @@ def test_amplified_at_its_base_it_slides_at_less() -> None:
 
 def test_above_the_ground_the_motion_of_the_ground_fails_it_and_cannot_pass_it() -> None:
     context = Context(SPECTRUM, LEVELS, 0.0, 8.0, None, hinges=(hinge(0.5),))
-    found = apply_procedure("sliding", sliding.assess, ROCKER, context)
+    found = apply_procedure("sliding", sliding.assess_sliding, ROCKER, context)
     assert [check.verdict for check in found] == ["not-answered", "not-answered", "fail", "fail"]
-    raised = apply_procedure("sliding", sliding.assess, ROCKER, replace(context, transfer="by a factor"))
+    raised = apply_procedure("sliding", sliding.assess_sliding, ROCKER, replace(context, transfer="by a factor"))
     assert [check.verdict for check in raised] == ["pass", "pass", "fail", "fail"]
 
 
@@ -79,8 +78,8 @@ def test_above_the_ground_the_motion_of_the_ground_fails_it_and_cannot_pass_it()
 def test_a_pass_by_rocking_of_what_slides_first_holds_where_it_is_kept_from_sliding(friction, held) -> None:
     """Needs 0.5 at 0.4 g: with 0.3 it slides at 0.24 g, with 0.6 it rocks first."""
     context = Context(SPECTRUM, (0.2 * g, 0.35 * g), 0.0, 0.0, None, hinges=(hinge(0.5, friction=friction),))
-    options = Options(behaviour_factor=2.0)
-    found = apply_procedure("ec8-element", partial(element.assess, options=options), HEAVY, context)
+    options = Ec8Options(behaviour_factor=2.0)
+    found = apply_procedure("ec8-element", partial(en1998_1.assess_element, options=options), HEAVY, context)
     assert {check.verdict for check in found} == {"pass"}
     assert [bool(check.conditions) for check in found] == held
 

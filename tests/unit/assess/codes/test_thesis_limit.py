@@ -9,12 +9,12 @@ import pytest
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.codes.asce43_05.clauses import inertia_ratio, thesis_limit, thesis_limit_ratio
+from assess.codes.asce43_05 import inertia_ratio, thesis_limit, thesis_limit_ratio
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import block_at, equivalent_block
 

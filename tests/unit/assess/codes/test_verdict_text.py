@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from assess.codes.verdict_text import building_index_text, figures, target_text
+from assess.codes.verdict import building_index_text, number_text, target_text
 
 
 def verdict(**known: Any) -> Any:
@@ -27,4 +27,4 @@ def test_an_index_that_is_not_known_has_no_text() -> None:
     ("value", "number", "text"), [(1.0, 3, "1.00"), (0.98765, 3, "0.988"), (12.3456, 4, "12.35"), (0.5, 2, "0.50")]
 )
 def test_figures_keep_their_zeros(value: float, number: int, text: str) -> None:
-    assert figures(value, number) == text
+    assert number_text(value, number) == text

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from assess.codes.check import Check, Outcome, Reason, reason_message
-from assess.codes.worst_branch import worst_branch_check, worst_check
+from assess.codes.check import Check, Outcome, Reason, reason_message, worst_branch_check, worst_check
 
 
 def check(branch: str, ratio: float | None, verdict: str = "fail", *, at: float | None = 0.2) -> Check:

@@ -15,10 +15,10 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics import pulse_response
+from assess.dynamics import pulses
 from assess.dynamics.history import trace
 from assess.oscillator import Branch, Oscillator
-from records.pulses import SHAPES
+from records.pulses import PULSE_SHAPES
 from records.record import make_record
 
 P, ALPHA, UNCHECKED = 2.0, 0.2, 1e300
@@ -99,10 +99,10 @@ def test_a_finer_table_converges_by_the_fourth_power_or_better() -> None:
 
 @pytest.mark.parametrize("name", ["sine", "ricker"])
 def test_pieces_of_a_pulse_err_by_the_sixth_power(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    shape, counts, errors = SHAPES[name], np.array([12, 24, 48]), []
+    shape, counts, errors = PULSE_SHAPES[name], np.array([12, 24, 48]), []
     for count in counts:
-        monkeypatch.setattr(pulse_response, "PIECES", int(count))
-        pieces, width = pulse_response.pulse_polynomials(shape)
+        monkeypatch.setattr(pulses, "PIECES", int(count))
+        pieces, width = pulses.pulse_polynomials(shape)
         middle = sum(pieces[:, m] * (0.5 * width) ** m for m in range(6))
         theta = shape.start + width * (np.arange(len(pieces)) + 0.5)
         errors.append(np.abs(middle - shape.value(theta)).max())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from assess.dynamics.critical import TIE, Band, find_critical
+from assess.dynamics.pulses import TIE, FrequencyBand, find_critical
 
 FREQUENCY = np.linspace(1.0, 5.0, 9)
 NAN = np.nan
@@ -41,7 +41,7 @@ def test_ties_go_to_the_first_and_the_near_ones_are_told() -> None:
     found = find_critical(np.array([1.0]), bounds)
     assert (found.mechanism[0], found.runner_up[0], found.margin[0]) == (0, 1, 0.0)
     assert found.near[:, 0].tolist() == [True, True, True, False, False]
-    assert found.bands == (Band(0, 1.0, 1.0),)
+    assert found.bands == (FrequencyBand(0, 1.0, 1.0),)
 
 
 def test_where_nothing_overturns_there_is_no_critical_one() -> None:
@@ -52,18 +52,18 @@ def test_where_nothing_overturns_there_is_no_critical_one() -> None:
     np.testing.assert_array_equal(found.lower_bound, [NAN, NAN, 3.0, 1.0])
     np.testing.assert_array_equal(found.margin, [NAN, NAN, NAN, 1.0])
     assert not found.near[:, :2].any()
-    assert found.bands == (Band(None, 1.0, 2.5), Band(0, 2.5, 3.5), Band(1, 3.5, 4.0))
+    assert found.bands == (FrequencyBand(None, 1.0, 2.5), FrequencyBand(0, 2.5, 3.5), FrequencyBand(1, 3.5, 4.0))
 
 
 def test_never_anything() -> None:
     found = find_critical(FREQUENCY, np.full((2, 9), NAN))
-    assert found.bands == (Band(None, 1.0, 5.0),)
+    assert found.bands == (FrequencyBand(None, 1.0, 5.0),)
     assert not found.near.any()
 
 
 def test_one_mechanism_has_no_rival() -> None:
     found = find_critical(FREQUENCY, np.array([FREQUENCY]))
-    assert found.bands == (Band(0, 1.0, 5.0),)
+    assert found.bands == (FrequencyBand(0, 1.0, 5.0),)
     assert found.runner_up.tolist() == [-1] * 9
     assert np.isnan(found.margin).all()
 

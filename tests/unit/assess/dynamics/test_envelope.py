@@ -12,31 +12,41 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics.envelope import MARGIN, Envelope, envelope, polarities, safe_amplitude, uplift_acceleration
 from assess.dynamics.packing import Equation
-from assess.dynamics.pulse_response import PulseJobs, outcomes
+from assess.dynamics.pulses import (
+    MARGIN,
+    Envelope,
+    PulseJobs,
+    envelope,
+    polarities,
+    pulse_outcomes,
+    safe_amplitude,
+    uplift_acceleration,
+)
 from assess.errors import MechanismError
-from assess.oscillator import Oscillator, SingleBlock, multiplier, plain_branch
-from records.pulses import SHAPES
+from assess.oscillator import Oscillator, RockingBlock, multiplier, plain_branch
+from records.pulses import PULSE_SHAPES
 
 EQUATIONS: tuple[Equation, ...] = ("exact", "linearised")
 BOTH = pytest.mark.parametrize("equation", EQUATIONS)
 FREQUENCY, AMPLITUDE = np.array([0.3, 0.6, 1.0, 1.7]), np.linspace(0.0, 12.0, 41)
 
-ONE = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.9)
-OTHER = plain_branch(SingleBlock(1.0, 1.0, 0.14, g / 3.0), restitution=0.8)
+ONE = plain_branch(RockingBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.9)
+OTHER = plain_branch(RockingBlock(1.0, 1.0, 0.14, g / 3.0), restitution=0.8)
 BLOCK, UNLIKE, ONE_SIDED = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0), Oscillator(ONE, None, 1.0)
 
 
 def mapped(body: Oscillator, equation: Equation, shape: str = "sine", **more: object) -> Envelope:
-    return envelope(body, SHAPES[shape], FREQUENCY, AMPLITUDE, equation=equation, **more)  # type: ignore[arg-type]
+    return envelope(body, PULSE_SHAPES[shape], FREQUENCY, AMPLITUDE, equation=equation, **more)  # type: ignore[arg-type]
 
 
 def falls(body: Oscillator, equation: Equation, shape: str, frequency: float, amplitude: object) -> np.ndarray:
     """Outcomes of signed amplitudes at one frequency."""
     signed = np.atleast_1d(np.asarray(amplitude, dtype=float))
     none = np.zeros(signed.size, dtype=np.int64)
-    run = outcomes([body], SHAPES[shape], np.array([frequency]), PulseJobs(none, none, signed), equation=equation)
+    run = pulse_outcomes(
+        [body], PULSE_SHAPES[shape], np.array([frequency]), PulseJobs(none, none, signed), equation=equation
+    )
     return run.overturned
 
 
@@ -50,7 +60,7 @@ def test_the_map_is_the_worse_outcome_of_both_polarities(body: Oscillator, equat
 
 
 @BOTH
-@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("shape", PULSE_SHAPES)
 def test_the_bound_is_an_edge_and_nothing_below_overturns(shape: str, equation: Equation) -> None:
     found = mapped(UNLIKE, equation, shape)
     assert np.isfinite(found.lower_bound).any()
@@ -75,7 +85,7 @@ def test_amplification_divides_bound_and_uplift_and_stretches_the_map(equation: 
     np.testing.assert_allclose(amplified.uplift * factor, plain.uplift, rtol=1e-15)
     np.testing.assert_array_equal(amplified.factor, factor)
     for i, f in enumerate(FREQUENCY):
-        stretched = envelope(UNLIKE, SHAPES["sine"], np.array([f]), AMPLITUDE * factor[i], equation=equation)
+        stretched = envelope(UNLIKE, PULSE_SHAPES["sine"], np.array([f]), AMPLITUDE * factor[i], equation=equation)
         np.testing.assert_array_equal(amplified.overturned[i], stretched.overturned[0])
 
 
@@ -104,7 +114,7 @@ def test_an_oscillator_that_is_the_same_both_ways_needs_one_polarity(equation: E
 def test_nothing_overturned_by_pulses_that_are_too_weak(highest: float, equation: Equation) -> None:
     """Up to and below uplift, and for no pulse at all."""
     amplitude = np.linspace(0.0, highest, 5)
-    found = envelope(BLOCK, SHAPES["sine"], FREQUENCY, amplitude, equation=equation)
+    found = envelope(BLOCK, PULSE_SHAPES["sine"], FREQUENCY, amplitude, equation=equation)
     assert not found.overturned.any()
     assert np.isnan(found.lower_bound).all()
     assert found.polarity.tolist() == [0] * FREQUENCY.size
@@ -127,7 +137,7 @@ def joint(softness: float = 0.05) -> Oscillator:
 def test_without_a_threshold_the_scan_begins_below_what_is_resisted() -> None:
     """A slow cosine overturns it as soon as it exceeds what any rotation holds; uplift is zero."""
     body = joint()
-    found = envelope(body, SHAPES["cosine"], np.array([0.02]), np.array([0.0, 6.0]), equation="exact")
+    found = envelope(body, PULSE_SHAPES["cosine"], np.array([0.02]), np.array([0.0, 6.0]), equation="exact")
     assert found.uplift.tolist() == [0.0]
     most = g * float(multiplier(body.positive).max())
     assert 0.4 * most < found.lower_bound[0] < most  # applied at once it acts up to twice as a static load
@@ -153,8 +163,8 @@ def test_a_body_that_cannot_rock_is_told(equation: Equation, restoring: np.ndarr
 @BOTH
 def test_froude_similarity(equation: Equation) -> None:
     """p half, pulses half as quick: the same envelope."""
-    slow = plain_branch(SingleBlock(1.0, 1.0, 0.2, g), restitution=0.9)
-    large = envelope(Oscillator(slow, slow, 1.0), SHAPES["sine"], FREQUENCY / 2, AMPLITUDE, equation=equation)
+    slow = plain_branch(RockingBlock(1.0, 1.0, 0.2, g), restitution=0.9)
+    large = envelope(Oscillator(slow, slow, 1.0), PULSE_SHAPES["sine"], FREQUENCY / 2, AMPLITUDE, equation=equation)
     small = mapped(BLOCK, equation)
     np.testing.assert_allclose(large.lower_bound, small.lower_bound, rtol=1e-10)
     np.testing.assert_array_equal(large.overturned, small.overturned)
@@ -163,20 +173,20 @@ def test_froude_similarity(equation: Equation) -> None:
 def test_the_impulse_of_a_half_sine_that_a_linearised_block_stands() -> None:
     """2 A / w of the ground gives B / I times that velocity; p phi_ov reaches overturning: A = g lambda w / (2 p)."""
     form, frequency = ONE.linearised, np.array([1.0, 300.0])
-    found = safe_amplitude(BLOCK, SHAPES["half-sine"], frequency, equation="linearised")
+    found = safe_amplitude(BLOCK, PULSE_SHAPES["half-sine"], frequency, equation="linearised")
     needed = g * form.multiplier * 2 * np.pi * frequency / (2 * form.p)
     np.testing.assert_allclose(found, MARGIN * needed, rtol=1e-6)
-    bound = envelope(BLOCK, SHAPES["half-sine"], frequency, needed * 1.1, equation="linearised").lower_bound
+    bound = envelope(BLOCK, PULSE_SHAPES["half-sine"], frequency, needed * 1.1, equation="linearised").lower_bound
     assert found[1] < bound[1] < 1.003 * needed[1]  # a pulse so short is an impulse
 
 
 @BOTH
-@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("shape", PULSE_SHAPES)
 @pytest.mark.parametrize("body", [UNLIKE, ONE_SIDED], ids=["unlike", "one-sided"])
 def test_nothing_overturns_that_is_called_safe(body: Oscillator, shape: str, equation: Equation) -> None:
     """Up to ten times of it something does: it is no empty promise."""
     frequency = np.array([0.4, 0.8, 6.0])
-    weak = safe_amplitude(body, SHAPES[shape], frequency, equation=equation)
+    weak = safe_amplitude(body, PULSE_SHAPES[shape], frequency, equation=equation)
     for f, amplitude in zip(frequency, weak, strict=True):
         below = amplitude * np.linspace(0.02, 1.0, 60)
         assert not falls(body, equation, shape, float(f), np.r_[below, -below]).any()
@@ -189,7 +199,8 @@ def test_an_impact_that_adds_energy_lowers_what_is_safe() -> None:
     heavy = replace(ONE, inertia=4.0 * ONE.inertia, restitution=0.9)
     one = np.array([1.0])
     plain, gaining = (
-        safe_amplitude(Oscillator(ONE, other, 1.0), SHAPES["sine"], one, equation="exact")[0] for other in (ONE, heavy)
+        safe_amplitude(Oscillator(ONE, other, 1.0), PULSE_SHAPES["sine"], one, equation="exact")[0]
+        for other in (ONE, heavy)
     )
     assert gaining == pytest.approx(plain / (0.9 * 2.0), rel=1e-12)
 
@@ -205,7 +216,7 @@ COARSE: tuple[tuple[str, Equation], ...] = (("cosine", "exact"), ("cosine", "lin
 
 def coarse(case: tuple[str, Equation]) -> Envelope:
     """A map of three amplitudes, and its bound."""
-    return envelope(UNLIKE, SHAPES[case[0]], np.array([0.4]), np.array([1.0, 2.0, 3.0]), equation=case[1])
+    return envelope(UNLIKE, PULSE_SHAPES[case[0]], np.array([0.4]), np.array([1.0, 2.0, 3.0]), equation=case[1])
 
 
 def test_without_numba() -> None:

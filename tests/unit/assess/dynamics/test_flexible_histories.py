@@ -10,14 +10,14 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.canonical import canonical_form
 from assess.dynamics.history import free_rocking, peaks, product, trace
+from assess.dynamics.packing import canonical_form
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator, energy, interpolant
 from records.record import make_record

@@ -16,18 +16,17 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
-from assess.dynamics.envelope import envelope
 from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation
-from assess.dynamics.pulse_response import PIECES, PulseJobs, make_solver, outcomes, pulse_polynomials
+from assess.dynamics.pulses import PIECES, PulseJobs, envelope, make_pulse_solver, pulse_outcomes, pulse_polynomials
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Branch, Oscillator, SingleBlock, interpolant, plain_branch
-from records.pulses import SHAPES, Shape, mavroeidis_papageorgiou
+from assess.oscillator import Branch, Oscillator, RockingBlock, interpolant, plain_branch
+from records.pulses import PULSE_SHAPES, PulseShape, mavroeidis_papageorgiou
 
 
 def frame() -> Oscillator:
@@ -50,7 +49,7 @@ def wall() -> Oscillator:
     return add_joints(rigid, joints, joints, restitution=(0.92, 0.92)).oscillator
 
 
-PLAIN = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.85)
+PLAIN = plain_branch(RockingBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.85)
 BLOCK, ONE_SIDED, FRAME, WALL = (
     Oscillator(PLAIN, PLAIN, 1.0),
     Oscillator(replace(PLAIN, restitution=0.4), None, 1.0),
@@ -97,7 +96,7 @@ class Spline:
         return -(moment + excitation * a + bend) / (((i3 * d + i2) * d + i1) * d + i0)
 
 
-def formula(shape: Shape) -> Callable[[float], float]:
+def formula(shape: PulseShape) -> Callable[[float], float]:
     """The shape by its textbook formula over the phase, without its ends."""
     if shape.name == "ricker":
         return lambda x: (1 - x * x / 2) * math.exp(-x * x / 4)
@@ -150,7 +149,7 @@ def lifting(sides: tuple[Side, ...], ground: Callable[[float], float], t: float,
     return first
 
 
-def by_scipy(system: str, shape: Shape, frequency: float, amplitude: float) -> tuple[bool, int]:
+def by_scipy(system: str, shape: PulseShape, frequency: float, amplitude: float) -> tuple[bool, int]:
     """Whether it overturns, and its impacts while the pulse lasts."""
     oscillator, equation = SYSTEMS[system]
     sides = tuple(side_of(branch, equation) for branch in oscillator.branches)
@@ -205,9 +204,11 @@ def by_scipy(system: str, shape: Shape, frequency: float, amplitude: float) -> t
 FREQUENCY = {"on a joint": 0.5}
 
 
-@pytest.mark.parametrize("shape", [*SHAPES.values(), mavroeidis_papageorgiou(gamma=3.0, nu=1.0)], ids=lambda s: s.name)
+@pytest.mark.parametrize(
+    "shape", [*PULSE_SHAPES.values(), mavroeidis_papageorgiou(gamma=3.0, nu=1.0)], ids=lambda s: s.name
+)
 @pytest.mark.parametrize("system", SYSTEMS)
-def test_the_least_pulse_that_overturns_is_that_of_dop853(system: str, shape: Shape) -> None:
+def test_the_least_pulse_that_overturns_is_that_of_dop853(system: str, shape: PulseShape) -> None:
     oscillator, equation = SYSTEMS[system]
     f = FREQUENCY.get(system, 0.7)
     found = envelope(oscillator, shape, np.array([f]), np.array([0.0, 30.0]), equation=equation, threads=1)
@@ -222,11 +223,11 @@ def test_the_least_pulse_that_overturns_is_that_of_dop853(system: str, shape: Sh
 def test_outcomes_and_impacts_over_the_amplitude(system: str) -> None:
     """Also far above the bound, in safe islands, and below uplift; both polarities."""
     oscillator, equation = SYSTEMS[system]
-    shape, f = SHAPES["ricker-antisymmetric"], FREQUENCY.get(system, 0.7)
+    shape, f = PULSE_SHAPES["ricker-antisymmetric"], FREQUENCY.get(system, 0.7)
     amplitudes = np.array([0.5, 1.9, 2.3, 2.9, 4.0, 7.0]) * np.array([[1.0], [-1.0]])
     none = np.zeros(amplitudes.size, dtype=np.int64)
     jobs = PulseJobs(none, none, amplitudes.ravel())
-    found = outcomes([oscillator], shape, np.array([f]), jobs, equation=equation, threads=1)
+    found = pulse_outcomes([oscillator], shape, np.array([f]), jobs, equation=equation, threads=1)
     theirs = [by_scipy(system, shape, f, float(a)) for a in amplitudes.ravel()]
     assert found.overturned.tolist() == [fell for fell, _ in theirs]
     assert 0 < sum(found.overturned) < amplitudes.size
@@ -235,8 +236,8 @@ def test_outcomes_and_impacts_over_the_amplitude(system: str) -> None:
     assert found.impacts.max() > 0
 
 
-@pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
-def test_pieces_are_the_shape_to_1e_12_of_its_peak(shape: Shape) -> None:
+@pytest.mark.parametrize("shape", PULSE_SHAPES.values(), ids=PULSE_SHAPES)
+def test_pieces_are_the_shape_to_1e_12_of_its_peak(shape: PulseShape) -> None:
     """Of a sine (2 pi / 100)^6 / 46080 = 1.3e-12; shapes of quicker harmonics or curvature have somewhat more."""
     pieces, width = pulse_polynomials(shape)
     assert width <= 2 * math.pi / PIECES * (1 + 1e-12)
@@ -251,7 +252,10 @@ def test_the_same_whatever_the_threads_and_the_order() -> None:
     rng = np.random.default_rng(5)
     frequency = np.array([0.3, 0.9, 2.0])
     jobs = PulseJobs(rng.integers(0, 2, 9000), rng.integers(0, 3, 9000), rng.uniform(-8.0, 8.0, 9000))
-    run = [make_solver([BLOCK, FRAME], SHAPES["cosine"], frequency, equation="linearised", threads=n) for n in (1, 2)]
+    run = [
+        make_pulse_solver([BLOCK, FRAME], PULSE_SHAPES["cosine"], frequency, equation="linearised", threads=n)
+        for n in (1, 2)
+    ]
     one, two = run[0](jobs), run[1](jobs)
     order = rng.permutation(9000)
     mixed = run[0](PulseJobs(jobs.oscillator[order], jobs.frequency[order], jobs.amplitude[order]))
@@ -267,19 +271,19 @@ def test_uplifted_where_the_ground_exceeds_the_threshold() -> None:
         amplitude = polarity * threshold * np.array([1 - 1e-9, 1 + 1e-9])
         none = np.zeros(2, dtype=np.int64)
         jobs = PulseJobs(none, none, amplitude)
-        found = outcomes([BLOCK], SHAPES[name], np.array([1.0]), jobs, equation="exact", threads=1)
+        found = pulse_outcomes([BLOCK], PULSE_SHAPES[name], np.array([1.0]), jobs, equation="exact", threads=1)
         assert found.uplifted.tolist() == [False, True], name
 
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
 def test_a_frequency_that_is_none_is_named(bad: float) -> None:
     with pytest.raises(ValueError, match=r"frequency\[1\] = .* Hz.* positive"):
-        make_solver([BLOCK], SHAPES["sine"], np.array([1.0, bad]), equation="linearised")
+        make_pulse_solver([BLOCK], PULSE_SHAPES["sine"], np.array([1.0, bad]), equation="linearised")
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_an_amplitude_that_is_none_is_named(bad: float) -> None:
-    run = make_solver([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
+    run = make_pulse_solver([BLOCK], PULSE_SHAPES["sine"], np.array([1.0]), equation="exact")
     none = np.zeros(3, dtype=np.int64)
     with pytest.raises(ValueError, match=r"jobs\[2\]: amplitude .* finite"):
         run(PulseJobs(none, none, np.array([1.0, 2.0, bad])))
@@ -287,7 +291,7 @@ def test_an_amplitude_that_is_none_is_named(bad: float) -> None:
 
 @pytest.mark.parametrize(("name", "oscillators", "frequencies"), [("oscillator", [0, 1], [0, 0]), ("frequency", [0, 0], [0, -1])])  # fmt: skip  # noqa: E501
 def test_a_job_that_names_nothing_is_named(name: str, oscillators: list[int], frequencies: list[int]) -> None:
-    run = make_solver([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
+    run = make_pulse_solver([BLOCK], PULSE_SHAPES["sine"], np.array([1.0]), equation="exact")
     with pytest.raises(ValueError, match=rf"jobs\[1\]: {name}"):
         run(PulseJobs(np.array(oscillators), np.array(frequencies), np.ones(2)))
 
@@ -297,5 +301,5 @@ def test_the_weaker_side_lifts_in_whichever_half_pushes_it(shape: str) -> None:
     """Its sides start to rock at about 0.25 g and 0.2 g: under 0.225 g the second alone does, by each polarity."""
     none = np.zeros(2, dtype=np.int64)
     jobs = PulseJobs(none, none, 0.225 * g * np.array([1.0, -1.0]))
-    found = outcomes([FRAME], SHAPES[shape], np.array([1.0]), jobs, equation="linearised", threads=1)
+    found = pulse_outcomes([FRAME], PULSE_SHAPES[shape], np.array([1.0]), jobs, equation="linearised", threads=1)
     assert found.uplifted.tolist() == [True, True]

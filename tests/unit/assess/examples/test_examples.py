@@ -10,7 +10,8 @@ from assess import cli
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example, source
 from assess.project.build import build
-from assess.project.schema import Project, json_schema, load
+from assess.project.json_schema import json_schema
+from assess.project.project_file import Project, load
 from assess.study.study import Study
 
 

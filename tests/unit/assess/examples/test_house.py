@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from assess.examples import house
-from assess.geometry.mesh import load
+from assess.geometry.mesh import load_solid
 
 pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
 
@@ -32,13 +32,13 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("name", VOLUMES)
 def test_a_part_is_a_closed_body_of_its_volume(file: Path, name: str) -> None:
-    body = load(file, density=1.0, name="part", element=name)
+    body = load_solid(file, density=1.0, name="part", element=name)
     assert body.mass == pytest.approx(VOLUMES[name], rel=1e-9)
     assert body.history == ()
 
 
 def test_every_part_is_named_once_with_an_identifier_of_its_own() -> None:
-    assert {part.name for part in house.parts()} == set(VOLUMES)
+    assert {part.name for part in house.elements()} == set(VOLUMES)
     identifiers = [line.split("'")[1] for line in house.model().splitlines() if "('" in line and line[0] == "#"]
     assert len(set(identifiers)) == len(identifiers)
     assert all(len(each) == 22 for each in identifiers)

@@ -11,8 +11,8 @@ from assess import cli
 from assess.examples import copy_example
 from assess.portfolio.projects import find_tasks, project_tree
 from assess.project.build import build
-from assess.project.schema import load_tree
-from assess.study.decision import find_verdict
+from assess.project.project_file import load_tree
+from assess.study.run import find_verdict
 
 
 def test_every_facade_of_the_street_has_a_verdict(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from assess.examples.surface import Surface, ply, revolve, slab
+from assess.examples.surfaces import Surface, ply, revolve, slab
 
 
 def read(surface: Surface) -> trimesh.Trimesh:

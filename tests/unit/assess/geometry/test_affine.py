@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
-from assess.geometry.affine import scale_along
-from assess.geometry.solid import Solid, box, polyhedron
+from assess.geometry.solid import Solid, box, polyhedron, scale_along
 
 
 def same(found: Solid, wanted: Solid) -> None:

@@ -219,7 +219,7 @@ def test_mesh_far_from_the_origin(tmp_path: Path) -> None:
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in (near.vertices + shift).tolist()]
     lines += [f"f {a} {b} {c}" for a, b, c in (near.triangles + 1).tolist()]
     (tmp_path / "pier.obj").write_text("\n".join(lines))
-    far = mesh.load(tmp_path / "pier.obj", density=DENSITY, name="pier")
+    far = mesh.load_solid(tmp_path / "pier.obj", density=DENSITY, name="pier")
     for normal in ([0.0, 0.0, 1.0], [-0.3, 0.2, 1.0]):
         wanted = cut(near, plane_of([0.0, 0.0, 4.0], normal))
         found = cut(far, plane_of(shift + np.array([0.0, 0.0, 4.0]), normal))

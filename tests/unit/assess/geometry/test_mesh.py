@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
+from assess.geometry.dimensions import size_warning
 from assess.geometry.formats.mesh_file import Up
-from assess.geometry.mesh import load
+from assess.geometry.mesh import load_solid
 from assess.geometry.planar import planar_body
-from assess.geometry.plausibility import size_warning
 from assess.geometry.solid import Solid, box, join, polyhedron, profile
 
 DENSITY = 2240.0
@@ -79,7 +79,7 @@ def loaded(
 ) -> Solid:
     path = folder / file
     path.write_bytes(WRITERS[file](vertices, triangles))
-    return load(path, density=DENSITY, name="wall", scale=scale)
+    return load_solid(path, density=DENSITY, name="wall", scale=scale)
 
 
 def soup(*solids: Solid) -> tuple[np.ndarray, np.ndarray]:
@@ -148,7 +148,7 @@ def test_quadrilaterals_and_counting_from_the_end_are_read(tmp_path: Path) -> No
     for name, shift in (("forwards.obj", 1), ("backwards.obj", -8)):
         faces = "".join("f " + " ".join(str(i + shift) for i in quad) + "\n" for quad in quads)
         (tmp_path / name).write_text(places + faces)
-        same(load(tmp_path / name, density=DENSITY, name="wall"), WALL, rtol=1e-12)
+        same(load_solid(tmp_path / name, density=DENSITY, name="wall"), WALL, rtol=1e-12)
 
 
 def test_unused_vertices_and_collapsed_triangles_do_not_count(tmp_path: Path) -> None:
@@ -349,7 +349,7 @@ def test_a_surface_that_cuts_itself_is_refused(tmp_path: Path) -> None:
 def test_the_axis_that_points_up_is_turned_to_z(tmp_path: Path, up: Up) -> None:
     turned = WALL.vertices if up == "z" else WALL.vertices @ Rotation.from_euler("x", -90, degrees=True).as_matrix().T
     (tmp_path / "wall.obj").write_bytes(obj(turned, WALL.triangles))
-    same(load(tmp_path / "wall.obj", density=DENSITY, name="wall", up=up), WALL, rtol=1e-12)
+    same(load_solid(tmp_path / "wall.obj", density=DENSITY, name="wall", up=up), WALL, rtol=1e-12)
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -1e38])
@@ -379,7 +379,7 @@ def test_files_without_a_mesh_are_refused(tmp_path: Path, ending: str, content: 
     path = tmp_path / f"wall.{ending}"
     path.write_bytes(content)
     with pytest.raises(GeometryError, match=r"no triangles found|cannot be read as") as caught:
-        load(path, density=DENSITY, name="wall")
+        load_solid(path, density=DENSITY, name="wall")
     assert "\n" not in str(caught.value)
 
 
@@ -390,19 +390,19 @@ def test_a_file_cut_short_is_refused(tmp_path: Path, file: str) -> None:
     for part in (0.3, 0.6, 0.9):
         path.write_bytes(content[: int(part * len(content))])
         with pytest.raises(GeometryError, match=f'body "wall": mesh {file}'):
-            load(path, density=DENSITY, name="wall")
+            load_solid(path, density=DENSITY, name="wall")
 
 
 def test_missing_files_folders_and_other_kinds_are_refused(tmp_path: Path) -> None:
     with pytest.raises(
         GeometryError, match=r'body "wall": mesh wall.stl: No such file or directory .*; check the path'
     ):
-        load(tmp_path / "wall.stl", density=DENSITY, name="wall")
+        load_solid(tmp_path / "wall.stl", density=DENSITY, name="wall")
     (tmp_path / "folder.stl").mkdir()
     with pytest.raises(GeometryError, match="Is a directory"):
-        load(tmp_path / "folder.stl", density=DENSITY, name="wall")
+        load_solid(tmp_path / "folder.stl", density=DENSITY, name="wall")
     with pytest.raises(GeometryError, match=r'files of kind ".dwg" are not read; export it as one of .stl, .obj, .ply'):
-        load(tmp_path / "wall.dwg", density=DENSITY, name="wall")
+        load_solid(tmp_path / "wall.dwg", density=DENSITY, name="wall")
 
 
 def test_scale_and_density_must_be_positive(tmp_path: Path) -> None:
@@ -411,7 +411,7 @@ def test_scale_and_density_must_be_positive(tmp_path: Path) -> None:
             loaded(tmp_path, WALL.vertices, WALL.triangles, scale=scale)
     (tmp_path / "wall.obj").write_bytes(obj(WALL.vertices, WALL.triangles))
     with pytest.raises(GeometryError, match="density is -1 kg/m3"):
-        load(tmp_path / "wall.obj", density=-1.0, name="wall")
+        load_solid(tmp_path / "wall.obj", density=-1.0, name="wall")
 
 
 def test_a_size_that_suggests_a_wrong_unit_is_told_with_the_likely_one() -> None:
@@ -448,9 +448,9 @@ def test_a_ply_file_says_by_its_type_how_finely_it_resolves(tmp_path: Path, kind
     file.write_bytes(ply(far, WALL.triangles).replace(b"property double", f"property {kind}".encode()))
     if single:
         with pytest.raises(GeometryError, match="in single precision"):
-            load(file, density=DENSITY, name="wall", scale=1.0)
+            load_solid(file, density=DENSITY, name="wall", scale=1.0)
     else:
-        assert load(file, density=DENSITY, name="wall", scale=1.0).mass > 0.0
+        assert load_solid(file, density=DENSITY, name="wall", scale=1.0).mass > 0.0
 
 
 @pytest.mark.parametrize(
@@ -469,12 +469,12 @@ def test_a_size_of_no_masonry_is_refused_with_the_likely_unit(
 ) -> None:
     (tmp_path / "wall.obj").write_bytes(obj(WALL.vertices * factor, WALL.triangles))
     with pytest.raises(GeometryError, match=re.escape(hint)):
-        load(tmp_path / "wall.obj", density=DENSITY, name="wall", scale=unit)
+        load_solid(tmp_path / "wall.obj", density=DENSITY, name="wall", scale=unit)
 
 
 def test_a_small_specimen_is_believed_where_its_unit_is_given(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_bytes(obj(WALL.vertices * 2.0, WALL.triangles))
-    small = load(tmp_path / "wall.obj", density=DENSITY, name="wall", scale=1e-3)
+    small = load_solid(tmp_path / "wall.obj", density=DENSITY, name="wall", scale=1e-3)
     assert small.mass == pytest.approx(WALL.mass * 8e-9, rel=1e-12)
     assert "measures 0.017 m at its longest" in str(size_warning(small, unit=1e-3))
 
@@ -497,7 +497,7 @@ def test_a_flipped_byte_of_a_mesh_is_read_or_refused(tmp_path: Path) -> None:
             for bits in (0xFF, 0x40):
                 path.write_bytes(content[:at] + bytes([content[at] ^ bits]) + content[at + 1 :])
                 try:
-                    found = load(path, density=DENSITY, name="wall")
+                    found = load_solid(path, density=DENSITY, name="wall")
                 except GeometryError as problem:
                     assert "\n" not in str(problem)  # noqa: PT017
                 else:
@@ -521,7 +521,7 @@ def test_a_drum_with_a_rough_skin_has_the_mass_of_its_circle(tmp_path: Path) -> 
     triangles = np.concatenate([np.column_stack([a, b, a + n]), np.column_stack([b, b + n, a + n]), foot, head])
     path = tmp_path / "drum.stl"
     path.write_bytes(stl_binary(vertices, triangles))
-    drum = load(path, density=DENSITY, name="drum")
+    drum = load_solid(path, density=DENSITY, name="drum")
     body = planar_body(drum, direction=[0.8, 0.6, 0.0])
     assert len(drum.triangles) == 2 * n * m
     assert drum.mass == pytest.approx(DENSITY * np.pi * 1.5**2 * 8.0, rel=1e-3)  # 400 sides, rough skin
@@ -539,6 +539,6 @@ def test_many_small_triangles_are_the_wall_they_cover(tmp_path: Path) -> None:
         triangles = np.arange(len(vertices)).reshape(-1, 3)
     path = tmp_path / "wall.stl"
     path.write_bytes(stl_binary(vertices, triangles))
-    found = load(path, density=DENSITY, name="wall")
+    found = load_solid(path, density=DENSITY, name="wall")
     assert len(found.triangles) == 12 * 4**5
     same(found, WALL, rtol=1e-12)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from assess.geometry.outline import _covered_by_grid, distance, outline
+from assess.geometry.planar import _covered_by_grid, distance_to_outline, projected_outline
 
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -23,7 +23,7 @@ def test_outline_of_a_rough_body_coarse_or_fine_is_the_union_of_its_triangles(n:
     foot = np.column_stack([np.full(n, n * m), (ring + 1) % n, ring])
     head = np.column_stack([np.full(n, n * m + 1), ring + (m - 1) * n, (ring + 1) % n + (m - 1) * n])
     triangles = np.concatenate([np.column_stack([a, b, a + n]), np.column_stack([b, b + n, a + n]), foot, head])
-    rings = outline(points[:, [0, 2]], triangles)
+    rings = projected_outline(points[:, [0, 2]], triangles)
     every = shapely.polygons(points[:, [0, 2]][triangles])
     wanted = shapely.union_all(every[shapely.area(every) > 1e-12])
     found = shapely.union_all([shapely.Polygon(each) for each in rings])
@@ -34,7 +34,7 @@ def test_outline_of_a_rough_body_coarse_or_fine_is_the_union_of_its_triangles(n:
 @pytest.mark.parametrize("roll", [0, 1, 2, 3])
 def test_rings_begin_leftmost_and_run_anticlockwise_left_to_right(roll: int) -> None:
     square, faces = np.roll(SQUARE, roll, axis=0), np.concatenate([FACES + 4, FACES])
-    rings = outline(np.concatenate([square, np.add(square, [3.0, -5.0])]), faces)
+    rings = projected_outline(np.concatenate([square, np.add(square, [3.0, -5.0])]), faces)
     left = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0))
     right = ((3.0, -5.0), (4.0, -5.0), (4.0, -4.0), (3.0, -4.0), (3.0, -5.0))
     assert rings == (left, right)
@@ -43,14 +43,16 @@ def test_rings_begin_leftmost_and_run_anticlockwise_left_to_right(roll: int) -> 
 def test_triangles_that_face_away_or_are_seen_edge_on_do_not_count() -> None:
     behind = np.concatenate([FACES, (FACES + 4)[:, ::-1], [[0, 1, 8]]])
     points = np.concatenate([SQUARE, np.add(SQUARE, [3.0, 0.0]), [[7.0, 1e-15]]])
-    assert len(outline(points, behind)) == 1
+    assert len(projected_outline(points, behind)) == 1
 
 
 def test_points_on_straight_sides_go_and_flat_corners_stay() -> None:
     bend = 1e-6
     points = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0 + bend], [0.0, 1.0]])
     fan = np.array([[0, 1, 5], [1, 4, 5], [1, 2, 4], [2, 3, 4]])
-    assert outline(points, fan) == (((0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0 + bend), (0.0, 1.0), (0.0, 0.0)),)
+    assert projected_outline(points, fan) == (
+        ((0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0 + bend), (0.0, 1.0), (0.0, 0.0)),
+    )
 
 
 def test_distance_to_an_outline():
@@ -58,9 +60,9 @@ def test_distance_to_an_outline():
         ((0.0, 0.0), (1.0, 0.0), (1.0, 4.0), (0.0, 4.0), (0.0, 0.0)),
         ((3.0, 0.0), (4.0, 0.0), (4.0, 1.0), (3.0, 0.0)),
     )
-    assert distance(rings, (0.5, 2.0)) == 0.0
-    assert distance(rings, (-3.0, 8.0)) == 5.0
-    assert distance(rings, (2.5, 0.0)) == 0.5
+    assert distance_to_outline(rings, (0.5, 2.0)) == 0.0
+    assert distance_to_outline(rings, (-3.0, 8.0)) == 5.0
+    assert distance_to_outline(rings, (2.5, 0.0)) == 0.5
 
 
 def test_triangles_that_the_fast_test_takes_for_covered_are_covered() -> None:

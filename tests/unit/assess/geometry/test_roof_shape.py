@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, underside
+from assess.geometry.dimensions import extent_along, intrados_area, mean_lever_arm, overall_height, roof_slope
 from assess.geometry.solid import Solid, box, polyhedron, profile
 
 
@@ -59,7 +59,7 @@ def turned(solid: Solid, degrees: float) -> Solid:
 @pytest.mark.parametrize("degrees", [0.0, 35.0, 90.0, 200.0])
 @pytest.mark.parametrize("covering", [gable(), ring(parts=24), ring(half_angle=0.6, parts=24)])
 def test_the_axis_runs_across_the_ridge(covering, degrees):
-    found = slope(turned(covering, degrees))
+    found = roof_slope(turned(covering, degrees))
     across = (np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0)
     assert abs(found.axis @ across) == pytest.approx(1.0, rel=1e-9)
     assert not found.both_ways
@@ -67,25 +67,25 @@ def test_the_axis_runs_across_the_ridge(covering, degrees):
 
 
 def test_a_groined_vault_and_a_hipped_roof_slope_both_ways():
-    assert slope(turned(groined(), 20.0)).both_ways
+    assert roof_slope(turned(groined(), 20.0)).both_ways
     x, y = (each.ravel() for each in np.meshgrid(np.linspace(-2, 2, 9), np.linspace(-2, 2, 9), indexing="ij"))
     hipped = thickened(x, y, 2 - np.maximum(np.abs(x), np.abs(y)), n=9, thickness=0.2)
-    assert slope(hipped).both_ways
+    assert roof_slope(hipped).both_ways
 
 
 def test_a_single_slope_and_a_flat_roof():
     shed = profile([[0, 0], [4, 1], [4, 1.2], [0, 0.2]], length=3.0, density=500.0, name="roof")
-    assert slope(shed).one_sided == pytest.approx(1.0, rel=1e-12)
+    assert roof_slope(shed).one_sided == pytest.approx(1.0, rel=1e-12)
     flat = box(thickness=4.0, length=3.0, height=0.2, base=(0, 0, 0), density=500.0, name="roof")
-    assert slope(flat).axis is None
+    assert roof_slope(flat).axis is None
 
 
 def test_span_and_rise_along_an_axis():
     axis = np.array([np.cos(0.5), np.sin(0.5), 0.0])
     solid = turned(gable(), np.degrees(0.5))
-    low, high = extent(solid, axis=axis)
+    low, high = extent_along(solid, axis=axis)
     assert high - low == pytest.approx(6.0, rel=1e-9)
-    assert height(solid) == pytest.approx(2.7, rel=1e-9)
+    assert overall_height(solid) == pytest.approx(2.7, rel=1e-9)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 35.0])
@@ -105,19 +105,19 @@ def test_lever_of_a_circular_ring(half_angle):
 
 def test_lever_tends_to_a_quarter_of_the_span_as_a_vault_flattens():
     flat = ring(radius=60.0, half_angle=0.05)
-    low, high = extent(flat, axis=np.array([1.0, 0.0, 0.0]))
+    low, high = extent_along(flat, axis=np.array([1.0, 0.0, 0.0]))
     assert mean_lever_arm(flat, axis=np.array([1.0, 0.0, 0.0])) == pytest.approx((high - low) / 4, rel=1e-2)
 
 
 def test_intrados_of_a_semicircle_and_its_plan():
-    area, plan = underside(ring())
+    area, plan = intrados_area(ring())
     assert area == pytest.approx(np.pi * 2.925 * 5.0, rel=1e-3)
     assert plan == pytest.approx(2 * 2.925 * 5.0, rel=1e-3)
 
 
 def test_intrados_of_a_groined_vault():
     """Its plan is the bay; its surface that of the two crossing parabolas, one of which rules each quarter."""
-    area, plan = underside(groined(cells=96))
+    area, plan = intrados_area(groined(cells=96))
     assert plan == pytest.approx(36.0, rel=1e-9)
     s = np.linspace(0.0, 3.0, 20001)
     ring_of = 8 * (s[1] - s[0]) * np.sum((3.0 - s) * np.sqrt(1 + (2 * 2.0 * s / 9.0) ** 2))  # strips of length 3 - s

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from assess.geometry.section_moments import section_moments
+from assess.geometry.cut import section_moments
 from assess.geometry.solid import box, polyhedron, profile
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.self_overlap import measure_self_overlap, self_overlap_warnings
+from assess.geometry.shells import measure_self_overlap, self_overlap_warnings
 from assess.geometry.solid import box, join
 from assess.geometry.surface import Surface
 

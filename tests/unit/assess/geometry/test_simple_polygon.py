@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
-from assess.geometry.simple_polygon import find_crossing, remove_repeats
+from assess.geometry.solid import find_crossing, remove_repeats
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from assess.geometry.simplify import simplify
+from assess.geometry.surface import simplify
 
 
 def finer(mesh: trimesh.Trimesh, times: int) -> tuple[np.ndarray, np.ndarray]:

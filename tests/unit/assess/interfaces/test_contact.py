@@ -12,10 +12,8 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from assess.errors import InterfaceError
-from assess.interfaces.contact import Contact, contact, out_of_plane_warning, semi_flexible_shift, thresholds
-from assess.interfaces.law import JointLaw
-from assess.interfaces.section import Section, mirror
-from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.interfaces.contact import Contact, JointLaw, contact, out_of_plane_warning, semi_flexible_shift, thresholds
+from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
 
 K, F = 3e8, 2.5e6
 LAW = JointLaw(K, F)
@@ -118,13 +116,13 @@ def expected(face, *, law, force, phi):
     return u, moment / carried, across / carried, crushed, opened
 
 
-def rotations(section: Section, force: float) -> list[float]:
+def rotations(section: ContactSection, force: float) -> list[float]:
     """All regimes of the force: full and elastic; full and crushed, or partial and elastic; partial and crushed."""
     first, second = sorted(thresholds(section, LAW, normal_force=force))
     return [0.03 * first, 0.9 * first, 0.5 * (first + second), 1.1 * second, 20 * second]
 
 
-def agrees(section: Section, face, *, share: float) -> None:
+def agrees(section: ContactSection, face, *, share: float) -> None:
     force = share * F * section.area
     phi = rotations(section, force)
     found = contact(section, LAW, normal_force=force, rotation=phi)

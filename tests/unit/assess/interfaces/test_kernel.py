@@ -14,7 +14,7 @@ from scipy.special import beta, betainc
 from assess.interfaces.kernel import discs, equilibrium, moments
 from assess.interfaces.kernel.discs import disc_upto
 from assess.interfaces.kernel.equilibrium import CLOSURE, RESULTANT, crushing_depth, touch
-from assess.interfaces.shapes import annulus, circle, polygon, rectangle
+from assess.interfaces.section import annulus, circle, polygon, rectangle
 
 U = shapely.Polygon([(0, 0), (3, 0), (3, 2), (2.2, 2.1), (2, 0.7), (1, 0.6), (0.8, 2.3), (0, 2)])
 SECTIONS = {

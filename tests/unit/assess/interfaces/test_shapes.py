@@ -14,8 +14,7 @@ from assess.errors import GeometryError
 from assess.geometry.cut import divide, heading, inclined_plane, level_plane
 from assess.geometry.solid import box, profile
 from assess.interfaces.kernel.moments import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
-from assess.interfaces.section import Section, mirror
-from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
 
 EXACT = 1e-13
 L_SHAPE = shapely.Polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 3), (0, 3)])
@@ -59,7 +58,7 @@ def integral(region, power):
     return total
 
 
-def width(section: Section, x: float) -> float:
+def width(section: ContactSection, x: float) -> float:
     p = section.pieces
     i = int(np.searchsorted(p[1:-1, BEGIN], x, side="right"))
     return float(p[i, W0] + p[i, W1] * (x - p[i, BEGIN]))

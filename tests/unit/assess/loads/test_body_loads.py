@@ -12,8 +12,8 @@ from scipy.constants import g
 from assess.cli.tables.project import description
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.parameters import parameters
+from assess.project.project_file import load
+from assess.study.mechanism_results import parameters
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
 

@@ -8,8 +8,8 @@ from math import sqrt
 import pytest
 
 from assess.errors import GeometryError, MechanismError, ProjectError
-from assess.study.parameters import parameters
-from assess.study.run import run
+from assess.study.mechanism_results import parameters
+from assess.study.run import run_study
 from tests.support import projects
 from tests.support.projects import block, project_toml, tables_toml, wall
 
@@ -74,7 +74,7 @@ def test_a_floor_on_a_wall_is_the_mass_written_by_hand(tmp_path, crack, sides):
 def test_checks_of_a_wall_under_a_floor_are_those_of_the_mass_written_by_hand(tmp_path):
     answers = []
     for each in (BODY, by_hand(4.0, 1)):
-        (result,) = run(study_of(tmp_path, f"loads = [{each}]", head=SITE)).mechanisms
+        (result,) = run_study(study_of(tmp_path, f"loads = [{each}]", head=SITE)).mechanisms
         answers.append([(check.procedure, check.ratio, check.verdict) for check in result.checks])
     assert len(answers[0]) == 3
     for one, other in zip(*answers, strict=True):

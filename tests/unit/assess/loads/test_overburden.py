@@ -9,7 +9,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from tests.support.projects import block, project_toml, study_of, wall
 
 PROJECT = project_toml(

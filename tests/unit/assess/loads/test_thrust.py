@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.loads.thrust import CONSTRUCTIONS, LIGHT_BRICK, SANDSTONE, STRONG_BRICK, arch_thrust, uniform_lever_arm
+from assess.loads.roofs_and_vaults import (
+    CONSTRUCTIONS,
+    LIGHT_BRICK,
+    SANDSTONE,
+    STRONG_BRICK,
+    arch_thrust,
+    uniform_lever_arm,
+)
 
 
 def horizontal_reaction(x, weight, *, span, rise):

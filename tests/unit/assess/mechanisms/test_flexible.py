@@ -16,14 +16,13 @@ from scipy.constants import g
 
 from assess.errors import InterfaceError, MechanismError
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.arch import divide_arch, weakest_hinges
-from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.flexible import FlexibleChain
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Chain, Joint, RigidBlock
+from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.virtual_work import virtual_work
+from assess.model.arches import divide_arch, weakest_hinges
 
 SOFT = JointLaw(2e8, 1.5e6)
 LENGTH = 1.0  # of every contact along the axis of rotation [m]
@@ -69,7 +68,7 @@ def level(*ways, depth, law=SOFT):
 def block(x, z, width, height, *, density=1800.0):
     """A block of 1 m length by its lower left corner."""
     mass = density * width * height
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def arch():
@@ -78,7 +77,7 @@ def arch():
     lines = [((inside * cos(a), inside * sin(a)), (outside * cos(a), outside * sin(a))) for a in angles]
     middles = (angles[1:] + angles[:-1]) / 2
     mass = 1800.0 * (outside**2 - inside**2) / 2 * abs(angles[1] - angles[0])
-    stones = [Block(mass, (5.45 * cos(a), 5.45 * sin(a)), 0.1 * mass) for a in middles]
+    stones = [RigidBlock(mass, (5.45 * cos(a), 5.45 * sin(a)), 0.1 * mass) for a in middles]
     found = weakest_hinges(stones, lines, name="arch")
     bodies = [planar_body_from_values(mass=b.mass, centroid=b.centroid, inertia=b.inertia, name="v") for b in stones]
     chain = divide_arch(bodies, found)[1]
@@ -96,7 +95,7 @@ HALVES = block(-0.25, 0.0, 0.5, 2.4), block(-0.25, 2.4, 0.5, 1.6)
 EDGES = (0.25, 0.0), (-0.25, 2.4), (0.25, 4.0)
 OVER = Force("overburden", (0.0, -2e4), (0.25, 4.0), 1)
 LEGS = block(-0.3, 0.0, 0.6, 3.0), block(-0.3, 3.0, 5.2, 0.7), block(4.3, 0.0, 0.6, 3.0)
-UNEVEN = block(-0.3, 0.0, 0.6, 3.0), Block(6600.0, (2.2, 3.9), 15000.0), block(4.2, 0.9, 0.8, 2.7)
+UNEVEN = block(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.2, 3.9), 15000.0), block(4.2, 0.9, 0.8, 2.7)
 CASES = {
     "wall": Case((WALL,), ((0.5, 0.0),), level(-1, depth=1.0), at=(2e-4, 3e-3, 0.02, 0.1)),
     "elastic wall": Case(
@@ -333,7 +332,7 @@ def test_table_6_2_forces_of_a_portal():
 
 def test_table_6_3_forces_of_an_uneven_frame():
     """The beam's centroid midway between the middles of its joints; at D it is W_3 + W_2 / 2 (errata)."""
-    blocks = block(-0.3, 0.0, 0.6, 3.0), Block(6600.0, (2.3, 3.9), 15000.0), block(4.2, 0.9, 0.8, 2.7)
+    blocks = block(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.3, 3.9), 15000.0), block(4.2, 0.9, 0.8, 2.7)
     case = Case(blocks, ((0.3, 0.0), (-0.3, 3.0), (4.2, 3.6), (5.0, 0.9)), tuple(
         Bed(complex(way), 1j, depth) for way, depth in ((-1, 0.6), (1, 0.6), (1, 0.8), (-1, 0.8))))  # fmt: skip
     W1, W2, W3 = (each.mass * g for each in blocks)
@@ -345,11 +344,11 @@ def test_table_6_4_forces_of_a_side_aisle_vault():
     """An upright joint at the apex carries the thrust T; the wall's centroid where the vault leaves it in balance."""
     W, W3, depth, thick = 2500.0 * g, 40000.0 * g, 0.3, 1.2
     apex, spring = 8.3 - depth / 2, 0.2 - depth / 2  # of the middles of the joints: height, and distance inwards
-    halves = Block(W / g, (1.15, 7.9), 1500.0), Block(W / g, (3.85, 7.9), 1500.0)
+    halves = RigidBlock(W / g, (1.15, 7.9), 1500.0), RigidBlock(W / g, (3.85, 7.9), 1500.0)
     T = W * (1.15 - spring) / (apex - 7.0)
     foot = 6.2 - thick / 2
     x3 = foot + (W * (foot - (5.0 - spring)) - T * 7.0) / W3  # moments of the wall about the middle of its foot
-    case = Case((*halves, Block(W3 / g, (x3, 3.7), 1e4)), ((0.2, 7.0), (2.5, 8.3), (4.8, 7.0), (6.2, 0.0)), (
+    case = Case((*halves, RigidBlock(W3 / g, (x3, 3.7), 1e4)), ((0.2, 7.0), (2.5, 8.3), (4.8, 7.0), (6.2, 0.0)), (
         Bed(-1 + 0j, 1j, depth), Bed(-1j, 1 + 0j, depth), Bed(1 + 0j, 1j, depth), Bed(-1 + 0j, 1j, thick)))  # fmt: skip
     np.testing.assert_allclose(at_rest(case), [W, T, W, W + W3], rtol=1e-9)
 
@@ -441,7 +440,7 @@ def test_larger_bodies_of_the_same_shape(name):
             return replace(load, force=(s**3 * load.force[0], s**3 * load.force[1]), at=long(load.at))
         return replace(load, pull=s**3 * load.pull, at=long(load.at), anchor=load.anchor and long(load.anchor))
 
-    blocks = tuple(Block(s**3 * b.mass, long(b.centroid), s**5 * b.inertia) for b in case.blocks)
+    blocks = tuple(RigidBlock(s**3 * b.mass, long(b.centroid), s**5 * b.inertia) for b in case.blocks)
     joints = tuple(
         joint and replace(joint, section=rectangle(s * bed.depth, s * LENGTH),
                           law=JointLaw(bed.law.stiffness, s * bed.law.strength))
@@ -511,7 +510,7 @@ def test_a_joint_that_is_pulled():
 
 def test_a_joint_that_would_open_at_its_hinge():
     """A bar over a leg that leans in: at B it first turns less than the leading leg, and then overtakes it."""
-    blocks = block(-0.3, 0.0, 0.6, 3.8), Block(6600.0, (2.8, 4.2), 15000.0), block(1.7, 0.9, 0.6, 1.7)
+    blocks = block(-0.3, 0.0, 0.6, 3.8), RigidBlock(6600.0, (2.8, 4.2), 15000.0), block(1.7, 0.9, 0.6, 1.7)
     bed = (None, *level(1, depth=0.6), None, None)
     case = Case(blocks, ((0.0, 0.0), (0.8, 3.8), (4.8, 2.6), (2.3, 0.9)), bed)
     with pytest.raises(MechanismError, match=r'mechanism "m", interface B: its faces turn by 0\.01\d+ rad away'):

@@ -13,14 +13,13 @@ from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, mirror_load
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Block
-from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.chain import Joint, RigidBlock
+from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.joint import Joint
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import (
@@ -60,7 +59,7 @@ def wall(*, law=LAW, model="flexible", loads=(), sides="two", size=1.0):
 
 def block(x, z, width, height):
     mass = RHO * width * height * L
-    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
 def chain_of(blocks, front, back, ways, *, over=0.0, depth, law=LAW, model="flexible"):

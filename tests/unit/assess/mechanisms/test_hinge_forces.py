@@ -11,10 +11,9 @@ from scipy.constants import g
 from assess.geometry.planar import planar_body_from_values
 from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.face import Face
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 

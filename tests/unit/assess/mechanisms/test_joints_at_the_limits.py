@@ -9,20 +9,20 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.asce43_05.clauses import thesis_limit
-from assess.codes.multiplier_step import multiplier_step
+from assess.codes.asce43_05 import thesis_limit
+from assess.codes.calculation_sheet import multiplier_step
 from assess.dynamics.history import Jobs, peaks
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import linear_multiplier, multiplier
 from assess.study.joint_results import interface_curves
-from assess.study.oscillator_results import rigid_branches
+from assess.study.mechanism_results import rigid_branches
 from records.record import Record
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0

@@ -13,19 +13,19 @@ from scipy.constants import g
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from assess.codes.italian.kinematic import displacement_at_collapse
+from assess.codes.italian_kinematic import displacement_at_collapse
 from assess.errors import FallingError
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.interfaces.law import JointLaw
-from assess.interfaces.shapes import rectangle
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, Tie, lasts, mirror_load
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.joint import Joint
-from assess.mechanisms.limits import held_above, limits, open_seats
+from assess.mechanisms.chain import Joint
+from assess.mechanisms.mechanism import height_of_highest_tie, limits, open_seats
+from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.mechanisms.variants import collapse_branch
 from assess.oscillator import interpolant, restoring_moment
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
@@ -317,10 +317,10 @@ def test_one_chain_alone_has_the_same_curve_of_collapse():
 
 def test_the_highest_tie_that_lasts_holds_the_wall():
     low, slack = replace(VOUCHED, name="low", at=(0.4, 2.0)), replace(VOUCHED, name="slack", direction=(-1.0, 0.0))
-    assert held_above(wall(low)) == 2.0
-    assert held_above(wall(low, slack)) == 4.5
-    assert held_above(wall(INWARD, THRUST)) == 0.0
-    assert held_above(wall(replace(low, until=0.1, length=None))) == 2.0
+    assert height_of_highest_tie(wall(low)) == 2.0
+    assert height_of_highest_tie(wall(low, slack)) == 4.5
+    assert height_of_highest_tie(wall(INWARD, THRUST)) == 0.0
+    assert height_of_highest_tie(wall(replace(low, until=0.1, length=None))) == 2.0
 
 
 def test_work_up_to_overturning_is_that_of_weights_and_tie_before_and_after_the_break():

@@ -12,7 +12,7 @@ from assess.errors import MechanismError
 from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
-from assess.mechanisms.chain import Block, Chain
+from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import require_stable
 from assess.oscillator import multiplier, participation_ratio, restoring_moment
@@ -144,7 +144,7 @@ def test_pull_of_a_tie_at_rest():
 
 
 def test_hinges_on_the_wrong_faces_are_blamed_where_no_force_is_given():
-    halves = (Block(1000.0, (0.0, 1.0), 350.0), Block(1000.0, (0.0, 3.0), 350.0))
+    halves = (RigidBlock(1000.0, (0.0, 1.0), 350.0), RigidBlock(1000.0, (0.0, 3.0), 350.0))
     require_stable(Chain(halves, ((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0))), name="wall")
     words = "no given force overturns it; check its hinges: A and C lie on the face ahead, B on the one behind"
     with pytest.raises(MechanismError, match=words):

@@ -14,15 +14,15 @@ import pytest
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Block, Chain, format_point, mirror_chain, mirror_point, require_movable
-from assess.mechanisms.motion import limit, move, trace_point
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point, point_text, require_movable
+from assess.mechanisms.virtual_work import geometric_limit, move, trace_point
 
 STEP = 1e-30
 COUNT = {1: 1, 3: 2, 4: 3}  # blocks by hinges
 
 
 def chain_of(*hinges, loads=()):
-    block = Block(1000.0, (0.0, 1.0), 100.0)
+    block = RigidBlock(1000.0, (0.0, 1.0), 100.0)
     return Chain((block,) * COUNT[len(hinges)], hinges, loads)
 
 
@@ -191,7 +191,7 @@ def test_second_derivatives_to_1e_minus_8(hinges):
 @CHAINS
 def test_hinges_are_one_point_of_both_blocks_and_supports_stay(hinges):
     chain = chain_of(*hinges)
-    phi = np.linspace(0.0, 0.999 * limit(chain), 200)
+    phi = np.linspace(0.0, 0.999 * geometric_limit(chain), 200)
     motion = move(chain, phi)
     last = len(chain.blocks) - 1
     for number in range(last):
@@ -208,7 +208,7 @@ def test_hinges_are_one_point_of_both_blocks_and_supports_stay(hinges):
 
 @CHAINS
 def test_blocks_are_rigid_and_turn_by_their_angle(hinges):
-    motion = move(chain_of(*hinges), np.linspace(0.0, 0.9 * limit(chain_of(*hinges)), 50))
+    motion = move(chain_of(*hinges), np.linspace(0.0, 0.9 * geometric_limit(chain_of(*hinges)), 50))
     for block in range(COUNT[len(hinges)]):
         first, second = (trace_point(motion, block=block, at=at) for at in ((0.3, 1.0), (2.0, 3.5)))
         across, up = second.x - first.x, second.z - first.z
@@ -220,14 +220,14 @@ def test_blocks_are_rigid_and_turn_by_their_angle(hinges):
 
 @CHAINS
 def test_the_limit_is_where_the_construction_ends(hinges):
-    assert limit(chain_of(*hinges)) == pytest.approx(Drawing(hinges).end(), rel=1e-9)
+    assert geometric_limit(chain_of(*hinges)) == pytest.approx(Drawing(hinges).end(), rel=1e-9)
 
 
 def test_limits_by_hand():
     """A folds flat over B when the link is upright; a wall's blocks stand in line when it is straight again."""
-    assert limit(chain_of((0.0, 0.0))) == pi
+    assert geometric_limit(chain_of((0.0, 0.0))) == pi
     wall = chain_of((0.4, 0.0), (0.0, 2.2), (0.4, 4.0))
-    assert Drawing(wall.hinges).corner_b(limit(wall))[0] == pytest.approx(0.4 + np.hypot(0.4, 1.8), rel=1e-12)
+    assert Drawing(wall.hinges).corner_b(geometric_limit(wall))[0] == pytest.approx(0.4 + np.hypot(0.4, 1.8), rel=1e-12)
 
 
 def test_equal_columns_go_no_further_than_flat_on_the_ground():
@@ -235,8 +235,10 @@ def test_equal_columns_go_no_further_than_flat_on_the_ground():
     rng = np.random.default_rng(0)
     for t, h, span, x in np.round(rng.uniform([0.2, 2, 1, -5], [1, 8, 9, 5], (200, 4)), 2):
         chain = chain_of((x + t, 0.0), (x, h), (x + span, h), (x + span + t, 0.0))
-        assert limit(chain) == pytest.approx(pi / 2 + atan2(t, h), abs=1e-6)  # of a cosine near 1: half the digits
-        phi = np.linspace(0.0, limit(chain) * (1 - 1e-6), 50)
+        assert geometric_limit(chain) == pytest.approx(
+            pi / 2 + atan2(t, h), abs=1e-6
+        )  # of a cosine near 1: half the digits
+        phi = np.linspace(0.0, geometric_limit(chain) * (1 - 1e-6), 50)
         for number, at in enumerate((chain.hinges[0], chain.hinges[1], chain.hinges[3])):
             origin = trace_point(move(chain, phi), block=number, at=at)
             apart = trace_point(move(chain, phi), block=number, at=(at[0], at[1] + 1.0))
@@ -248,7 +250,7 @@ def test_equal_columns_go_no_further_than_flat_on_the_ground():
 def test_a_mirrored_chain_moves_as_the_mirror_image(hinges):
     chain = chain_of(*hinges)
     image = mirror_chain(chain.blocks, hinges)
-    phi = np.linspace(0.0, 0.5 * limit(image), 30)
+    phi = np.linspace(0.0, 0.5 * geometric_limit(image), 30)
     drawing = Drawing(hinges)
     motion = move(image, phi)
     for block, at in points_of(hinges):
@@ -273,7 +275,7 @@ def test_a_seeded_crowd_of_loops_and_walls():
             continue
         seen += 1
         chain = chain_of(*hinges)
-        assert limit(chain) == pytest.approx(end, rel=1e-9, abs=1e-12)
+        assert geometric_limit(chain) == pytest.approx(end, rel=1e-9, abs=1e-12)
         phi = np.linspace(0.0, 0.95 * end, 9)
         motion = move(chain, phi)
         for block in range(COUNT[count]):
@@ -312,7 +314,7 @@ def test_chains_that_cannot_move_are_refused_with_the_hinges_at_fault(hinges, wo
 
 
 def test_a_chain_needs_the_hinges_of_its_blocks():
-    block = Block(1.0, (0.0, 1.0), 1.0)
+    block = RigidBlock(1.0, (0.0, 1.0), 1.0)
     with pytest.raises(MechanismError, match="2 blocks with 4 hinges"):
         require_movable(Chain((block,) * 2, ((0, 0), (0, 1), (1, 1), (1, 0))), name="w")
     with pytest.raises(MechanismError, match="4 blocks with 4 hinges"):
@@ -325,5 +327,5 @@ def test_chains_that_move_are_not_refused(hinges):
 
 
 def test_rounding_is_written_as_nought():
-    assert format_point((-5.561e-17, 4.0)) == "(0, 4) m"
-    assert format_point((-1.25e-6, 1e-8)) == "(-1.25e-06, 1e-08) m"
+    assert point_text((-5.561e-17, 4.0)) == "(0, 4) m"
+    assert point_text((-1.25e-6, 1e-8)) == "(-1.25e-06, 1e-08) m"

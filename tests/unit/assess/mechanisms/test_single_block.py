@@ -12,12 +12,11 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import box
-from assess.mechanisms.chain import Block, Chain
+from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.motion import move, trace_point
-from assess.mechanisms.rest import plain_block
+from assess.mechanisms.restitution import plain_block
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import virtual_work
+from assess.mechanisms.virtual_work import move, trace_point, virtual_work
 from assess.oscillator import energy, participation_ratio, restoring_moment
 from assess.oscillator import equivalent_block as at_rest
 
@@ -29,7 +28,7 @@ def wall_in_plane(direction=(1, 0, 0), **changes):
 
 
 def test_rates_are_the_derivatives_of_the_turned_centroid():
-    chain = Chain((Block(3.0, (-0.4, 2.1), 1.0),), ((0.3, 0.2),))
+    chain = Chain((RigidBlock(3.0, (-0.4, 2.1), 1.0),), ((0.3, 0.2),))
     behind, height = 0.7, 1.9
     rotation, step = np.array([0.0, 0.1, 0.4]), 1e-6
 

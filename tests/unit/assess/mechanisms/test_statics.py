@@ -7,12 +7,12 @@ from scipy.constants import g
 
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
-from assess.mechanisms.chain import Block, Chain
+from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.statics import compressions
+from assess.mechanisms.hinge_forces import hinge_compressions
 
-COLUMN, BEAM = Block(6400.0, (0.4, 2.0), 9000.0), Block(6440.0, (2.3, 4.35), 11000.0)
-FAR = Block(6400.0, (4.2, 2.0), 9000.0)
+COLUMN, BEAM = RigidBlock(6400.0, (0.4, 2.0), 9000.0), RigidBlock(6440.0, (2.3, 4.35), 11000.0)
+FAR = RigidBlock(6400.0, (4.2, 2.0), 9000.0)
 HINGES = ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0))
 BACK = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
 
@@ -22,7 +22,7 @@ def portal(*loads: Force) -> Chain:
 
 
 def test_a_portal_presses_on_all_its_hinges_with_what_stands_on_them() -> None:
-    a, b, c, d = compressions(portal())
+    a, b, c, d = hinge_compressions(portal())
     assert min(a, b, c, d) > 0.0
     assert b + c == pytest.approx(BEAM.mass * g, rel=1e-12)
     assert (a - b, d - c) == pytest.approx((COLUMN.mass * g, FAR.mass * g), rel=1e-12)
@@ -30,16 +30,16 @@ def test_a_portal_presses_on_all_its_hinges_with_what_stands_on_them() -> None:
 
 @pytest.mark.parametrize(("place", "block"), [(0, 0), (3, 2)])
 def test_a_lift_at_a_support_is_taken_from_that_support_and_pulls_where_it_is_larger(place: int, block: int) -> None:
-    before = compressions(portal())
+    before = hinge_compressions(portal())
     lift = 1.5 * before[place]
     expected = [force - lift * (number == place) for number, force in enumerate(before)]
-    after = compressions(portal(Force("lift", (0.0, lift), HINGES[place], block)))
+    after = hinge_compressions(portal(Force("lift", (0.0, lift), HINGES[place], block)))
     assert after == pytest.approx(expected, rel=1e-9)
     assert after[place] < 0.0
 
 
 def test_a_support_that_would_have_to_pull_is_told() -> None:
-    lift = 1.5 * compressions(portal())[3]
+    lift = 1.5 * hinge_compressions(portal())[3]
     bodies = [
         planar_body_from_values(mass=each.mass, centroid=each.centroid, inertia=each.inertia, name="b")
         for each in (COLUMN, BEAM, FAR)
@@ -50,6 +50,6 @@ def test_a_support_that_would_have_to_pull_is_told() -> None:
 
 
 def test_the_top_of_a_wall_that_slides_passes_on_nothing() -> None:
-    wall = (Block(1000.0, (0.2, 1.0), 100.0), Block(1000.0, (0.2, 3.0), 100.0))
+    wall = (RigidBlock(1000.0, (0.2, 1.0), 100.0), RigidBlock(1000.0, (0.2, 3.0), 100.0))
     chain = Chain(wall, ((0.4, 0.0), (0.0, 2.0), (0.4, 4.0)))
-    assert compressions(chain) == pytest.approx((2000.0 * g, 1000.0 * g, 0.0), rel=1e-12)
+    assert hinge_compressions(chain) == pytest.approx((2000.0 * g, 1000.0 * g, 0.0), rel=1e-12)

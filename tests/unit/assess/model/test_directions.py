@@ -9,11 +9,10 @@ import trimesh
 from assess.errors import MechanismError, ProjectError
 from assess.geometry.contact import find_contact
 from assess.loads import bearing
-from assess.mechanisms.directions import Directions
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Directions, Mechanism
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.parameters import parameters
+from assess.project.project_file import load
+from assess.study.mechanism_results import parameters
 from tests.support.projects import block, project_toml, study_of
 
 HEIGHT = 10.0

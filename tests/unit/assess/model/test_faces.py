@@ -7,12 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from assess.mechanisms.face import Face
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Face, Mechanism
 from assess.messages.message import Term
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.parameters import parameters
+from assess.project.project_file import load
+from assess.study.mechanism_results import parameters
 from assess.study.study import Study
 
 HEAD = """

@@ -13,8 +13,8 @@ from scipy.constants import g
 from assess.errors import AssessError
 from assess.oscillator import elastic_frequency
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.parameters import parameters
+from assess.project.project_file import load
+from assess.study.mechanism_results import parameters
 
 STONE = """
 [materials.stone]

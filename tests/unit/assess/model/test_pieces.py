@@ -12,9 +12,9 @@ from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solid, box, join, profile
 from assess.messages.message import Message
 from assess.project.build import build
-from assess.project.schema import load, resolve
-from assess.study.parameters import parameters
-from assess.study.run import run
+from assess.project.project_file import load, resolve
+from assess.study.mechanism_results import parameters
+from assess.study.run import run_study
 from assess.study.study import Study
 from tests.support.projects import ASCE7, tables_toml
 
@@ -61,7 +61,7 @@ def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
     pair = join([wall(), wall(height=1.0, base=(0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
     (tmp_path / "wall.obj").write_text(obj(pair))
     made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more=SITE)
-    results = run(made)
+    results = run_study(made)
     (notice,) = [notice for notice in results.warnings if notice.key == "mesh"]
     assert notice.where == "bodies.w"
     volume, shared = 0.6 * 4 * 5.5, 0.3 * 4 * 0.5
@@ -248,9 +248,9 @@ def test_a_profile_may_be_closed_and_have_a_corner_twice(tmp_path: Path) -> None
 def test_a_file_is_read_once_however_many_bodies_and_cases_of_a_sweep_name_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from assess.geometry import models
+    from assess.geometry import mesh
     from assess.project.build import build
-    from assess.project.schema import load
+    from assess.project.project_file import load
 
     corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (0.6, 0), (0.6, 3), (0, 3))]
     faces = [(1, 4, 3, 2), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8), (5, 6, 7, 8)]
@@ -267,8 +267,8 @@ def test_a_file_is_read_once_however_many_bodies_and_cases_of_a_sweep_name_it(
     sweep = '[analysis.sweep]\nkey = "materials.brick.density"\nvalues = [1600, 1800, 2000]\n'
     (tmp_path / "project.toml").write_text(f"[materials.brick]\ndensity = 1800\n{bodies}{sweep}")
     files: list[Path] = []
-    really = models.read
-    monkeypatch.setattr(models, "read", lambda file, *, where: files.append(file) or really(file, where=where))
+    really = mesh.read_mesh_file
+    monkeypatch.setattr(mesh, "read_mesh_file", lambda file, *, where: files.append(file) or really(file, where=where))
     study = build(load(tmp_path))
     assert [file.name for file in files] == ["house.obj"]
     assert len(study.sweeps[0].cases) == 3

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from assess.errors import OutputError
-from assess.outputs.folder import output_folder
 from assess.outputs.manifest import ENVELOPES, MANIFEST
+from assess.outputs.writing import output_folder
 from tests.support.written import content, run, write
 
 FIRST = {"results.json": "1", "report.pdf": "1", "tables/old.csv": "1"}

@@ -8,8 +8,8 @@ import pytest
 
 from assess.errors import OutputError
 from assess.outputs import journal
+from assess.outputs.journal import recover_for_reading
 from assess.outputs.manifest import MANIFEST
-from assess.outputs.recovery import recover_for_reading
 from tests.support.written import content, run, write
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from assess.errors import OutputError
-from assess.outputs.single import write_file
-from assess.outputs.stage import PREFIX
+from assess.outputs.journal import PREFIX
+from assess.outputs.writing import write_file
 
 
 def put(path: Path, text: str) -> None:

@@ -12,9 +12,9 @@ from aim import aim
 from assess.errors import OutputError
 from assess.messages.message import Message
 from assess.outputs import journal
+from assess.outputs.journal import recover_for_reading
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
-from assess.outputs.recovery import recover_for_reading
 from assess.outputs.signals import Terminated, raise_on_signals
 from tests.support.written import content, run, write
 

@@ -14,11 +14,9 @@ import pytest
 
 from assess.errors import AssessError, HeldError, OutputError
 from assess.outputs.lock import LOCK, hold_lock
-from assess.portfolio.batch import Order
+from assess.portfolio.batch import BatchOptions, Shard, open_ledger
 from assess.portfolio.executors import processes
-from assess.portfolio.ledger import open_ledger
-from assess.portfolio.shard import Shard
-from assess.results.program import describe_program
+from assess.results.inputs import describe_program
 from tests.support.places import SOURCES
 from tests.support.portfolios import assess, table, task
 
@@ -32,7 +30,7 @@ def rows_of(place: Path) -> list[str]:
 
 def test_a_broken_project_is_a_row_and_stops_nothing(tmp_path: Path) -> None:
     doings = ("wrong", "bug", "missing", "held", "")
-    found = assess([task(what or "well", what) for what in doings], Order(tmp_path))
+    found = assess([task(what or "well", what) for what in doings], BatchOptions(tmp_path))
     wrong, bug, missing, held, well = found.rows
     assert (wrong.status, wrong.exit_code) == ("broken", 2)
     assert wrong.reason == "walls[3]: no such wall; give one"
@@ -51,14 +49,14 @@ def test_a_broken_project_is_a_row_and_stops_nothing(tmp_path: Path) -> None:
     ("codes", "worst"), [((0, 3, 1), 1), ((0, 3), 3), ((0,), 0), ((1, 2, 0), 2), ((2, 70), 70), ((), 0)]
 )
 def test_the_exit_code_is_the_worst(codes: tuple[int, ...], worst: int, tmp_path: Path) -> None:
-    found = assess([task("a")], Order(tmp_path))
+    found = assess([task("a")], BatchOptions(tmp_path))
     assert replace(found, rows=tuple(replace(found.rows[0], exit_code=code) for code in codes)).exit_code == worst
 
 
 def test_what_is_done_is_kept_and_what_changed_or_was_broken_is_not(tmp_path: Path) -> None:
     log, said = tmp_path / "log", list[str]()
     tasks = [task(key, f"count {log}") for key in "abc"]
-    order = Order(tmp_path / "out", resume=True)
+    order = BatchOptions(tmp_path / "out", resume=True)
     assess([*tasks, task("d", "wrong")], order)
     assert sorted(log.read_text().split()) == ["a", "b", "c"]
     log.write_text("")
@@ -70,7 +68,7 @@ def test_what_is_done_is_kept_and_what_changed_or_was_broken_is_not(tmp_path: Pa
 def test_without_resume_all_is_computed_again_and_that_is_said(tmp_path: Path) -> None:
     log, said = tmp_path / "log", list[str]()
     for _ in range(2):
-        assess([task("a", f"count {log}")], Order(tmp_path / "out"), said=said)
+        assess([task("a", f"count {log}")], BatchOptions(tmp_path / "out"), said=said)
     assert log.read_text() == "a\na\n"
     assert len(said) == 1
     assert "has 1 of an earlier run, which are computed again" in said[0]
@@ -78,7 +76,7 @@ def test_without_resume_all_is_computed_again_and_that_is_said(tmp_path: Path) -
 
 def test_another_version_or_other_outputs_make_rows_old(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     log = tmp_path / "log"
-    order = Order(tmp_path / "out", "rows", resume=True)
+    order = BatchOptions(tmp_path / "out", "rows", resume=True)
     tasks = [task("a", f"count {log}")]
     assess(tasks, order)
     assess(tasks, replace(order, keep="report"))
@@ -93,11 +91,11 @@ def test_a_worker_of_another_version_stops_the_batch(tmp_path: Path, monkeypatch
     program = replace(describe_program(), sha256="another")
     monkeypatch.setattr("assess.portfolio.batch.describe_program", lambda: program)
     with pytest.raises(AssessError, match="a worker runs another version"):
-        assess([task("a")], Order(tmp_path / "out"))
+        assess([task("a")], BatchOptions(tmp_path / "out"))
 
 
 def test_any_text_is_a_key(tmp_path: Path) -> None:
-    found = assess([task(key, "bug") for key in HOSTILE], Order(tmp_path / "out"))
+    found = assess([task(key, "bug") for key in HOSTILE], BatchOptions(tmp_path / "out"))
     assert [row.key for row in found.rows] == list(HOSTILE)
     assert len(list((tmp_path / "out" / "logs").iterdir())) == len(HOSTILE)
     assert [path.name for path in tmp_path.iterdir()] == ["out"]
@@ -105,24 +103,24 @@ def test_any_text_is_a_key(tmp_path: Path) -> None:
 
 def test_two_projects_with_one_key_are_refused(tmp_path: Path) -> None:
     with pytest.raises(AssessError, match="the key of two projects"):
-        assess([task("a"), task("a")], Order(tmp_path / "out"))
+        assess([task("a"), task("a")], BatchOptions(tmp_path / "out"))
     assert not (tmp_path / "out").exists()
 
 
 def test_shares_make_the_table_of_the_whole_when_the_last_ends(tmp_path: Path) -> None:
     tasks = [task(str(n)) for n in range(40)]
-    whole = assess(tasks, Order(tmp_path / "whole"))
-    shares = [assess(tasks, Order(tmp_path / "shares", shard=Shard(number, 3))) for number in (2, 1, 3)]
+    whole = assess(tasks, BatchOptions(tmp_path / "whole"))
+    shares = [assess(tasks, BatchOptions(tmp_path / "shares", shard=Shard(number, 3))) for number in (2, 1, 3)]
     assert [share.table is None for share in shares] == [True, True, False]
     assert [share.left for share in shares[1:]] == [40 - sum(len(share.rows) for share in shares[:2]), 0]
     assert table(tmp_path / "shares") == table(tmp_path / "whole")
     assert max(share.exit_code for share in shares) == whole.exit_code
-    assert assess(tasks, Order(tmp_path / "shares", resume=True)).rows == whole.rows
+    assert assess(tasks, BatchOptions(tmp_path / "shares", resume=True)).rows == whole.rows
     assert rows_of(tmp_path / "shares") == []  # all were known from the shares
 
 
 def test_a_share_without_projects_is_done(tmp_path: Path) -> None:
-    shares = [assess([task("a")], Order(tmp_path, shard=Shard(number, 3))) for number in (1, 2, 3)]
+    shares = [assess([task("a")], BatchOptions(tmp_path, shard=Shard(number, 3))) for number in (1, 2, 3)]
     assert sorted(len(share.rows) for share in shares) == [0, 0, 1]
     assert shares[2].table is not None
 
@@ -130,7 +128,7 @@ def test_a_share_without_projects_is_done(tmp_path: Path) -> None:
 def test_files_of_the_user_are_refused_before_anything_is_computed(tmp_path: Path) -> None:
     (tmp_path / "ranked.csv").write_text("mine")
     with pytest.raises(OutputError, match=r"ranked\.csv"):
-        assess([task("a", f"count {tmp_path / 'log'}")], Order(tmp_path))
+        assess([task("a", f"count {tmp_path / 'log'}")], BatchOptions(tmp_path))
     assert not (tmp_path / "log").exists()
 
 
@@ -139,7 +137,7 @@ def test_a_folder_that_cannot_be_written_is_an_error(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
     try:
         with pytest.raises((OutputError, PermissionError)):
-            assess([task("a")], Order(tmp_path / "out"))
+            assess([task("a")], BatchOptions(tmp_path / "out"))
     finally:
         tmp_path.chmod(0o700)
 
@@ -147,30 +145,30 @@ def test_a_folder_that_cannot_be_written_is_an_error(tmp_path: Path) -> None:
 def test_a_file_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "out").write_text("mine")
     with pytest.raises(OutputError, match="is a file"):
-        assess([task("a")], Order(tmp_path / "out"))
+        assess([task("a")], BatchOptions(tmp_path / "out"))
 
 
 def test_two_batches_at_once_in_one_folder_are_refused_and_two_shares_are_not(tmp_path: Path) -> None:
     with hold_lock(tmp_path, command="assess batch", name=f"{LOCK}-ledger.sqlite"):
         with pytest.raises(HeldError, match="assess batch"):
-            assess([task("a")], Order(tmp_path))
-        assert assess([task("a")], Order(tmp_path, shard=Shard(1, 2))).left in (0, 1)
+            assess([task("a")], BatchOptions(tmp_path))
+        assert assess([task("a")], BatchOptions(tmp_path, shard=Shard(1, 2))).left in (0, 1)
 
 
 def test_outputs_that_were_removed_are_made_again(tmp_path: Path) -> None:
     log = tmp_path / "log"
-    found = assess([task("a", f"count {log}")], Order(tmp_path / "out"))
+    found = assess([task("a", f"count {log}")], BatchOptions(tmp_path / "out"))
     with open_ledger(tmp_path / "out" / "ledger.sqlite") as ledger:
         identity = next(identity for identity, _ in ledger.rows())
         ledger.put([(identity, replace(found.rows[0], results="a/results.json"))])
-    assess([task("a", f"count {log}")], Order(tmp_path / "out", resume=True))
+    assess([task("a", f"count {log}")], BatchOptions(tmp_path / "out", resume=True))
     assert log.read_text() == "a\na\n"
 
 
 def test_a_project_that_ends_its_process_is_a_row_and_the_others_are_done(tmp_path: Path) -> None:
     tasks = [task(str(n)) for n in range(12)]
     tasks[5:5] = [task("fatal", "killed"), task("once", f"once {tmp_path / 'seen'}")]
-    found = assess(tasks, Order(tmp_path / "out", "rows"), engine=processes(2))
+    found = assess(tasks, BatchOptions(tmp_path / "out", "rows"), engine=processes(2))
     assert [row.key for row in found.rows] == [each.key for each in tasks]
     broken = [row for row in found.rows if row.status == "broken"]
     assert [row.key for row in broken] == ["fatal"]
@@ -195,9 +193,9 @@ def test_killed_and_resumed_it_comes_to_the_same_bytes(after: int, tmp_path: Pat
     kept = len(rows_of(place))
     assert kept >= after
     said: list[str] = []
-    assess(tasks, Order(place, "rows", resume=True), said=said)
+    assess(tasks, BatchOptions(place, "rows", resume=True), said=said)
     assert f"{kept} of {number} projects are done" in said[0]
-    assess(tasks, Order(tmp_path / "whole", "rows"))
+    assess(tasks, BatchOptions(tmp_path / "whole", "rows"))
     assert table(place) == table(tmp_path / "whole")
     assert [path.name for path in place.iterdir() if path.name.startswith(".assess-partial")] == []
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from assess.errors import AssessError
-from assess.portfolio.batch import Order
+from assess.portfolio.batch import BatchOptions
 from assess.portfolio.executors import dask
 from assess.portfolio.projects import Task
 from tests.support.places import SOURCES
@@ -58,9 +58,9 @@ def killing(seen: Path) -> list[Task]:
 def test_a_killed_worker_changes_no_byte_of_the_table(tmp_path: Path) -> None:
     tasks = killing(tmp_path / "seen")
     with cluster(tmp_path) as address:
-        found = assess(tasks, Order(tmp_path / "dask", "rows"), engine=dask(address))
+        found = assess(tasks, BatchOptions(tmp_path / "dask", "rows"), engine=dask(address))
     assert (tmp_path / "seen").exists()  # so no thread of this process ends it
-    assess(tasks, Order(tmp_path / "threads", "rows"))
+    assess(tasks, BatchOptions(tmp_path / "threads", "rows"))
     assert table(tmp_path / "dask") == table(tmp_path / "threads")
     assert [row.key for row in found.rows if row.status == "broken"] == ["wrong"]
 
@@ -69,7 +69,7 @@ def test_a_killed_worker_changes_no_byte_of_the_table(tmp_path: Path) -> None:
 def test_a_project_that_ends_its_workers_is_a_row(tmp_path: Path) -> None:
     tasks = [task(str(n), "sleep 0.01") for n in range(9)]
     with cluster(tmp_path, workers=3, allowed_failures=0) as address:
-        found = assess([*tasks, task("fatal", "killed")], Order(tmp_path / "out", "rows"), engine=dask(address))
+        found = assess([*tasks, task("fatal", "killed")], BatchOptions(tmp_path / "out", "rows"), engine=dask(address))
     assert [(row.key, row.exit_code) for row in found.rows if row.status == "broken"] == [("fatal", 70)]
 
 
@@ -79,7 +79,7 @@ def test_an_address_without_a_scheduler_is_one_clear_line(
 ) -> None:
     monkeypatch.setattr("assess.portfolio.executors.CONNECT_WITHIN", 0.3)
     with pytest.raises(AssessError, match="no Dask scheduler answers there"):
-        assess([task("a")], Order(tmp_path / "out", "rows"), engine=dask(address))
+        assess([task("a")], BatchOptions(tmp_path / "out", "rows"), engine=dask(address))
 
 
 @pytest.mark.parametrize("address", ["", "node1", "127.0.0.1:8786"])

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from assess.portfolio.folder_names import folder_name
+from assess.portfolio.tasks import folder_name
 
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
 DEVICES = ("con", "prn", "aux", "nul", "com1", "lpt9")

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from assess.errors import OutputError
-from assess.portfolio.ledger import VERSION, open_ledger
-from assess.portfolio.row import Row
+from assess.portfolio.batch import LEDGER_VERSION, open_ledger
+from assess.portfolio.row import ProjectRow
 
-WALL = Row("wall", "Great House", "12ab", "done", outcome="fail", margin=0.1 + 0.2, missing=2, exit_code=1)
-HOSTILE = Row("'; DROP TABLE rows; --\ud800\0", "=1+1", "", "broken", reason="no\u2028line")
+WALL = ProjectRow("wall", "Great House", "12ab", "done", outcome="fail", margin=0.1 + 0.2, missing=2, exit_code=1)
+HOSTILE = ProjectRow("'; DROP TABLE rows; --\ud800\0", "=1+1", "", "broken", reason="no\u2028line")
 
 
 def test_rows_come_back_as_they_were(tmp_path: Path) -> None:
@@ -30,7 +30,7 @@ def test_a_newer_ledger_is_refused(tmp_path: Path) -> None:
     with open_ledger(tmp_path / "l.sqlite"):
         pass
     connection = sqlite3.connect(tmp_path / "l.sqlite")
-    connection.execute(f"PRAGMA user_version = {VERSION + 1}")
+    connection.execute(f"PRAGMA user_version = {LEDGER_VERSION + 1}")
     connection.close()
     with pytest.raises(OutputError, match="newer program"), open_ledger(tmp_path / "l.sqlite"):
         pass

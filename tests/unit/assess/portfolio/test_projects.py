@@ -10,8 +10,8 @@ import pytest
 from assess.errors import ProjectError
 from assess.one_project import unit_fault
 from assess.portfolio.projects import Task, find_tasks, project_tree, row_fault
-from assess.portfolio.template import Column, read_template
-from assess.project.schema import Project, load, load_tree
+from assess.portfolio.template import KeyColumn, read_template
+from assess.project.project_file import Project, load, load_tree
 from tests.support.projects import block, project_toml
 
 FORCE = {"kind": "force", "force": "2 kN", "direction": [1, 0, 0], "at": [0.0, 0.0, 3.0]}
@@ -144,9 +144,9 @@ def test_unit_of_a_head_is_checked_by_the_key(tmp_path: Path) -> None:
         ("mechanisms.wall.loads.0.force", ("kN", "lbf"), ("kg", "kN/m")),
     ):
         for unit in units:
-            assert unit_fault(tmp_path / "template.toml", tables, Column(key, unit)) == ""
+            assert unit_fault(tmp_path / "template.toml", tables, KeyColumn(key, unit)) == ""
         for unit in wrong:
-            assert f'"{unit}"' in unit_fault(tmp_path / "template.toml", tables, Column(key, unit))
+            assert f'"{unit}"' in unit_fault(tmp_path / "template.toml", tables, KeyColumn(key, unit))
     (tmp_path / "walls.csv").write_text(f"{THICKNESS} [kg]\n1\n2\n")
     with pytest.raises(ProjectError) as caught:
         find_tasks(tmp_path / "walls.csv", tmp_path / "template.toml", unit_fault)

@@ -7,12 +7,11 @@ from math import inf, nan
 
 import pytest
 
-from assess.portfolio.ranking import margin_of, rank
-from assess.portfolio.row import Row, RowOutcome
+from assess.portfolio.row import ProjectRow, RowOutcome, margin_of, rank
 
 
-def row(key: str, outcome: RowOutcome, margin: float | None = None, ratio: float | None = None) -> Row:
-    return Row(key, "", "", "done", outcome=outcome, margin=margin, demand_capacity=ratio)
+def row(key: str, outcome: RowOutcome, margin: float | None = None, ratio: float | None = None) -> ProjectRow:
+    return ProjectRow(key, "", "", "done", outcome=outcome, margin=margin, demand_capacity=ratio)
 
 
 IN_ORDER = (
@@ -26,8 +25,8 @@ IN_ORDER = (
     row("a twin", "pass", 1.2),
     row("b twin", "pass", 1.2),
     row("best", "pass", 3.0),
-    Row("a broken", "", "", "broken", reason="no such file"),
-    Row("b broken", "", "", "broken", outcome="fail", margin=0.1, reason="no such file"),
+    ProjectRow("a broken", "", "", "broken", reason="no such file"),
+    ProjectRow("b broken", "", "", "broken", outcome="fail", margin=0.1, reason="no such file"),
 )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from assess.errors import AssessError
-from assess.portfolio.shard import WHOLE, Shard, shard_of
+from assess.portfolio.batch import WHOLE, Shard, parse_shard
 
 
 def test_every_project_is_in_one_share_and_shares_are_about_equal() -> None:
@@ -17,11 +17,11 @@ def test_every_project_is_in_one_share_and_shares_are_about_equal() -> None:
 
 
 def test_the_only_share_holds_everything() -> None:
-    assert shard_of("1/1") == WHOLE
+    assert parse_shard("1/1") == WHOLE
     assert WHOLE.holds("\ud800")
 
 
 @pytest.mark.parametrize("text", ["", "1", "0/4", "5/4", "1/0", "-1/4", "1/4/2", "a/b", "1.0/2", "1/2\n", "٣/٤"])
 def test_what_is_no_share_is_refused(text: str) -> None:
     with pytest.raises(AssessError, match="--shard"):
-        shard_of(text)
+        parse_shard(text)

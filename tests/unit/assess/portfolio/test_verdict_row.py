@@ -10,10 +10,8 @@ import pytest
 from assess.codes.verdict import Action, Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import message
 from assess.one_project import assess_project
-from assess.portfolio.folder_names import folder_name
 from assess.portfolio.projects import Task
-from assess.portfolio.tasks import Job, Keep
-from assess.portfolio.verdict_row import row_of_verdict
+from assess.portfolio.tasks import Job, Keep, folder_name, row_of_verdict
 from assess.project import build
 from tests.support.portfolios import task
 from tests.support.projects import NTC, block, project_toml, wall

@@ -9,14 +9,21 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import FirstMode, FloorFactor, ModalFilter, Srss, pulse_factor
-from assess.amplification.natural_frequency import rayleigh_mode, slice_cantilever
+from assess.amplification import (
+    FirstMode,
+    FloorFactor,
+    ModalFilter,
+    Srss,
+    floor_motion,
+    pulse_factor,
+    rayleigh_mode,
+    slice_cantilever,
+)
 from assess.errors import ProjectError
 from assess.geometry.solid import box
-from assess.study.envelope_run import envelope
-from assess.study.run import run
+from assess.study.envelopes import run_envelopes
+from assess.study.run import run_study
 from assess.study.study import Study
-from records.floor_motion import floor_motion
 from tests.support import projects
 from tests.support.projects import project_toml, wall
 
@@ -160,9 +167,9 @@ def at_level(mechanism, level):
 
 def test_a_factor_is_a_stronger_ground(tmp_path):
     """Histories at 0.3 g times the factor, by a mechanism that is not amplified."""
-    amplified = run(study_of(tmp_path, CUT + amplification("nzs1170.5"), building=HOUSE)).mechanisms[0]
+    amplified = run_study(study_of(tmp_path, CUT + amplification("nzs1170.5"), building=HOUSE)).mechanisms[0]
     factor = 1 + 5 / 6
-    plain = run(replace(study_of(tmp_path, CUT, building=HOUSE), levels=(0.3 * factor * g,))).mechanisms[0]
+    plain = run_study(replace(study_of(tmp_path, CUT, building=HOUSE), levels=(0.3 * factor * g,))).mechanisms[0]
     one, other = at_level(amplified, 0.3), plain.histories[0]
     assert one.max_rotation_rad == pytest.approx(other.max_rotation_rad, rel=1e-9)
     assert (one.amplification, other.amplification) == (pytest.approx(factor), 1.0)
@@ -176,12 +183,12 @@ def test_a_filtered_motion_is_the_floor_s(tmp_path):
     """The same history as of a mechanism on the ground under the floor's motion."""
     study = study_of(tmp_path, CUT + amplification("modal-filter"))
     frequency, effective_height, damping, height = mode_of(study)
-    found = run(study)
+    found = run_study(study)
     floor = floor_motion(study.records[0], frequency=frequency, shape=height / effective_height, damping=damping)
     ground = replace(study_of(tmp_path, CUT), records=(floor,), scale_to="none")
     site = found.spectrum.pga_g
     level = (site * g * 0.3 / site * found.records[0].scale_factor,)  # the floor's motion is not scaled to the target
-    beside = run(replace(ground, levels=level)).mechanisms[0].histories[0]
+    beside = run_study(replace(ground, levels=level)).mechanisms[0].histories[0]
     one = at_level(found.mechanisms[0], 0.3)
     assert one.max_rotation_rad == pytest.approx(beside.max_rotation_rad, rel=1e-9)
     assert abs(one.max_rotation_rad) > 1e-3
@@ -192,8 +199,8 @@ def test_a_filtered_motion_is_the_floor_s(tmp_path):
 
 
 def test_each_check_says_where_its_input_acts(tmp_path):
-    found = run(study_of(tmp_path, CUT + amplification("nzs1170.5"), building=HOUSE)).mechanisms[0]
-    plain = run(study_of(tmp_path, CUT, building=HOUSE)).mechanisms[0]
+    found = run_study(study_of(tmp_path, CUT + amplification("nzs1170.5"), building=HOUSE)).mechanisms[0]
+    plain = run_study(study_of(tmp_path, CUT, building=HOUSE)).mechanisms[0]
     assert {check.procedure: check.input_at for check in found.checks} == {
         "asce43-05-history": "mechanism base",
         "asce43-05-spectrum": "ground",
@@ -220,8 +227,8 @@ def test_envelopes_are_of_the_ground(tmp_path):
     given = {"natural_frequency": "2.5 Hz", "effective_height": "6.01 m", "height": "4.77 m"}
     plain = study_of(tmp_path, BLOCK, analysis=pulses)
     for method in ("srss", "modal-filter"):
-        found = envelope(study_of(tmp_path, BLOCK + amplification(method, **given), analysis=pulses)).mechanisms[0]
-        below = envelope(plain).mechanisms[0].envelope.lower_bound_g
+        found = run_envelopes(study_of(tmp_path, BLOCK + amplification(method, **given), analysis=pulses)).mechanisms[0]
+        below = run_envelopes(plain).mechanisms[0].envelope.lower_bound_g
         factor = pulse_factor(METHODS[method](FirstMode(2.5, 6.01), 4.77), [0.5, 1.5, 2.5])
         np.testing.assert_allclose(found.envelope.factor, factor, rtol=1e-12)
         np.testing.assert_allclose(found.envelope.lower_bound_g, below / factor, rtol=0.011)  # a step of the scan

@@ -8,8 +8,8 @@ import pytest
 
 from assess.codes.checklists import CHECKLISTS, item_name, possible_mechanism
 from assess.errors import ProjectError
-from assess.project.schema import load
-from assess.project.sections.checklist import checklist
+from assess.project.project_file import load
+from assess.project.sections.content import checklist
 from assess.results import ChecklistItem
 
 WALL = """

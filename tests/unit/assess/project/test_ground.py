@@ -8,10 +8,10 @@ import pytest
 
 from assess.cli.tables.project import description
 from assess.codes.check import Outcome, Reason
-from assess.project.schema import load
-from assess.study.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, Grounded
-from assess.study.parameters import parameters
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.study.amplification import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, HeightAboveGround
+from assess.study.mechanism_results import parameters
+from assess.study.run import run_study
 from assess.study.study import Study
 from tests.support.projects import ASCE7, study_of, tables_toml
 
@@ -33,7 +33,7 @@ def study(folder: Path, *tables: str) -> Study:
     return study_of(folder, HEAD + "".join(tables))
 
 
-def of(folder: Path, *tables: str, name: str = "m") -> Grounded:
+def of(folder: Path, *tables: str, name: str = "m") -> HeightAboveGround:
     return study(folder, *tables).grounded[name]
 
 
@@ -98,13 +98,13 @@ def test_a_plinth_is_ground(tmp_path: Path, height: float, at: float, above: boo
 
 def test_every_check_waits_for_the_ground(tmp_path: Path) -> None:
     rest = '[records.synthetic]\ncount = 1\nduration = "8 s"\n[analysis]\nprocedures = ["asce43-05-spectrum"]\n'
-    (found,) = run(study(tmp_path, wall(8.0), mechanism(), rest)).mechanisms
+    (found,) = run_study(study(tmp_path, wall(8.0), mechanism(), rest)).mechanisms
     applied = [check for check in found.checks if check.verdict != Outcome.NOT_APPLICABLE]
     assert applied
     assert {(check.verdict, check.reason.key) for check in applied} == {(Outcome.NOT_ANSWERED, Reason.GROUND_UNKNOWN)}
     assert "ground_elevation" in applied[0].reason.text
     assert "base_elevation" in applied[0].reason.text
-    known = run(study(tmp_path, wall(8.0), mechanism("base_elevation = 0"), rest)).mechanisms[0]
+    known = run_study(study(tmp_path, wall(8.0), mechanism("base_elevation = 0"), rest)).mechanisms[0]
     assert all(check.reason.key != Reason.GROUND_UNKNOWN for check in known.checks)
     assert (known.base_elevation_m, known.input_height_m, known.above_ground) == (0.0, 0.0, False)
 

@@ -3,7 +3,7 @@
 import pytest
 
 from assess.errors import ProjectError
-from assess.project.horizontal_records import horizontal_records, vertical_record_messages
+from assess.project.record_set import horizontal_records, vertical_record_messages
 from records.record import Record, make_record
 
 

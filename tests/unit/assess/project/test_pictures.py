@@ -15,14 +15,13 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from assess.errors import ProjectError
-from assess.project import pictures
+from assess.project import report
 from assess.project.build import build
-from assess.project.pictures import read_picture
-from assess.project.report_matter import report_matter_of
-from assess.project.schema import load
+from assess.project.project_file import load
+from assess.project.report import read_picture, report_matter_of
 from assess.results import Picture
 from assess.results.json import dumps, loads
-from assess.study.run import run
+from assess.study.run import run_study
 
 ORIENTATION = 0x0112
 SPIRE = '[mechanisms.spire]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8\n'
@@ -162,7 +161,7 @@ def test_a_text_that_unpacks_to_gigabytes_is_refused(tmp_path):
 
 
 def test_a_file_of_too_many_bytes_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(pictures, "LARGEST_FILE", 50)
+    monkeypatch.setattr(report, "LARGEST_FILE", 50)
     assert "give at most" in refused(written(tmp_path, pixels(4, 4)))
 
 
@@ -187,7 +186,7 @@ def test_pictures_are_among_the_inputs_and_in_the_results(tmp_path):
     asked = '[analysis]\nprocedures = ["ec8-element"]\n'
     table = '[report]\nlogo = "logo.png"\nfigures = [{ file = "north.jpg" }, { file = "north.jpg" }]\n'
     (tmp_path / "project.toml").write_text(SPIRE + spectrum + asked + table, encoding="utf-8")
-    found = run(build(load(tmp_path)))
+    found = run_study(build(load(tmp_path)))
     hashes = {each.path: each.sha256 for each in found.inputs}
     assert list(hashes) == ["project.toml", "logo.png", "north.jpg"]
     assert hashes["north.jpg"] == hashlib.sha256(path.read_bytes()).hexdigest()

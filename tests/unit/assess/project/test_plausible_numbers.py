@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from tests.support.projects import NTC, block, project_toml, wall
 
 

@@ -9,10 +9,10 @@ from scipy.constants import g
 
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.motions import motions_of
-from assess.study.run import run
-from assess.study.sensitivity import check_case
+from assess.project.project_file import load
+from assess.study.checks import checks_without_scan
+from assess.study.record_set import motions_of
+from assess.study.run import run_study
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
 
@@ -92,7 +92,9 @@ def test_knowledge_level_is_of_the_project_or_of_one_mechanism(tmp_path):
 
 def test_without_crushing_the_factor_of_lc1_decides_and_a_lower_one_informs(tmp_path):
     tail = '[analysis]\nprocedures = ["ntc2018-linear"]\n[procedures.ntc2018]\nconfidence_factor = 1.0'
-    checks = [c for c in run(study_of(tmp_path, tail=tail)).mechanisms[0].checks if c.procedure == "ntc2018-linear"]
+    checks = [
+        c for c in run_study(study_of(tmp_path, tail=tail)).mechanisms[0].checks if c.procedure == "ntc2018-linear"
+    ]
     factors = {c.informs: next(s.value for s in c.steps if s.symbol == "FC") for c in checks if c.limit_state == "SLV"}
     assert factors == {False: 1.35, True: 1.0}
     assert {c.role for c in checks if c.informs} == {"comparison"}
@@ -101,7 +103,7 @@ def test_without_crushing_the_factor_of_lc1_decides_and_a_lower_one_informs(tmp_
 def test_crushing_without_a_knowledge_level_is_not_answered_and_names_the_key(tmp_path):
     (tmp_path / "project.toml").write_text(project(interface={"strength": "2 MPa"}))
     study = build(load(tmp_path))
-    verdict = run(study).verdict
+    verdict = run_study(study).verdict
     assert "procedures.ntc2018.knowledge_level" in [each.key for each in verdict.missing]
 
 
@@ -143,7 +145,7 @@ def test_histories_are_run_at_the_pga_of_each_limit_state_times_the_confidence_f
     limit_states = ["SLV", "SLC"]
     """
     study = study_of(tmp_path, spectrum=f'soil = "A"\n{ROWS}', tail=tail, count=3)
-    (wall,) = run(study).mechanisms
+    (wall,) = run_study(study).mechanisms
     found = {(check.procedure, check.limit_state): check for check in wall.checks}
     asked = {key for key in found if key[0] in ("ntc2018-history", "ntc2018-linear")}
     assert asked - {("ntc2018-linear", "SLD")} == {
@@ -164,7 +166,7 @@ def test_histories_are_run_at_the_pga_of_each_limit_state_times_the_confidence_f
 def test_cases_of_the_sensitivity_run_the_same_suites(tmp_path):
     tail = '[analysis]\nprocedures = ["ntc2018-history"]\n[procedures.ntc2018]\nlimit_states = ["SLV", "SLC"]'
     study = study_of(tmp_path, spectrum=f'soil = "A"\n{ROWS}', tail=tail, count=3)
-    whole = {check.limit_state: check.ratio for check in run(study).mechanisms[0].checks}
-    case = check_case(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
+    whole = {check.limit_state: check.ratio for check in run_study(study).mechanisms[0].checks}
+    case = checks_without_scan(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
     assert {check.limit_state: check.ratio for check in case} == whole
     assert set(whole) == {"SLV", "SLC"}

@@ -7,14 +7,13 @@ from dataclasses import replace
 
 import pytest
 
+from assess.codes.question import SOURCES, Missing, merge_missing, toml_lines
 from assess.codes.verdict import methods_of
-from assess.codes.verdict.question import SOURCES, Missing, once
-from assess.codes.verdict_text import toml_lines
 from assess.project.build import build
-from assess.project.question import facts_of, of_pga, question_of
-from assess.project.schema import load
+from assess.project.project_file import load
+from assess.project.question import facts_of, lowered_pga_conditions, question_of
 from assess.project.site_spectrum import site_in, spectrum_of
-from assess.study.run import run
+from assess.study.run import run_study
 from tests.support.projects import NTC, block, lines, project_toml, published, wall
 
 SITE = {"limit_state": "SLV", "spectrum": NTC}
@@ -91,12 +90,14 @@ def test_a_pga_below_that_of_a_single_spectrum_is_a_condition_of_a_pass(tmp_path
     file = tmp_path / "project.toml"
     file.write_text(site().replace("[site]\n", f"[site]\n{pga}\n"), encoding="utf-8")
     of = load(file).content
-    assert [each.key for each in of_pga(of, spectrum_of(site_in(of)))] == (["pga-lowered"] if lowers else [])
+    assert [each.key for each in lowered_pga_conditions(of, spectrum_of(site_in(of)))] == (
+        ["pga-lowered"] if lowers else []
+    )
 
 
 def test_the_sources_of_several_materials_are_all_asked_for():
     asked = [Missing(SOURCES, "of a", '"materials.a.disintegration" = "x"'), Missing(SOURCES, "of b", '"b" = "x"')]
-    lines = toml_lines(once(asked), ["report.language", "site.spectrum.code"])
+    lines = toml_lines(merge_missing(asked), ["report.language", "site.spectrum.code"])
     assert lines == ("[report.sources]", '"materials.a.disintegration" = "x"', '"b" = "x"')
     tomllib.loads("\n".join(lines))
 
@@ -117,7 +118,7 @@ def test_a_linear_pass_says_that_it_counts_ties_nobody_shows_to_last(tmp_path, t
     file.write_text('[verdict]\nprocedures = ["ntc2018-linear"]\n' + site(**given), encoding="utf-8")
     study = build(load(file))
     spectrum = replace(study.spectrum, factor=0.1 * study.spectrum.factor)
-    results = run(replace(study, spectrum=spectrum, levels=(spectrum.pga,)), jobs=1)
+    results = run_study(replace(study, spectrum=spectrum, levels=(spectrum.pga,)), jobs=1)
     checks = [c for c in results.mechanisms[0].checks if c.procedure == "ntc2018-linear" and c.limit_state == "SLV"]
     assert [each.key for each in checks[0].conditions] == conditions
 
@@ -128,6 +129,6 @@ def test_all_that_is_missing_is_listed_at_once(tmp_path):
     top = '[verdict]\nprocedures = ["ntc2018-history"]\n[building]\nground_elevation = -6.0\nuse_class = "II"\n'
     top += '[records]\nsynthetic = { count = 3, seed = 1, duration = "25 s" }\n'
     file.write_text(top + site(), encoding="utf-8")
-    found = run(build(load(file)), jobs=1).verdict
+    found = run_study(build(load(file)), jobs=1).verdict
     missing = {each.key for one in found.mechanisms if one.mechanism == "wall" for each in one.missing}
     assert {"mechanisms.wall.amplification", "records.synthetic", "materials.m.disintegration"} <= missing

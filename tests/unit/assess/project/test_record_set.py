@@ -8,17 +8,17 @@ from scipy.constants import g
 
 from assess.errors import AssessError, ProjectError
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results import Results
 from assess.results.json import dumps, loads
-from assess.study.periods import equivalent_periods
-from assess.study.run import run
+from assess.study.run import run_study
 from assess.study.study import Study
+from assess.study.suite_rules import equivalent_periods
 from records.catalogue import NAME
 from records.errors import RecordError
+from records.processing import at2_text
 from records.record import make_record
 from records.response import response_spectrum
-from records.writing import at2_text
 from reports.assessment import assessment
 from reports.language.texts import Quantity
 from tests.support.letters import letters, rows
@@ -65,7 +65,7 @@ def study(folder: Path, records: str = SELECT) -> Study:
 
 @pytest.fixture(scope="module")
 def results(folder: Path) -> Results:
-    return run(study(folder))
+    return run_study(study(folder))
 
 
 def equal_work(alpha: float, p: float) -> float:
@@ -131,7 +131,7 @@ def test_what_cannot_be_read_in_a_folder_is_told_and_in_a_list_refused(folder: P
 
 
 def test_components_kept_together_share_their_factor(folder: Path) -> None:
-    found = run(study(folder, SELECT.replace("count = 3", 'count = 3, components = "together"')))
+    found = run_study(study(folder, SELECT.replace("count = 3", 'count = 3, components = "together"')))
     assert len(found.records) == 6
     factors: dict[str, set[float]] = {}
     for record in found.records:
@@ -142,7 +142,7 @@ def test_components_kept_together_share_their_factor(folder: Path) -> None:
 
 def test_the_same_project_gives_the_same_bytes(folder: Path, results: Results) -> None:
     text = dumps(results)
-    assert dumps(run(study(folder))) == text
+    assert dumps(run_study(study(folder))) == text
     assert loads(text) == results
 
 
@@ -206,7 +206,7 @@ def test_the_report_has_the_suite_beside_target_and_codes(results: Results) -> N
 
 
 def test_artificial_records_have_a_ground_motion_without_a_selection(folder: Path) -> None:
-    found = run(study(folder, "synthetic = { count = 3, duration = 8 }")).ground_motion
+    found = run_study(study(folder, "synthetic = { count = 3, duration = 8 }")).ground_motion
     assert found is not None
     assert found.selection is None
     assert (found.from_s, found.to_s) == pytest.approx((0.1, 2.0))

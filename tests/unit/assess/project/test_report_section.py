@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from assess.errors import ProjectError
-from assess.project.report_matter import report_matter_of
-from assess.project.schema import json_schema, load
+from assess.project.json_schema import json_schema
+from assess.project.project_file import load
+from assess.project.report import report_matter_of
 from assess.results import ReportMatter, Revision
 
 SPIRE = '[mechanisms.spire]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8\n'

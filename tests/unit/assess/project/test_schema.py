@@ -9,10 +9,11 @@ from scipy.constants import g
 
 from assess.codes.registry import PROCEDURES as REGISTERED
 from assess.errors import ProjectError
-from assess.project.schema import json_schema, load, resolve
+from assess.project.json_schema import json_schema
+from assess.project.project_file import load, resolve
 from assess.project.sections.bodies import BoxBody, DirectBody, MeshBody, ProfileBody
 from assess.project.sections.mechanisms import EquivalentBlock, SingleBlock
-from assess.project.sections.procedure_names import PROCEDURES
+from assess.project.sections.procedures import PROCEDURES
 
 PROJECT = """
 title = "A wall"

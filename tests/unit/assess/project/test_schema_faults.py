@@ -12,11 +12,9 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from assess.examples import source
-from assess.project.quantity_patterns import with_quantity_patterns
-from assess.project.schema import json_schema
-from assess.project.schema_faults import with_located_faults
+from assess.project.json_schema import json_schema, with_located_faults, with_quantity_patterns
 from assess.project.sections.content import Content
-from assess.project.sections.uncertain_number import with_uncertain_numbers
+from assess.project.values import with_uncertain_numbers
 from tests.support.projects import as_editors_see
 
 

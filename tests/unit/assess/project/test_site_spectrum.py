@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from scipy.constants import g
 
-from assess.codes.context import FirstMode
+from assess.codes.context import StatedFirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.schema import load, resolve
+from assess.project.project_file import load, resolve
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
-from assess.study.site_results import spectrum_result
+from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
 from tests.support.projects import published, tables_toml
 
@@ -143,7 +143,7 @@ def test_a_first_mode_of_the_building_at_a_limit_state_reaches_the_study(tmp_pat
     mode = 'limit_states = { SLV = { period = "0.5 s", damping = 0.12, reason = "pushover" } }'
     study = build(loaded(tmp_path, CODES["ntc2018"], rest=f'[building]\nheight = "9 m"\n{mode}'))
     assert study.building is not None
-    assert study.building.limit_states == {"SLV": FirstMode(0.5, 0.12, "pushover")}
+    assert study.building.limit_states == {"SLV": StatedFirstMode(0.5, 0.12, "pushover")}
     with pytest.raises(ProjectError, match=r"building\.limit_states"):
         loaded(tmp_path, CODES["ntc2018"], rest=f'[building]\nheight = "9 m"\n{mode.replace("SLV", "SLD")}')
 

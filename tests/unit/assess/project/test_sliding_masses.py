@@ -7,7 +7,7 @@ from math import pi
 import pytest
 from scipy.constants import g
 
-from assess.study.run import run
+from assess.study.run import run_study
 from tests.support.projects import block, lines, project_toml, study_of, wall
 
 BLOCK = 2000 * 2 * 1 * 2
@@ -26,7 +26,7 @@ def checks(folder, loads="", vertical=0.0):
         records={"synthetic": {"count": 1, "duration": "8 s"}},
         procedures={"asce43-05": {"allowable_sliding": "0.5 m"}},
     )
-    (result,) = run(study_of(folder, text)).mechanisms
+    (result,) = run_study(study_of(folder, text)).mechanisms
     return {check.procedure: check for check in result.checks}
 
 

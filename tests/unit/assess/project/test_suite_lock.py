@@ -9,25 +9,25 @@ import numpy as np
 import pytest
 
 from assess.errors import AssessError, OutputError, ProjectError
-from assess.project import locked_records, suites
-from assess.project.suite_lock import NAME, is_sealed
+from assess.project import record_set, suites
+from assess.project.suite_lock import LOCK_NAME, is_sealed
 from assess.results import Results
-from assess.results.diff import changes
+from assess.results.diff import differences
 from assess.results.json import dumps, loads
-from assess.study.motions import motions_of
-from assess.study.run import run
-from assess.study.suite_faults import suite_faults
+from assess.study.record_set import motions_of
+from assess.study.run import run_study
+from assess.study.suite_rules import suite_faults
+from records.processing import at2_text
 from records.record import make_record
-from records.writing import at2_text
-from reports.chapters import annex_suite
-from reports.chapters.suite import sentences
+from reports.chapters import suite
+from reports.chapters.suite import suite_sentences
 from tests.support.command import ended
 from tests.support.letters import letters
 from tests.support.places import PEER, needs_real_records
 from tests.support.projects import ASCE7, Table, published, study_of, tables_toml
 
 SELECT = 'files = ["motions/*.AT2"]\nselect = { count = 3, scale_limits = [0.001, 1000.0] }\nfactor = 1.1'
-LOCKED = f'lock = "{NAME}"\n{SELECT}'
+LOCKED = f'lock = "{LOCK_NAME}"\n{SELECT}'
 SLOW, QUICK, SLUGGISH = published(), published(3.36, 0.34, 0.62), published(0.9, 0.14, 9.0)
 
 
@@ -55,7 +55,7 @@ def project(records: str, *, site: Table | None = None, **mechanisms: Table) -> 
 
 
 def results_of(folder: Path, records: str, *, site: Table | None = None, **mechanisms: Table) -> Results:
-    return run(study_of(folder, project(records, site=site, **mechanisms)))
+    return run_study(study_of(folder, project(records, site=site, **mechanisms)))
 
 
 def lock(folder: Path, records: str = SELECT, **mechanisms: Table) -> Path:
@@ -73,11 +73,11 @@ def test_a_locked_suite_gives_the_results_that_it_was_locked_from(folder: Path) 
     assert after.ground_motion is not None
     assert before.ground_motion is not None
     assert after.ground_motion.selection == before.ground_motion.selection
-    assert after.ground_motion.lock == NAME
+    assert after.ground_motion.lock == LOCK_NAME
     inputs = {one.path: one.sha256 for one in after.inputs}
-    assert inputs[NAME] == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert inputs[LOCK_NAME] == hashlib.sha256(path.read_bytes()).hexdigest()
     assert {one.path for one in after.records} <= set(inputs)
-    assert not any("lock" in one.what for one in changes(before, before))
+    assert not any("lock" in one.what for one in differences(before, before))
     assert loads(dumps(after)) == after
 
 
@@ -90,7 +90,7 @@ def test_one_wall_edited_changes_the_earthquakes_of_another_only_without_the_loc
         histories = [each.mechanisms[0].histories for each in (before, after)]
         assert (factors[0] == factors[1]) is same
         assert (histories[0] == histories[1]) is same
-        assert any(one.kind == "suite" for one in changes(before, after)) is not same
+        assert any(one.kind == "suite" for one in differences(before, after)) is not same
 
 
 def test_the_lock_is_the_same_bytes_and_replaces_only_one_as_it_was_written(folder: Path) -> None:
@@ -156,7 +156,7 @@ def test_a_lock_of_another_spectrum_is_an_error(folder: Path, site: Table) -> No
 )
 def test_what_is_no_lock_is_one_line(folder: Path, text: str | None, said: str) -> None:
     if text is not None:
-        (folder / NAME).write_text(text)
+        (folder / LOCK_NAME).write_text(text)
     with pytest.raises(ProjectError, match=said) as caught:
         study_of(folder, project(LOCKED))
     assert "\n" not in str(caught.value)
@@ -166,7 +166,7 @@ def test_artificial_records_are_made_again_and_compared(folder: Path) -> None:
     records = 'synthetic = { count = 2, seed = 3, duration = "20 s" }'
     before = results_of(folder, records)
     path = lock(folder, records)
-    locked = f'lock = "{NAME}"'
+    locked = f'lock = "{LOCK_NAME}"'
     slower = published(0.5, 0.14, 29.0)
     after = results_of(folder, locked, slow=SLOW, quick=slower)
     moved = results_of(folder, records, slow=SLOW, quick=slower)
@@ -188,8 +188,8 @@ def test_files_are_read_once_in_a_process(folder: Path, monkeypatch: pytest.Monk
         read.append(path)
         return original(path, overrides)  # type: ignore[arg-type]
 
-    original = locked_records.read_with
-    monkeypatch.setattr(locked_records, "read_with", counted)
+    original = record_set.read_with_overrides
+    monkeypatch.setattr(record_set, "read_with_overrides", counted)
     for _ in range(3):
         study_of(folder, project(LOCKED))
     assert len(read) == 3
@@ -200,10 +200,10 @@ def test_a_sweep_of_the_pga_scales_a_locked_suite_and_one_of_the_shape_is_refuse
     sweep = '[analysis]\nprocedures = ["asce43-05-history"]\nsweep = { key = "%s", values = %s }\n'
     text = project(LOCKED).split("[analysis]")[0]
     rest = "[verdict]\n" + project(LOCKED).split("[verdict]\n")[1]
-    swept = run(study_of(folder, text + sweep % ("site.pga", '["0.2 g", "0.4 g"]') + rest))
+    swept = run_study(study_of(folder, text + sweep % ("site.pga", '["0.2 g", "0.4 g"]') + rest))
     assert swept.sweeps
     with pytest.raises(ProjectError, match="spectrum of another shape"):
-        run(study_of(folder, text + sweep % ("site.spectrum.s_d1", '["0.2 g", "0.3 g"]') + rest))
+        run_study(study_of(folder, text + sweep % ("site.spectrum.s_d1", '["0.2 g", "0.3 g"]') + rest))
 
 
 def test_the_command_writes_beside_the_target_and_the_report_tells(
@@ -212,17 +212,20 @@ def test_the_command_writes_beside_the_target_and_the_report_tells(
     (folder / "project.toml").write_text(project(LOCKED))
     limits = ("--scale-limits", 0.001, 1000, "--count", 3)
     assert ended("records", "select", "--target", folder, folder / "motions", *limits, "--lock") == 0
-    assert str(folder / NAME) in capsys.readouterr().err
+    assert str(folder / LOCK_NAME) in capsys.readouterr().err
     found = results_of(folder, LOCKED)
-    assert 'file = "motions/RSN' in (folder / NAME).read_text()
-    told = [letters(each) for each in sentences(found)]
+    assert 'file = "motions/RSN' in (folder / LOCK_NAME).read_text()
+    told = [letters(each) for each in suite_sentences(found)]
     assert (
-        sum(f"The suite is locked: the records and their scale factors are those of {NAME}" in each for each in told)
+        sum(
+            f"The suite is locked: the records and their scale factors are those of {LOCK_NAME}" in each
+            for each in told
+        )
         == 1
     )
     assert ended("records", "select", folder) == 0
     assert "The suite is locked" in capsys.readouterr().out
-    (folder / NAME).write_text("mine")
+    (folder / LOCK_NAME).write_text("mine")
     assert ended("records", "select", "--target", folder, folder / "motions", *limits, "--lock") == 2
 
 
@@ -239,9 +242,9 @@ def test_a_suite_made_for_a_code_meets_it_and_keeps_its_factors_in_a_lock(folder
     assert {one.verdict for one in rules} == {"met"}
     assert motion.selection is not None
     assert motion.selection.misfit == pytest.approx(motion.misfit, rel=1e-9)
-    assert "The suite was made to meet the rules of" in letters(annex_suite.sentences(motion)[-1])
+    assert "The suite was made to meet the rules of" in letters(suite.selection_sentences(motion)[-1])
     lock(folder, FOR % code)
-    after = results_of(folder, f'lock = "{NAME}"\n{FOR % code}', slow=SLOW, quick=SLUGGISH)
+    after = results_of(folder, f'lock = "{LOCK_NAME}"\n{FOR % code}', slow=SLOW, quick=SLUGGISH)
     assert [one.scale_factor for one in after.records] == [one.scale_factor for one in found.records]
     assert after.ground_motion is not None
     assert after.ground_motion.made_for == motion.made_for
@@ -265,7 +268,7 @@ def test_the_command_makes_a_suite_for_a_code(folder: Path, capsys: pytest.Captu
     found = json.loads(capsys.readouterr().out)["ground_motion"]
     rules = [one["verdict"] for one in found["requirements"] if one["code"] == found["made_for"] == "EN 1998-1:2004"]
     assert rules == ["met"] * 3
-    assert 'for = "ec8"' in (folder / NAME).read_text()
+    assert 'for = "ec8"' in (folder / LOCK_NAME).read_text()
     assert results_of(folder, LOCKED).records
     assert ended(*asked, "--for", "ec9") == 2
     assert ended("records", "select", folder, "--for", "ec8") == 2

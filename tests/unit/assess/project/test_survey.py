@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from assess.codes.verdict import MechanismChecks, verdict
-from assess.study.run import run
-from assess.study.survey import tolerances
+from assess.study.run import run_study
+from assess.study.sensitivity import survey_tolerances
 from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
 
@@ -28,14 +28,14 @@ def study(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
 
 def found(tmp_path: Path, **given):
     one = study(tmp_path, **given)
-    results = run(one, jobs=1)
+    results = run_study(one, jobs=1)
     return one, results
 
 
 def fall(tmp_path: Path, **given) -> float:
     one, results = found(tmp_path, **given)
     judged = verdict(one.question, [MechanismChecks(m.name, m.checks, *one.facts[m.name]) for m in results.mechanisms])
-    return tolerances(one.survey, one.spectrum, one.question, judged, results.mechanisms)["wall"]
+    return survey_tolerances(one.survey, one.spectrum, one.question, judged, results.mechanisms)["wall"]
 
 
 def test_a_thinner_wall_loses_in_proportion(tmp_path):
@@ -70,4 +70,4 @@ def test_the_tolerance_widens_what_is_at_the_limit(tmp_path, tolerance, near):
 def test_an_index_far_from_its_threshold_is_not_looked_at(tmp_path):
     one, results = found(tmp_path, pga=0.02, tolerance=20)
     assert results.verdict.index.value > 1.5
-    assert tolerances(one.survey, one.spectrum, one.question, results.verdict, results.mechanisms) == {}
+    assert survey_tolerances(one.survey, one.spectrum, one.question, results.verdict, results.mechanisms) == {}

@@ -9,8 +9,9 @@ import pytest
 
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.schema import Project, json_schema, load, resolve
-from assess.study.run import run
+from assess.project.json_schema import json_schema
+from assess.project.project_file import Project, load, resolve
+from assess.study.run import run_study
 from tests.support.projects import block, project_toml, wall
 
 MEAN = {"mean": "0.60 m", "cov": 0.05}
@@ -80,9 +81,9 @@ def test_a_run_without_the_section_is_that_of_the_means(tmp_path: Path) -> None:
         "records": {"synthetic": {"count": 1, "duration": "8 s"}},
         "analysis": {"procedures": ["asce43-05-spectrum"]},
     }
-    plain = run(build(read(tmp_path, bodies={"wall": wall("0.60 m")}, **ask)))
+    plain = run_study(build(read(tmp_path, bodies={"wall": wall("0.60 m")}, **ask)))
     project = read(tmp_path, bodies={"wall": wall(MEAN)}, **ask)
-    found = run(build(project))
+    found = run_study(build(project))
     assert found.uncertainty is None
     assert [each.checks for each in found.mechanisms] == [each.checks for each in plain.mechanisms]
     (told,) = [each for each in found.warnings if each.key == "uncertainty-means"]

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from scipy.constants import foot, g, inch, lb, lbf, psi
 
 from assess.errors import ProjectError
-from assess.project.units import KINDS, is_weight, pint_factor, to_si
-from assess.project.usual_units import USUAL
+from assess.project.units import KINDS, USUAL, is_weight, pint_factor, to_si
 
 GOOD = [
     (3, "length", 3.0),

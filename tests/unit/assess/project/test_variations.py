@@ -7,9 +7,9 @@ import pytest
 
 from assess.errors import AssessError, ProjectError
 from assess.project.build import build
-from assess.project.dependents import dependents
-from assess.project.schema import json_schema, load, resolve
-from assess.project.variations import Variation
+from assess.project.json_schema import json_schema
+from assess.project.keys import KeySweep, dependents
+from assess.project.project_file import load, resolve
 from tests.support.projects import block, project_toml, published, wall
 
 PROJECT = project_toml(
@@ -23,12 +23,12 @@ PROJECT = project_toml(
 )
 
 
-def swept(folder: Path, sweep: str) -> tuple[Variation, ...]:
+def swept(folder: Path, sweep: str) -> tuple[KeySweep, ...]:
     (folder / "project.toml").write_text(PROJECT + sweep)
     return load(folder).variations
 
 
-def one(folder: Path, key: str, values: str) -> Variation:
+def one(folder: Path, key: str, values: str) -> KeySweep:
     (variation,) = swept(folder, f"[analysis.sweep]\nkey = '{key}'\n{values}\n")
     return variation
 

@@ -11,11 +11,11 @@ import pytest
 from assess.codes.verdict import Decision
 from assess.messages.message import Message, Severity
 from assess.project.build import build
-from assess.project.schema import load
-from assess.results import Resolved, Results, SensitivityResult, SweepResult
-from assess.results.diff import KINDS, Change, changes, same
-from assess.study.envelope_run import envelope
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.results import ResolvedValue, Results, SensitivityResult, SweepResult
+from assess.results.diff import KINDS, Difference, differences, same
+from assess.study.envelopes import run_envelopes
+from assess.study.run import run_study
 from tests.support.projects import ASCE7, block, project_toml, published, wall
 
 PROJECT = project_toml(
@@ -47,7 +47,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def results_of(folder: Path, text: str) -> Results:
     (folder / "project.toml").write_text(text)
-    return run(build(load(folder)), jobs=1)
+    return run_study(build(load(folder)), jobs=1)
 
 
 @pytest.fixture(scope="module")
@@ -60,19 +60,19 @@ def after(folder: Path, before: Results) -> Results:
     return results_of(folder, PROJECT.replace('sides = "one"', TIE, 1))
 
 
-def of_kind(found: tuple[Change, ...], kind: str) -> Iterator[Change]:
+def of_kind(found: tuple[Difference, ...], kind: str) -> Iterator[Difference]:
     return (change for change in found if change.kind == kind)
 
 
 def test_a_run_does_not_differ_from_itself(before: Results, after: Results) -> None:
-    assert changes(before, before) == changes(after, after) == ()
+    assert differences(before, before) == differences(after, after) == ()
 
 
 def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Results) -> None:
-    found = changes(before, after)
+    found = differences(before, after)
     building, *others = of_kind(found, "verdict")
-    assert found[0] == building == Change("verdict", "", "verdict", "fail", "pass")
-    assert Change("verdict", "wall", "verdict", "fail", "pass") in others
+    assert found[0] == building == Difference("verdict", "", "verdict", "fail", "pass")
+    assert Difference("verdict", "wall", "verdict", "fail", "pass") in others
     margin = next(each for each in others if each.what == "holds up to, over the site's PGA")
     assert margin.before < 1.0 < margin.after
     assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
@@ -85,7 +85,7 @@ def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Resu
 
 
 def test_numbers_are_those_of_both_results(before: Results, after: Results) -> None:
-    found = changes(before, after)
+    found = differences(before, after)
     one, other = (results.mechanisms[0] for results in (before, after))
     (uplift,) = (c for c in of_kind(found, "parameter") if c.what == "uplift_multiplier, positive")
     assert (uplift.before, uplift.after) == (one.oscillator.uplift_multiplier, other.oscillator.uplift_multiplier)
@@ -101,23 +101,23 @@ def test_a_limit_state_is_compared_with_itself_where_the_other_run_has_more(befo
     wall = before.mechanisms[0]
     more = replace(wall, checks=(*wall.checks, *(replace(check, limit_state="SLD") for check in wall.checks[-2:])))
     assert {check.procedure for check in wall.checks[-2:]} == {"dmi2008-linear"}
-    found = changes(replace(before, mechanisms=(more, *before.mechanisms[1:])), before)
+    found = differences(replace(before, mechanisms=(more, *before.mechanisms[1:])), before)
     assert len(found) == 6  # at two levels verdict and ratio; capacity, uplift
     assert all("SLD" in change.what and change.after is None for change in found)
 
 
 def test_the_other_way_round_is_the_mirror_image(before: Results, after: Results) -> None:
-    def turned(change: Change) -> Change:
+    def turned(change: Difference) -> Difference:
         return replace(change, before=change.after, after=change.before)
 
-    assert set(map(repr, changes(after, before))) == {repr(turned(change)) for change in changes(before, after)}
+    assert set(map(repr, differences(after, before))) == {repr(turned(change)) for change in differences(before, after)}
 
 
 def test_what_one_run_alone_has_is_a_change(before: Results) -> None:
     less = replace(
         before, mechanisms=before.mechanisms[:1], warnings=(*before.warnings, Message("a", Severity.WARNING, "b", "c"))
     )
-    found = changes(before, less)
+    found = differences(before, less)
     assert [(c.kind, c.where, c.before, c.after) for c in found] == [
         ("mechanism", "parapet", "equivalent-block", None),
         ("warning", "b", None, "c"),
@@ -127,9 +127,9 @@ def test_what_one_run_alone_has_is_a_change(before: Results) -> None:
 @pytest.mark.parametrize("given", [False, True])
 def test_a_key_that_one_run_lacks_is_a_change_if_it_was_given(before: Results, given: bool) -> None:
     """Results of an older version lack the keys that came later, with their defaults."""
-    later = replace(before, project={**before.project, "report.motto": Resolved("none", given)})
-    assert [(c.what, c.before, c.after) for c in changes(before, later)] == [("report.motto", None, "none")] * given
-    assert [(c.what, c.before, c.after) for c in changes(later, before)] == [("report.motto", "none", None)] * given
+    later = replace(before, project={**before.project, "report.motto": ResolvedValue("none", given)})
+    assert [(c.what, c.before, c.after) for c in differences(before, later)] == [("report.motto", None, "none")] * given
+    assert [(c.what, c.before, c.after) for c in differences(later, before)] == [("report.motto", "none", None)] * given
 
 
 def test_a_warning_of_the_same_words_under_another_key_is_the_same(before: Results) -> None:
@@ -137,15 +137,15 @@ def test_a_warning_of_the_same_words_under_another_key_is_the_same(before: Resul
         replace(before, warnings=(Message(key, Severity.WARNING, "mechanisms.wall", "it slides"),))
         for key in ("mechanism", "slides")
     )
-    assert changes(one, other) == ()
+    assert differences(one, other) == ()
 
 
 def test_rounding_is_hidden_and_zero_tolerance_shows_it(before: Results) -> None:
     wall = before.mechanisms[0]
     nudged = replace(wall, oscillator=replace(wall.oscillator, p_eq_per_s=wall.oscillator.p_eq_per_s * (1 + 1e-8)))
     other = replace(before, mechanisms=(nudged, *before.mechanisms[1:]))
-    assert changes(before, other) == ()
-    assert [c.what for c in changes(before, other, tolerance=0.0)] == ["p_eq_per_s, positive"]
+    assert differences(before, other) == ()
+    assert [c.what for c in differences(before, other, tolerance=0.0)] == ["p_eq_per_s, positive"]
 
 
 def test_blocks_that_are_not_compared_are_named_where_they_alone_differ(before: Results, after: Results) -> None:
@@ -155,12 +155,12 @@ def test_blocks_that_are_not_compared_are_named_where_they_alone_differ(before: 
     edited = replace(
         before, mechanisms=(replace(wall, checks=(check, *wall.checks[1:])), *rest), comparison=before.comparison[1:]
     )
-    (change,) = changes(before, edited)
+    (change,) = differences(before, edited)
     assert (change.kind, change.after) == ("other", f"comparison, checks of {wall.name}")
     nearly = replace(check, steps=(replace(step, value=wall.checks[0].steps[0].value * (1 + 1e-9)), *check.steps[1:]))
     rounded = replace(before, mechanisms=(replace(wall, checks=(nearly, *wall.checks[1:])), *rest))
-    assert not changes(before, rounded)
-    assert not [*of_kind(changes(before, after), "other")]  # there they follow from what is listed
+    assert not differences(before, rounded)
+    assert not [*of_kind(differences(before, after), "other")]  # there they follow from what is listed
 
 
 def test_values_are_one_item_by_item() -> None:
@@ -176,8 +176,8 @@ def test_values_are_one_item_by_item() -> None:
 
 def test_what_changed_in_a_load_is_one_number(after: Results) -> None:
     loads = after.project["mechanisms.wall.loads"]
-    stronger = Resolved([{**loads.value[0], "force": 12000.0}], True)
-    found = changes(after, replace(after, project={**after.project, "mechanisms.wall.loads": stronger}))
+    stronger = ResolvedValue([{**loads.value[0], "force": 12000.0}], True)
+    found = differences(after, replace(after, project={**after.project, "mechanisms.wall.loads": stronger}))
     assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[1].force", 20000.0, 12000.0)]
 
 
@@ -195,12 +195,12 @@ def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlli
 def test_cases_of_a_study_are_compared_value_by_value(before: Results) -> None:
     one = replace(before, sweeps=(swept((1800.0, 2000.0), (0.8, 0.9), 1),))
     other = replace(before, sweeps=(swept((1800.0, 2000.0, 2200.0), (0.8, None, None), 2),))
-    found = {c.what: (c.before, c.after) for c in of_kind(changes(one, other), "sweep")}
+    found = {c.what: (c.before, c.after) for c in of_kind(differences(one, other), "sweep")}
     assert found["materials.stone.density that controls"] == (2000.0, 2200.0)
     assert found["demand_capacity, materials.stone.density = 2000 kg/m^3"] == (0.9, "overturned")
     assert found["demand_capacity, materials.stone.density = 2200 kg/m^3"] == (None, "overturned")
     assert not any("1800" in what for what in found)
-    assert list(changes(one, one)) == []
+    assert list(differences(one, one)) == []
 
 
 def test_sensitivities_are_compared_at_both_ends(before: Results) -> None:
@@ -209,7 +209,7 @@ def test_sensitivities_are_compared_at_both_ends(before: Results) -> None:
         0.3, "demand_capacity", 0.9, 0.8, 1.0, "pass", "pass", "pass",
     )  # fmt: skip
     other = replace(row, high=2400.0, at_high=1.1, verdict_high="fail")
-    found = changes(replace(before, sensitivity=(row,)), replace(before, sensitivity=(other,)))
+    found = differences(replace(before, sensitivity=(row,)), replace(before, sensitivity=(other,)))
     what = "demand_capacity, dmi2008-linear SLV at 0.3 g, materials.stone.density high"
     assert {(c.kind, c.where, c.what, c.before, c.after, c.unit) for c in found} == {
         ("sensitivity", "wall", "materials.stone.density, high", 2200.0, 2400.0, "kg/m^3"),
@@ -226,8 +226,8 @@ def test_envelopes_are_compared_by_their_least_pulse(folder: Path) -> None:
     found = []
     for uplift in (0.2, 0.3):
         (folder / "project.toml").write_text(PROJECT.replace("uplift = 0.2", f"uplift = {uplift}") + pulses)
-        found.append(envelope(build(load(folder)), jobs=1))
-    least = next(c for c in of_kind(changes(*found), "envelope") if c.where == "parapet")
+        found.append(run_envelopes(build(load(folder)), jobs=1))
+    least = next(c for c in of_kind(differences(*found), "envelope") if c.where == "parapet")
     ends = [min(b for b in each.mechanisms[1].envelope.lower_bound_g if b is not None) for each in found]  # type: ignore[union-attr]
     assert (least.what, least.before, least.after) == ("least pulse that overturns", *ends)
     assert least.before < least.after

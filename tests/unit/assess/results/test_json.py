@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from assess.codes import calculation_step
+from assess.codes import calculation_sheet
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, reason_message, step
 from assess.codes.verdict import Action, Decision, MechanismChecks, Missing, Question, Verdict, verdict
@@ -17,15 +17,15 @@ from assess.messages.message import Message, Quantity, Severity
 from assess.results import (
     SCHEMA_VERSION,
     AmplificationResult,
-    Axis,
     BranchCurve,
+    CapacityCurve,
     ChecklistItem,
     ComparisonRow,
     ContactSheet,
-    Curve,
-    Displaced,
+    DisplacedDrawing,
     Drawing,
     DrawnLoad,
+    HingeAxis,
     Input,
     LinearisedResult,
     LoadResult,
@@ -35,7 +35,7 @@ from assess.results import (
     Picture,
     Program,
     ReportMatter,
-    Resolved,
+    ResolvedValue,
     Results,
     Revision,
     SpectrumResult,
@@ -77,12 +77,12 @@ def check() -> Check:
 def mechanism() -> MechanismResult:
     ring, hinge, load = ((0.0, 0.0), (1.0, 0.0), (1.0, 4.0)), NamedPoint("A", (1.0, 0.0)), ("f", (1.0, 3.0), "force")
     loads = (DrawnLoad(*load, (-0.6, 0.8)), DrawnLoad("m", (1.0, 4.0), "mass", None))
-    displaced = Displaced(0.1, (ring,), (0,), (hinge,), loads, ((0.5, 2.0),))
+    displaced = DisplacedDrawing(0.1, (ring,), (0,), (hinge,), loads, ((0.5, 2.0),))
     drawing = Drawing((ring,), (hinge,), loads, (0.5, 2.0), (0,), ((0.5, 2.0),), displaced, None, ())
     corners = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 4.0))
-    axis = Axis("A", (corners[1], corners[2]))
+    axis = HingeAxis("A", (corners[1], corners[2]))
     view = View(corners, ((0, 1, 2),), (0,), (axis,), (corners,), (1.0, 0.0, 0.0), (1.0, 1.0, 4.0), 1)
-    curve = Curve(BranchCurve(*[(0.0, 0.1, 0.2)] * 6), None)
+    curve = CapacityCurve(BranchCurve(*[(0.0, 0.1, 0.2)] * 6), None)
     return MechanismResult(
         "w", "<b>&", "single-block", "two", "exact", drawing, view, oscillator(), None, curve,
         ({"hinge": "A", "x": [1.5]},), AmplificationResult("none", ()), (check(),), (), (), None, "given",
@@ -112,9 +112,9 @@ def results() -> Results:
             Message("x", Severity.WARNING, "records", "a “sentence” with \n and \x07", {"a": Quantity(0.1, "length")}),
         ),
         project={
-            "title": Resolved("é", True),
-            "levels": Resolved([0.1, 0.2], False),
-            "site.pga": Resolved(None, False),
+            "title": ResolvedValue("é", True),
+            "levels": ResolvedValue([0.1, 0.2], False),
+            "site.pga": ResolvedValue(None, False),
         },
         spectrum=SpectrumResult(
             "asce7-05", {"s_ds": 1, "hazard": "design"}, 0.05, "", "", 0.067, (0.0, 1.0), (1 / 3, 1)
@@ -174,7 +174,7 @@ def test_a_contact_comes_back_as_lines_and_is_none_in_older_files() -> None:
     written = dumps(results())
     (sheet,) = loads(written).mechanisms[0].contact_sheets
     assert isinstance(sheet, ContactSheet)
-    assert sheet.steps[0].inputs == (calculation_step.Input("m", 1.0, "mass"),)
+    assert sheet.steps[0].inputs == (calculation_sheet.Input("m", 1.0, "mass"),)
     older = json.loads(written)
     del older["mechanisms"][0]["contact_sheets"]
     assert loads(json.dumps(older)).mechanisms[0].contact_sheets == ()

@@ -11,8 +11,16 @@ from pathlib import Path
 import pytest
 
 from assess.results import Input
-from assess.results.program import PACKAGES, describe_program, licence_of, origin_of, package_folder, sources_digest
-from assess.results.stamp import stamp, this_program
+from assess.results.inputs import (
+    PACKAGES,
+    describe_program,
+    licence_of,
+    origin_of,
+    package_folder,
+    sources_digest,
+    stamp,
+    this_program,
+)
 from tests.support.places import ROOT, SOURCES
 
 

@@ -12,9 +12,9 @@ import pytest
 
 from assess import results as tree
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.short_repr import ShortRepr
-from assess.study.run import run
+from assess.study.run import run_study
 from tests.support.projects import EC8, block, project_toml, wall
 
 PROJECT = project_toml(
@@ -52,7 +52,7 @@ def pieces(value: Any) -> Iterator[Any]:
 def test_every_piece_of_a_run_has_a_repr_of_one_short_line(tmp_path: Path) -> None:
     file = tmp_path / "project.toml"
     file.write_text(PROJECT)
-    found = list(pieces(run(build(load(file)), jobs=1)))
+    found = list(pieces(run_study(build(load(file)), jobs=1)))
     kinds = {type(each).__name__ for each in found}
     assert {"Results", "Trace", "BranchCurve", "EnvelopeResult", "Check", "Message"} <= kinds
     long = {type(each).__name__ for each in found if len(repr(each)) >= 200 or "\n" in repr(each)}

@@ -15,18 +15,18 @@ import assess.examples
 from assess.codes.verdict import Decision
 from assess.errors import AssessError
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results import Results, SweepResult
 from assess.results.json import dumps
 from assess.results.table import TABLES, table
-from assess.study.run import run
+from assess.study.run import run_study
 
 PROJECT = Path(assess.examples.__file__).parent / "projects" / "single_wall" / "project.toml"
 
 
 @pytest.fixture(scope="module")
 def results() -> Results:
-    return run(build(load(PROJECT)), jobs=1)
+    return run_study(build(load(PROJECT)), jobs=1)
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,7 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import CensoredData, norm
 
-from assess.risk.censored import fit_firsts
-from assess.risk.lognormal import Lognormal
+from assess.risk.lognormal import Lognormal, fit_first_exceedances
 
 
 def sample(seed, records=40):
@@ -25,7 +24,7 @@ def test_exact_values_give_mean_and_standard_deviation_of_logarithms():
 
 def fit_first(stands, reaches):
     """The lognormal of all records, each counted once."""
-    (median,), (dispersion,) = fit_firsts(np.asarray(stands), np.asarray(reaches), np.ones((1, len(stands))))
+    (median,), (dispersion,) = fit_first_exceedances(np.asarray(stands), np.asarray(reaches), np.ones((1, len(stands))))
     return Lognormal(median, dispersion)
 
 
@@ -82,6 +81,6 @@ def test_counts_are_records_repeated():
     stands, reaches = np.append(0.0, scales)[at], np.append(scales, np.inf)[at]
     counts = np.array([[0, 1, 2, 0, 1, 1, 3, 0, 1, 1]], dtype=float)
     repeated = np.repeat(np.arange(10), counts[0].astype(int))
-    median, dispersion = fit_firsts(stands, reaches, counts)
+    median, dispersion = fit_first_exceedances(stands, reaches, counts)
     fit = fit_first(stands[repeated], reaches[repeated])
     np.testing.assert_allclose([median[0], dispersion[0]], [fit.median, fit.dispersion], rtol=1e-8)

@@ -10,12 +10,9 @@ import numpy as np
 import pytest
 from scipy.stats import lognorm
 
-from assess.risk.exports.csv import csv_text
-from assess.risk.exports.curve import ExportedCurve, ExportedState
-from assess.risk.exports.nrml import nrml_text
-from assess.risk.exports.pelicun import pelicun_text
+from assess.risk.empirical import wilson_interval
+from assess.risk.exports import ExportedCurve, ExportedState, csv_text, nrml_text, pelicun_text
 from assess.risk.lognormal import Lognormal
-from assess.risk.wilson import wilson
 
 NAME = '{http://openquake.org/xmlns/nrml/0.5}'  # fmt: skip
 HOSTILE = "=cmd|'/c calc'!A1 <wall> & \"6\"\x07"
@@ -24,7 +21,7 @@ MILD, SEVERE = Lognormal(0.15, 0.30), Lognormal(0.40, 0.45)
 
 def state(name, lognormal, reached=(0, 0, 3, 6, 9)):
     intensity, records = np.array([0.05, 0.1, 0.2, 0.3, 0.5]), np.full(5, 10)
-    low, high = wilson(reached, records)
+    low, high = wilson_interval(reached, records)
     return ExportedState(name, lognormal, intensity, records, np.array(reached), low, high)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from assess.errors import HazardError
-from assess.risk.empirical import Empirical
+from assess.risk.empirical import EmpiricalCurve
 from assess.risk.hazard import HazardCurve, probability_of, rate
 from assess.risk.lognormal import Lognormal
 
@@ -63,7 +63,7 @@ def test_empirical_curve_is_integrated_between_its_points():
     slopes = np.diff(share) / np.diff(u)
     parts = share[:-1] * level(im[:-1]) - share[1:] * level(im[1:]) + slopes / k * (level(im[:-1]) - level(im[1:]))
     closed = parts.sum() + share[-1] * (level(0.8) - level(10.0))
-    curve = Empirical(im, share)
+    curve = EmpiricalCurve(im, share)
     assert rate(curve.probability, hazard, breaks=curve.intensity).annual_rate == pytest.approx(closed, rel=1e-6)
     assert rate(curve.probability, hazard).annual_rate == pytest.approx(closed, rel=1e-4)
 
@@ -109,7 +109,7 @@ def test_rows_are_copies_that_cannot_change():
 def test_a_steep_first_interval_leaves_a_number_below_it():
     """Its slope, 43, makes rates of far smaller motions more than floats hold, and 0 times that is no number."""
     hazard = HazardCurve([0.15, 0.16, 0.30], [1 / 30, 1 / 475, 4e-4])
-    step = Empirical(np.array([1e-9, 0.2]), np.array([0.0, 1.0]))
+    step = EmpiricalCurve(np.array([1e-9, 0.2]), np.array([0.0, 1.0]))
     for probability in (Lognormal(0.4, 0.5).probability, Lognormal(0.4, 2.0).probability, step.probability):
         assert rate(probability, hazard).below >= 0.0
 

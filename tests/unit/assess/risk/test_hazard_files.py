@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from assess.errors import HazardError
-from assess.risk.hazard_files import read_hazard
+from assess.risk.hazard import read_hazard
 
 NEW = """\
 #,,,,"generated_by='OpenQuake engine 3.18.0', start_date='2023-10-03T06:09:08', checksum=2107362341, kind='mean', \

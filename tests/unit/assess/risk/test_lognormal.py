@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import binom, lognorm
 
-from assess.risk.lognormal import Lognormal, Unbounded, fit_lognormal, fit_lognormals, unbounded_reason
+from assess.risk.lognormal import Lognormal, UnboundedReason, fit_lognormal, fit_lognormals, unbounded_reason
 
 STRIPES = np.geomspace(0.05, 2.0, 12)
 TRUE = Lognormal(0.4, 0.45)
@@ -73,13 +73,13 @@ def test_unit_of_intensity_goes_through():
 @pytest.mark.parametrize(
     ("reached", "reason"),
     [
-        ([0, 0, 0, 0], Unbounded.NONE_REACH),
-        ([10, 10, 10, 10], Unbounded.ALL_REACH),
-        ([0, 0, 10, 10], Unbounded.SEPARATED),
-        ([0, 0, 0, 3], Unbounded.SEPARATED),
-        ([0, 4, 10, 10], Unbounded.SEPARATED),
-        ([10, 10, 0, 0], Unbounded.FALLING),
-        ([8, 5, 3, 1], Unbounded.FALLING),
+        ([0, 0, 0, 0], UnboundedReason.NONE_REACH),
+        ([10, 10, 10, 10], UnboundedReason.ALL_REACH),
+        ([0, 0, 10, 10], UnboundedReason.SEPARATED),
+        ([0, 0, 0, 3], UnboundedReason.SEPARATED),
+        ([0, 4, 10, 10], UnboundedReason.SEPARATED),
+        ([10, 10, 0, 0], UnboundedReason.FALLING),
+        ([8, 5, 3, 1], UnboundedReason.FALLING),
         ([0, 1, 9, 10], None),
         ([2, 9, 5, 10], None),
     ],
@@ -91,7 +91,7 @@ def test_what_data_do_not_bound_is_no_curve(reached, reason):
 
 
 def test_one_intensity_bounds_nothing():
-    assert unbounded_reason([0.2, 0.2], [3, 4], [10, 10]) == Unbounded.ONE_INTENSITY
+    assert unbounded_reason([0.2, 0.2], [3, 4], [10, 10]) == UnboundedReason.ONE_INTENSITY
     assert fit_lognormal([0.2, 0.2], [3, 4], [10, 10]) is None
 
 

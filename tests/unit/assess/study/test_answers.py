@@ -14,9 +14,9 @@ from assess.codes.context import Building
 from assess.codes.registry import PROCEDURES
 from assess.errors import ProcedureError
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.answers import answers
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.study.checks import answers
+from assess.study.run import run_study
 from assess.study.study import Study
 from tests.support.command import ended
 
@@ -72,7 +72,7 @@ procedures = {PROCEDURES_OF_WALLS if records else [name for name in PROCEDURES_O
 def compare(file: Path, procedures: list[str], **given: object) -> tuple[list[Check], list[Check], Study]:
     """The checks of the run of a project, unmarked, and those of the same procedures in Python."""
     study = build(load(file))
-    (result,), (mechanism,) = run(study, jobs=1).mechanisms, study.mechanisms
+    (result,), (mechanism,) = run_study(study, jobs=1).mechanisms, study.mechanisms
     wanted = [replace(check, role="comparison") for check in result.checks if check.procedure in procedures]
     assert study.spectrum is not None
     return wanted, list(answers(mechanism, study.spectrum, procedures=procedures, **given)), study  # type: ignore[arg-type]

@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.oscillator import Oscillator, SingleBlock, elastic_frequency, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, elastic_frequency, plain_branch
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results import Results
-from assess.study.coarse_records import coarse_record_messages, longest_step
 from assess.study.envelopes import EnvelopeCase
-from assess.study.motions import ScaledRecord
-from assess.study.run import run
+from assess.study.run import coarse_record_messages, longest_step, run_study
+from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling
 from tests.support.projects import ASCE7, block, project_toml, wall
@@ -34,7 +33,7 @@ PROJECT = project_toml(
 
 
 def block(p: float) -> Oscillator:
-    side = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / p**2), restitution=0.9)
+    side = plain_branch(RockingBlock(1.0, 1.0, 0.2, g / p**2), restitution=0.9)
     return Oscillator(side, side, 1.0)
 
 
@@ -68,7 +67,7 @@ def results(folder: Path, *, dt: float) -> Results:
     rows = "\n".join(f"{t:.6f},{a:.6f}" for t, a in zip(time, np.sin(4.0 * time), strict=True))
     (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
     (folder / "project.toml").write_text(PROJECT)
-    return run(build(load(folder)))
+    return run_study(build(load(folder)))
 
 
 def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path) -> None:

@@ -14,23 +14,33 @@ from assess.dynamics.history import Jobs, peaks, trace_with_events
 from assess.geometry.planar import planar_body_from_values
 from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.face import Face
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
 from assess.results import Control, HistoryResult, Results
 from assess.results.json import dumps
-from assess.study.controls.convergence import convergence_control, every_second
-from assess.study.controls.energy import Balance, balance, energy_control, sampled_finely, stores_of
-from assess.study.controls.equilibrium import equilibrium_controls
-from assess.study.controls.governing import GoverningHistory
-from assess.study.controls.hand_multiplier import moment_multiplier, multiplier_control
-from assess.study.controls.outcome import TOLERANCE, warnings_of
-from assess.study.run import run
-from assess.study.study import Equation
+from assess.study.controls import (
+    CONTROL_TOLERANCE,
+    control_warnings,
+    equilibrium_controls,
+    moment_multiplier,
+    multiplier_control,
+)
+from assess.study.history_controls import (
+    EnergyBalance,
+    GoverningHistory,
+    branch_energies,
+    convergence_control,
+    energy_balance,
+    energy_control,
+    every_second,
+    sampled_finely,
+)
+from assess.study.run import run_study
+from assess.study.study import EquationOfMotion
 from tests.support.motions import noise, write_noise
 from tests.support.projects import ASCE7, block, project_toml, published, study_of
 
@@ -96,7 +106,7 @@ def motion():
     return noise(7, npts=900, dt=0.01, peak=5.0, smooth=31, bell=1.0)
 
 
-def governing(oscillator: Oscillator, *, scale: float, equation: Equation = "exact") -> GoverningHistory:
+def governing(oscillator: Oscillator, *, scale: float, equation: EquationOfMotion = "exact") -> GoverningHistory:
     job = Jobs(np.zeros(1, int), np.zeros(1, int), np.array([scale]))
     found = peaks([oscillator], [motion()], job, equation=equation, threads=1)
     over = bool(found.overturned[0])
@@ -190,14 +200,14 @@ def test_a_wrong_mass_and_a_wrong_restitution_show_in_the_energy() -> None:
     path, events = trace_with_events(mechanism.oscillator, motion(), scale=0.45, equation="exact")
     side = replace(mechanism.oscillator.positive, restitution=0.89)
     bouncy = replace(mechanism.oscillator, positive=side, negative=side)
-    sides = stores_of(mechanism, mechanism.oscillator, "exact")
-    right = balance(path, events, mechanism.oscillator, sides, motion(), scale=0.45)
-    wrong = balance(path, events, bouncy, sides, motion(), scale=0.45)
+    sides = branch_energies(mechanism, mechanism.oscillator, "exact")
+    right = energy_balance(path, events, mechanism.oscillator, sides, motion(), scale=0.45)
+    wrong = energy_balance(path, events, bouncy, sides, motion(), scale=0.45)
     assert off(right) < 1e-7
-    assert off(wrong) > 10 * TOLERANCE["energy"]
+    assert off(wrong) > 10 * CONTROL_TOLERANCE["energy"]
 
 
-def off(found: Balance) -> float:
+def off(found: EnergyBalance) -> float:
     worst = found.worst
     return float(abs(found.energy + found.lost - found.work)[worst] / found.energy.max())
 
@@ -268,7 +278,7 @@ def test_every_second_node_is_kept_and_jumps_stay() -> None:
 def results_of(folder: Path, *, jobs: int = 1, **tables) -> Results:
     write_noise(folder / "a.csv", amplitude=4.0)
     given = {"records": {"files": ["a.csv"]}, "site": {"limit_state": "DBE", "spectrum": ASCE7}} | tables
-    return run(study_of(folder, project_toml(**given)), jobs=jobs)
+    return run_study(study_of(folder, project_toml(**given)), jobs=jobs)
 
 
 MECHANISMS = {
@@ -317,7 +327,7 @@ def test_a_wrong_multiplier_of_moved_hinges_shows_in_their_reactions(
         )
 
     assert all(each.met for each in equilibrium_controls(soft, soft.oscillator))
-    monkeypatch.setattr("assess.study.controls.equilibrium.hinge_forces", faster)
+    monkeypatch.setattr("assess.study.controls.hinge_forces", faster)
     vertical, horizontal = equilibrium_controls(soft, soft.oscillator)
     assert (vertical.met, horizontal.met) == (True, False)
 
@@ -348,8 +358,8 @@ def test_a_swept_mechanism_is_controlled_in_its_controlling_case(tmp_path: Path)
 
 
 def test_a_control_that_fails_warns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(TOLERANCE, "energy", -1.0)  # type: ignore[misc]
+    monkeypatch.setitem(CONTROL_TOLERANCE, "energy", -1.0)  # type: ignore[misc]
     found = results_of(tmp_path)
     (said,) = [each for each in found.warnings if each.key.startswith("control-")]
     assert (said.key, said.where, said.severity) == ("control-energy-lost", "wall", "warning")
-    assert warnings_of(found.controls) == (said,)
+    assert control_warnings(found.controls) == (said,)

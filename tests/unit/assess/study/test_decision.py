@@ -10,11 +10,10 @@ import pytest
 from assess.codes.verdict import Verdict
 from assess.examples import EXAMPLES, copy_example
 from assess.project.build import build, build_to_decide
-from assess.project.schema import load
-from assess.study import decision
-from assess.study.decision import find_verdict
-from assess.study.motions import motions_of
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.study import run
+from assess.study.record_set import motions_of
+from assess.study.run import find_verdict, run_study
 from tests.support.projects import NTC, project_toml
 
 
@@ -35,7 +34,7 @@ def test_verdict_alone_is_that_of_the_run(name: str, tmp_path: Path) -> None:
         pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
     project = replace(load(copy_example(name, tmp_path / name)), variations=())
     study = replace(build(project), pulses=None, variables=())
-    assert without_limit(find_verdict(build_to_decide(project))) == without_limit(run(study).verdict)
+    assert without_limit(find_verdict(build_to_decide(project))) == without_limit(run_study(study).verdict)
 
 
 @pytest.mark.parametrize(
@@ -63,7 +62,7 @@ def test_motions_are_made_where_they_decide_alone(
         )
     )
     project = load(tmp_path)
-    whole, made = run(build(project)).verdict, []
-    monkeypatch.setattr(decision, "motions_of", lambda *given, **more: made.append(1) or motions_of(*given, **more))
+    whole, made = run_study(build(project)).verdict, []
+    monkeypatch.setattr(run, "motions_of", lambda *given, **more: made.append(1) or motions_of(*given, **more))
     assert find_verdict(build_to_decide(project)) == whole
     assert bool(made) is asked

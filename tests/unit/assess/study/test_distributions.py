@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from assess.results.uncertainty import Distribution, UncertainInput
-from assess.study.distributions import share_cut_off, values_at
-from assess.study.study import Sampled
+from assess.results.variations import Distribution, UncertainInput
+from assess.study.study import SampledNumber
+from assess.study.uncertainty import share_cut_off, values_at
 
 EVEN = (np.arange(200_000) + 0.5) / 200_000
 
 
-def number(kind: Distribution, mean: float, cov: float, *, least: float = 0.0, most: float = inf) -> Sampled:
-    return Sampled(UncertainInput("key", "-", mean, cov, kind, "key"), least, most, ("wall",))
+def number(kind: Distribution, mean: float, cov: float, *, least: float = 0.0, most: float = inf) -> SampledNumber:
+    return SampledNumber(UncertainInput("key", "-", mean, cov, kind, "key"), least, most, ("wall",))
 
 
 @pytest.mark.parametrize("kind", ["normal", "lognormal", "uniform"])

@@ -11,12 +11,12 @@ from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.families import FAMILIES
 from assess.errors import AssessError
+from assess.study.checks import checks_without_scan
 from assess.study.context import context_of
-from assess.study.envelope_run import envelope
-from assess.study.parameters import parameters
-from assess.study.rocking_case import RockingHistories
-from assess.study.run import run
-from assess.study.sensitivity import check_case
+from assess.study.envelopes import run_envelopes
+from assess.study.histories import RockingHistories
+from assess.study.mechanism_results import parameters
+from assess.study.run import run_study
 from tests.support import projects
 from tests.support.projects import NTC, block, lines, project_toml, wall
 
@@ -157,7 +157,7 @@ def test_a_tie_that_nobody_vouches_for_does_not_keep_a_wall_from_rocking_at_slv(
 
     def index(*loads):
         study = replace(study_of(tmp_path, *loads, sides="one"), procedures=(method,))
-        check = check_case(study, study.spectrum, (), jobs=1)[0]
+        check = checks_without_scan(study, study.spectrum, (), jobs=1)[0]
         return check.safety_index, [each.key for each in check.conditions]
 
     bare = index()
@@ -169,7 +169,7 @@ def test_a_tie_that_nobody_vouches_for_does_not_keep_a_wall_from_rocking_at_slv(
 def standing_by_its_tie(tmp_path_factory):
     """A thrust that the wall cannot take, with a tie nobody vouches for."""
     study = study_of(tmp_path_factory.mktemp("unheld"), THRUST, tie())
-    return study, run(study, jobs=1)
+    return study, run_study(study, jobs=1)
 
 
 def test_a_wall_that_stands_by_its_tie_alone_is_not_answered_by_displacements(standing_by_its_tie):
@@ -197,4 +197,4 @@ def test_the_rest_of_it_is_printed(standing_by_its_tie):
     assert mechanism.oscillator.uplift_multiplier > 0.0
     assert mechanism.deciding_curve is None
     assert study.mechanisms[0].variants.depends_on == ("tie 2",)
-    assert envelope(study, jobs=1).mechanisms[0].envelope is None
+    assert run_envelopes(study, jobs=1).mechanisms[0].envelope is None

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import FirstMode, ModalFilter, base_motion
+from assess.amplification import FirstMode, ModalFilter, base_motion
 from assess.codes.context import Building
-from assess.study.floor_input import broaden, floor_spectrum
-from assess.study.motions import ScaledRecord
+from assess.study.context import broaden, floor_spectrum
+from assess.study.study import ScaledRecord
 from records.record import scale
 from records.response import response_spectrum
 from records.scaling import Scaling
-from records.synthetic import artificial
+from records.synthetic import artificial_records
 from spectra.asce7 import design_spectrum
 
 GROUND = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
@@ -26,7 +26,7 @@ HOUSE = Building(height=9.0, storeys=3, period=0.3, damping=0.05)
 
 @pytest.fixture(scope="module")
 def motions() -> tuple[ScaledRecord, ...]:
-    records = artificial(GROUND, count=5, seed=2, duration=12.0, threads=1)
+    records = artificial_records(GROUND, count=5, seed=2, duration=12.0, threads=1)
     return tuple(ScaledRecord(record, Scaling(1.0 + 0.1 * place, 0.0)) for place, record in enumerate(records))
 
 

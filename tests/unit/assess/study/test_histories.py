@@ -8,16 +8,23 @@ from math import inf
 import numpy as np
 import pytest
 
-from assess.amplification.floor_motion import Unamplified, base_motion
-from assess.codes.numerical_spread import draw_values, share_upright
+from assess.amplification import Unamplified, base_motion
+from assess.codes.histories import draw_values, share_upright
 from assess.dynamics.history import Jobs, peaks
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from assess.study.histories import run_histories, run_levels, with_governing_trace
-from assess.study.history_levels import level_solver, suites_of, with_restitution_factor
-from assess.study.history_scan import SCAN_STEP, scan_levels
-from assess.study.motions import ScaledRecord
-from assess.study.numerical_spread import FACTORS
-from assess.study.rocking_case import RockingCase
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
+from assess.study.histories import (
+    SCAN_STEP,
+    TWIN_FACTORS,
+    RockingCase,
+    level_solver,
+    run_histories,
+    run_levels,
+    scan_levels,
+    suites_of,
+    with_governing_trace,
+    with_restitution_factor,
+)
+from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling
 
@@ -33,8 +40,8 @@ def noise(seed: int) -> ScaledRecord:
 
 
 MOTIONS = tuple(noise(seed) for seed in range(4))
-ONE = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
-OTHER = plain_branch(SingleBlock(1.0, 2.0, 0.25, 16.0 / 3.0), restitution=0.9)
+ONE = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
+OTHER = plain_branch(RockingBlock(1.0, 2.0, 0.25, 16.0 / 3.0), restitution=0.9)
 SYMMETRIC, UNLIKE = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0)
 
 
@@ -141,7 +148,7 @@ def test_twins_that_a_scan_leaves_out_change_no_share(body):
 
 def test_a_scan_runs_the_twins_of_records_that_hardly_rock():
     """Under 25 s of noise: a history of less than a tenth of overturning, with a twin of more than four times that."""
-    side = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.98)
+    side = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.98)
     motions = tuple(long_noise(seed) for seed in range(40, 60))
     base = tuple(base_motion(Unamplified(), motion.record) for motion in motions)
     scan = scan_levels(RockingCase("m", Oscillator(side, side, 1.0), "exact", base), motions, site_pga=PGA, threads=1)
@@ -154,16 +161,16 @@ def test_a_twin_is_the_same_record_with_its_pga_times_one_and_a_little():
     """Each twin run by itself, as a record scaled by its factor."""
     (histories,) = asked(UNLIKE, (3.5,)).histories
     for place, one in enumerate(histories):
-        for factor, ratio in zip(FACTORS, one.twin_ratios, strict=True):
+        for factor, ratio in zip(TWIN_FACTORS, one.twin_ratios, strict=True):
             alone = asked(UNLIKE, (3.5 * factor,)).histories[0][place].max_rotation_ratio
             assert ratio == (None if alone is None else pytest.approx(alone, rel=1e-6))
-    assert sorted(np.round(np.log10(np.abs(FACTORS[1:] - 1.0)))) == [-6, -6, -5, -5, -4, -4, -3, -3]
+    assert sorted(np.round(np.log10(np.abs(TWIN_FACTORS[1:] - 1.0)))) == [-6, -6, -5, -5, -4, -4, -3, -3]
 
 
 @pytest.mark.parametrize(("restitution", "first"), [(0.95, 30), (0.98, 30)])
 def test_a_chaotic_capacity_is_told_as_an_interval_that_covers_its_twins(restitution, first):
     """Bodies that lose little at impacts, under 25 s of noise: each twin of all records, scanned by itself."""
-    side = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=restitution)
+    side = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=restitution)
     motions = tuple(long_noise(seed) for seed in range(first, first + 5))
     base = tuple(base_motion(Unamplified(), motion.record) for motion in motions)
     case = RockingCase("m", Oscillator(side, side, 1.0), "exact", base)
@@ -171,7 +178,7 @@ def test_a_chaotic_capacity_is_told_as_an_interval_that_covers_its_twins(restitu
     sure, low = (last_before(scan, share) for share in (0.84, 0.16))
     solve = level_solver(case, motions, site_pga=PGA, threads=1)
     ends = set()
-    for factor in FACTORS:
+    for factor in TWIN_FACTORS:
         means = [suite.mean for suite in suites_of(solve([suite.pga * factor for suite in scan], "none"))]
         ends.add(scan[next(n for n, mean in enumerate(means) if mean is None or mean > 0.5) - 1].pga)
     assert len(ends) > 1

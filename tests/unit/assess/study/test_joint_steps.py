@@ -9,13 +9,12 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import quad
 
-from assess.codes.calculation_step import Step, substitute
-from assess.interfaces.shapes import annulus, hollow_rectangle, rectangle
-from assess.interfaces.stress_integrals import stress_integrals
+from assess.codes.calculation_sheet import Step, substitute
+from assess.interfaces.section import annulus, hollow_rectangle, rectangle, stress_integrals
 from assess.project.build import build
-from assess.project.schema import load
+from assess.project.project_file import load
 from assess.results import MechanismResult
-from assess.study.parameters import parameters
+from assess.study.mechanism_results import parameters
 from tests.languages.fixed_terms import fixed_terms
 from tests.support.sheets import of_formula
 from tests.unit.assess.model.test_joints import ARCH, LEGS, SINGLE, STONE

@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.history_levels import with_restitution_factor
-from assess.study.motions import motions_of
-from assess.study.pulse_envelope import envelope
-from assess.study.response import respond
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.study.envelopes import find_envelope
+from assess.study.histories import respond, with_restitution_factor
+from assess.study.record_set import motions_of
+from assess.study.run import run_study
 from records.errors import RecordError
 from records.record import make_record
 from tests.support.projects import EC8, block, project_toml, wall
@@ -37,7 +36,7 @@ PROJECT = project_toml(
         },
     },
 )
-BRANCH = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
+BRANCH = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
 BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
 
 
@@ -45,7 +44,7 @@ def test_the_same_numbers_as_from_a_run(tmp_path: Path) -> None:
     file = tmp_path / "project.toml"
     file.write_text(PROJECT)
     study = build(load(file))
-    (found,) = run(study, jobs=1).mechanisms
+    (found,) = run_study(study, jobs=1).mechanisms
     assert study.spectrum is not None
     records = {each.record.id: each.record for each in motions_of(study, study.spectrum)}
     oscillator = study.mechanisms[0].variants.deciding
@@ -63,7 +62,7 @@ def test_the_same_numbers_as_from_a_run(tmp_path: Path) -> None:
     pulses = found.envelope
     assert pulses is not None
     amplitude = np.linspace(0.0, 2.0 * g, 4)
-    made = envelope(oscillator, "sine", frequency=pulses.frequency_hz, amplitude=amplitude, threads=1)
+    made = find_envelope(oscillator, "sine", frequency=pulses.frequency_hz, amplitude=amplitude, threads=1)
     assert tuple(map(tuple, made.overturned.tolist())) == pulses.overturned
     assert tuple(None if np.isnan(b) else b for b in (made.lower_bound / g).tolist()) == pulses.lower_bound_g
 
@@ -89,4 +88,4 @@ def test_a_motion_that_overturns_has_no_largest_rotation() -> None:
 
 def test_an_unknown_pulse_is_an_error_that_lists_the_known_ones() -> None:
     with pytest.raises(RecordError, match=r"'sin': no such shape; known are sine, cosine"):
-        envelope(BLOCK, "sin", frequency=[1.0], amplitude=[1.0])
+        find_envelope(BLOCK, "sin", frequency=[1.0], amplitude=[1.0])

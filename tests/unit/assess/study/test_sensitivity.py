@@ -11,11 +11,12 @@ import trimesh
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.schema import json_schema, load
-from assess.results import Resolved, Results, SensitivityResult
+from assess.project.json_schema import json_schema
+from assess.project.project_file import load
+from assess.results import ResolvedValue, Results, SensitivityResult
 from assess.results.json import dumps, loads
-from assess.study.run import run
-from assess.study.study import Unvaried, Variable
+from assess.study.run import run_study
+from assess.study.study import UnvariedNumber, Variable
 from tests.support.motions import write_noise
 from tests.support.projects import project_toml, study_of, wall
 
@@ -55,12 +56,12 @@ def only(table: str, **shares: object) -> str:
 def test_without_the_table_nothing_is_varied(folder: Path) -> None:
     assert study_of(folder, PROJECT).variables == ()
     assert study_of(folder, asked("false")).variables == ()
-    assert run(study_of(folder, PROJECT)).sensitivity == ()
+    assert run_study(study_of(folder, PROJECT)).sensitivity == ()
 
 
 def test_capacity_of_a_plain_block_is_proportional_to_thickness_and_free_of_density(folder: Path) -> None:
     """The linear check compares with lambda = t / h, whatever the density: a closed form."""
-    results = run(study_of(folder, asked('{ thickness = "3 cm", density = 0.2 }')))
+    results = run_study(study_of(folder, asked('{ thickness = "3 cm", density = 0.2 }')))
     (thick,) = rows_of(results, "thickness", CAPACITY, "dmi2008-linear")
     assert (thick.unit, thick.base, thick.level_pga_g) == ("m", pytest.approx(0.6, rel=1e-12), None)
     assert thick.at_base is not None
@@ -80,9 +81,9 @@ def test_capacity_of_a_plain_block_is_proportional_to_thickness_and_free_of_dens
 
 def test_what_decides_is_told_by_its_index(folder: Path) -> None:
     """Demand over capacity of the approximate method at the site's own PGA; without a basis there is none."""
-    assert not rows_of(run(study_of(folder, asked("true"))), "thickness", "index", "asce43-05-spectrum")
+    assert not rows_of(run_study(study_of(folder, asked("true"))), "thickness", "index", "asce43-05-spectrum")
     basis = '[verdict]\nbasis = "asce43-05"\nprocedures = ["asce43-05-spectrum"]\n[site]\nlimit_state = "DBE"\n'
-    results = run(study_of(folder, asked('{ thickness = "3 cm" }', project=basis + PROJECT)))
+    results = run_study(study_of(folder, asked('{ thickness = "3 cm" }', project=basis + PROJECT)))
     (index,) = rows_of(results, "thickness", "index", "asce43-05-spectrum")
     ratio = next(row for row in rows_of(results, "thickness", RATIO, "asce43-05-spectrum") if row.role == "deciding")
     assert (index.index, index.level_pga_g) == ("D/C", 0.2)
@@ -97,7 +98,7 @@ def test_a_share_of_nothing_changes_nothing(folder: Path) -> None:
     """At share 0 both sides are the mechanism as assessed: to the last digit at keys, to rounding for the thickness."""
     project = PROJECT.replace('["asce43-05-spectrum", "dmi2008-linear"]', '["asce43-05-history", "dmi2008-linear"]')
     joint = 'blocks = ["wall"]\ninterface = { model = "flexible", stiffness = "1 GPa/m", strength = "1 MPa" }'
-    results = run(study_of(folder, asked("{ vary = 0 }", project=project.replace('blocks = ["wall"]', joint))))
+    results = run_study(study_of(folder, asked("{ vary = 0 }", project=project.replace('blocks = ["wall"]', joint))))
     found = {row.parameter for row in results.sensitivity}
     assert found == {"thickness", "density", "compressive_strength", "stiffness", "restitution"}
     for row in results.sensitivity:
@@ -113,7 +114,7 @@ def test_a_tie_holds_in_proportion_to_its_force(folder: Path) -> None:
     """Moments about the edge: lambda = (W t/2 + F z) / (W h/2), F constant and horizontal at elevation z."""
     loads_ = 'loads = [{ kind = "tie", force = "20 kN", at = [0, 4], direction = [-1, 0] }]'
     tie = f'blocks = ["wall"]\nsides = "one"\n{loads_}'
-    results = run(
+    results = run_study(
         study_of(folder, asked(only("{ tie_force = 0.25 }"), project=PROJECT.replace('blocks = ["wall"]', tie)))
     )
     (row,) = rows_of(results, "tie_force", CAPACITY, "dmi2008-linear")
@@ -125,12 +126,14 @@ def test_a_tie_holds_in_proportion_to_its_force(folder: Path) -> None:
 
 def test_a_case_is_the_project_with_that_number(folder: Path) -> None:
     project = PROJECT.replace('["asce43-05-spectrum", "dmi2008-linear"]', '["asce43-05-history", "dmi2008-linear"]')
-    results = run(study_of(folder, asked("{ thickness = 0.1, restitution = 0.02 }", project=project)))
-    thick = run(study_of(folder, project.replace("thickness = 0.6", "thickness = 0.66")))
+    results = run_study(study_of(folder, asked("{ thickness = 0.1, restitution = 0.02 }", project=project)))
+    thick = run_study(study_of(folder, project.replace("thickness = 0.6", "thickness = 0.66")))
     row = rows_of(results, "thickness", RATIO, "dmi2008-linear")[-1]
     assert row.at_high == pytest.approx(thick.mechanisms[0].checks[-1].ratio, rel=1e-9)
     row = rows_of(results, "restitution", RATIO, "asce43-05-history")[-1]
-    lossy = run(study_of(folder, project.replace('blocks = ["wall"]', f'blocks = ["wall"]\nrestitution = {row.low!r}')))
+    lossy = run_study(
+        study_of(folder, project.replace('blocks = ["wall"]', f'blocks = ["wall"]\nrestitution = {row.low!r}'))
+    )
     assert row.at_low == next(c for c in lossy.mechanisms[0].checks[::-1] if c.procedure == row.procedure).ratio
     assert rows_of(results, "restitution", CAPACITY, "asce43-05-history") == []  # no scan
 
@@ -140,7 +143,7 @@ def test_a_mesh_is_made_thicker_as_a_box_is(folder: Path) -> None:
     wall.apply_translation((7.0, 0.0, 2.25))
     wall.export(folder / "wall.stl")
     mesh = PROJECT.replace("box = { thickness = 0.6, length = 4.0, height = 4.5 }", 'mesh = "wall.stl"')
-    found = [run(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (PROJECT, mesh)]
+    found = [run_study(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (PROJECT, mesh)]
     for one, other in zip(*(results.sensitivity for results in found), strict=True):
         wanted = (one.low, one.high, one.at_low, one.at_base, one.at_high)
         np.testing.assert_allclose(
@@ -192,7 +195,7 @@ def test_an_equivalent_block_has_its_own_parameters(folder: Path) -> None:
         '[mechanisms.published]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.84\nrestitution = 0.97\n'
     )
     text = PROJECT.replace("[records]", f"{block}[records]")
-    results = run(study_of(folder, asked("{ vary = 0.1 }", project=text)))
+    results = run_study(study_of(folder, asked("{ vary = 0.1 }", project=text)))
     own = [row for row in results.sensitivity if row.mechanism == "published"]
     assert {row.parameter for row in own} == {"uplift", "p", "restitution"}
     (row,) = (
@@ -214,7 +217,7 @@ def test_what_cannot_be_varied_says_why(folder: Path) -> None:
         for old, new in changes:
             text = text.replace(old, new)
         variables = study_of(folder, asked("true", project=text) + extra).variables
-        return {each.parameter: each.why for each in variables if isinstance(each, Unvaried)}
+        return {each.parameter: each.why for each in variables if isinstance(each, UnvariedNumber)}
 
     wall = 'blocks = ["wall"]'
     assert "given as points" in why((wall, f"{wall}\nhinges = {{ A = [0.2, 0] }}"))["thickness"]
@@ -226,11 +229,11 @@ def test_what_cannot_be_varied_says_why(folder: Path) -> None:
     assert "by its sizes" in why((wall, shape))["thickness"]
     sweep = '[analysis.sweep]\nkey = "bodies.wall.box.height"\nvalues = [4, 5]\n'
     assert "parametric study" in why(extra=sweep)[""]
-    results = run(study_of(folder, asked("true") + sweep))
+    results = run_study(study_of(folder, asked("true") + sweep))
     assert [(row.quantity, row.base, row.procedure) for row in results.sensitivity] == [("", None, "")]
     assert results.sensitivity[0].remark.startswith("not varied: a parametric study")
     (large,) = study_of(folder, asked(only('{ thickness = "1 m" }'))).variables
-    assert isinstance(large, Unvaried)
+    assert isinstance(large, UnvariedNumber)
     assert "leaves nothing" in large.why
 
 
@@ -240,7 +243,7 @@ def test_a_case_that_cannot_be_assessed_is_told_and_the_others_stand(folder: Pat
     thrust = 0.95 * weight * 0.3 / 4.0
     loads_ = f'blocks = ["wall"]\nsides = "one"\nloads = [{{ kind = "force", force = [{thrust}, 0], at = [0, 4] }}]'
     text = asked(only("{ density = 0.1 }"), project=PROJECT.replace('blocks = ["wall"]', loads_))
-    rows = run(study_of(folder, text)).sensitivity
+    rows = run_study(study_of(folder, text)).sensitivity
     assert {row.verdict_low for row in rows} == {None}
     assert all("not assessed at the low value, 1800: " in row.remark and "\n" not in row.remark for row in rows)
     assert all(row.at_high is not None for row in rows if row.quantity == CAPACITY)
@@ -248,7 +251,7 @@ def test_a_case_that_cannot_be_assessed_is_told_and_the_others_stand(folder: Pat
 
 def test_a_sought_direction_is_kept(folder: Path) -> None:
     swept, plain = PROJECT.replace("direction = [1, 0, 0]", 'direction = "sweep"'), PROJECT
-    found = [run(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (swept, plain)]
+    found = [run_study(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (swept, plain)]
     assert found[0].mechanisms[0].direction_sweep is not None
     assert found[0].sensitivity == found[1].sensitivity
 
@@ -256,11 +259,11 @@ def test_a_sought_direction_is_kept(folder: Path) -> None:
 def test_the_bytes_do_not_depend_on_jobs_and_are_read_back(folder: Path) -> None:
     study = study_of(folder, asked("{ thickness = 0.05, restitution = 0.02 }"))
     stages: list[tuple[str, int, int]] = []
-    one, two = (run(study, jobs=n, progress=lambda *stage: stages.append(stage)) for n in (1, 2))
+    one, two = (run_study(study, jobs=n, progress=lambda *stage: stages.append(stage)) for n in (1, 2))
     assert dumps(one) == dumps(two)
     assert loads(dumps(one)).sensitivity == one.sensitivity
     assert ("sensitivity", 0, 3) in stages
-    plain = run(study_of(folder, PROJECT))
+    plain = run_study(study_of(folder, PROJECT))
     assert plain.stamp != one.stamp
     assert replace(one, sensitivity=()) == replace(plain, project=one.project, inputs=one.inputs, stamp=one.stamp)
 
@@ -291,9 +294,9 @@ def test_what_is_wrong_in_the_table_is_one_line(folder: Path, table: str, told: 
 def test_the_changes_stand_among_the_values_of_the_project(folder: Path) -> None:
     study = study_of(folder, asked('{ vary = 0.2, thickness = "2 cm", density = false }'))
     found = {key: each for key, each in study.resolved.items() if key.startswith("analysis.sensitivity.")}
-    assert found["analysis.sensitivity.thickness"] == Resolved([0.02, "m"], True)
-    assert found["analysis.sensitivity.density"] == Resolved(None, True)
-    assert found["analysis.sensitivity.friction"] == Resolved([0.2, "share"], False)
+    assert found["analysis.sensitivity.thickness"] == ResolvedValue([0.02, "m"], True)
+    assert found["analysis.sensitivity.density"] == ResolvedValue(None, True)
+    assert found["analysis.sensitivity.friction"] == ResolvedValue([0.2, "share"], False)
     percent = study_of(folder, asked('{ thickness = "2 %" }')).resolved
     assert percent["analysis.sensitivity.thickness"].value == [0.02, "share"]
 
@@ -314,9 +317,10 @@ def test_a_case_that_the_floor_governs_stands_beside_one_that_the_ground_governs
     sources = '[report.sources]\n"mechanisms.wall.loads" = "measured: it stays"'
     text = f"{sources}\n[building]\nheight = 8\nstoreys = 2\nperiod = 0.62\n{text}"
     ends = [
-        run(study_of(folder, text.replace("10 kN", force))).mechanisms[0].checks[-1] for force in ("10 kN", "19 kN")
+        run_study(study_of(folder, text.replace("10 kN", force))).mechanisms[0].checks[-1]
+        for force in ("10 kN", "19 kN")
     ]
     assert [check.input_at for check in ends] == ["ground", "mechanism base"]
-    results = run(study_of(folder, asked(only("{ loads = 0.9 }"), project=text)))
+    results = run_study(study_of(folder, asked(only("{ loads = 0.9 }"), project=text)))
     row = rows_of(results, "loads", RATIO, "dmi2008-nonlinear")[-1]
     assert (row.at_base, row.at_high) == tuple(pytest.approx(check.ratio, rel=1e-9) for check in ends)

@@ -10,15 +10,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import BaseMotion
+from assess.amplification import BaseMotion
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.history_scan import scan_levels
-from assess.study.motions import motions_of
-from assess.study.parameters import parameters
-from assess.study.rocking_case import RockingCase
-from assess.study.run import run
+from assess.project.project_file import load
+from assess.study.histories import RockingCase, scan_levels
+from assess.study.mechanism_results import parameters
+from assess.study.record_set import motions_of
+from assess.study.run import run_study
 from assess.study.study import Study
 from records.response import response_spectrum
 from tests.support import projects
@@ -75,7 +74,7 @@ def test_site_pga_scales_ordinates_and_keeps_corners(tmp_path):
 @pytest.mark.parametrize("scale_to", ["spectrum", "pga", "none"])
 def test_records_are_scaled_as_asked_and_levels_multiply(tmp_path, scale_to):
     study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "{scale_to}"', analysis='levels = ["0.1 g", "0.4 g"]')
-    results = run(study)
+    results = run_study(study)
     for used, raw in zip(results.records, study.records, strict=True):
         assert used.pga_g * g == pytest.approx(used.scale_factor * raw.pga, rel=1e-12)
         if scale_to == "pga":
@@ -97,7 +96,7 @@ def test_scaling_to_a_table_that_ends_early_uses_the_periods_it_has(tmp_path):
     own = response_spectrum(motion.record, period)
     expected = np.exp(np.mean(np.log(study.spectrum.acceleration(period) / own)))
     assert motion.scaling.factor == pytest.approx(expected, rel=1e-12)
-    assert run(study).mechanisms[0].checks  # nothing fails for the periods the table lacks
+    assert run_study(study).mechanisms[0].checks  # nothing fails for the periods the table lacks
 
 
 def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
@@ -125,7 +124,7 @@ def test_the_scan_of_a_mechanism_on_joints_rises_too(tmp_path):
 def test_results_do_not_depend_on_how_the_path_was_typed(tmp_path, monkeypatch):
     study_of(tmp_path)
     monkeypatch.chdir(tmp_path)
-    typed = [run(build(load(path))) for path in (".", str(tmp_path), tmp_path / "project.toml")]
+    typed = [run_study(build(load(path))) for path in (".", str(tmp_path), tmp_path / "project.toml")]
     assert typed[0] == typed[1] == typed[2]
     assert typed[0].records[0].path == "a.csv"
 
@@ -139,7 +138,7 @@ def test_two_records_of_one_name_are_told_apart(tmp_path):
 
 
 def test_one_history_of_each_mechanism_carries_its_trace(tmp_path):
-    results = run(study_of(tmp_path, analysis='levels = ["0.2 g", "0.4 g"]'))
+    results = run_study(study_of(tmp_path, analysis='levels = ["0.2 g", "0.4 g"]'))
     traced = [h for h in results.mechanisms[0].histories if h.trace is not None]
     (worst,) = traced
     assert worst.level_pga_g == pytest.approx(0.4)
@@ -150,7 +149,7 @@ def test_one_history_of_each_mechanism_carries_its_trace(tmp_path):
 
 
 def test_one_sided_histories_never_turn_the_other_way(tmp_path):
-    results = run(study_of(tmp_path, mechanism='sides = "one"', analysis='levels = ["0.5 g"]'))
+    results = run_study(study_of(tmp_path, mechanism='sides = "one"', analysis='levels = ["0.5 g"]'))
     (mechanism,) = results.mechanisms
     assert mechanism.oscillator_negative is None
     assert mechanism.curve.negative is None
@@ -226,7 +225,7 @@ def test_the_scan_on_flexible_joints_rises_from_a_level_that_moves_little(tmp_pa
 def test_parameters_need_no_site_and_agree_with_the_run(tmp_path):
     study = study_of(tmp_path)
     alone = parameters(dataclasses.replace(study, spectrum=None))
-    full = run(study).mechanisms
+    full = run_study(study).mechanisms
     assert [m.oscillator for m in alone] == [m.oscillator for m in full]
     assert full[0].interfaces[0]["normal_force_n"] == pytest.approx(0.6 * 4 * 4.5 * 2000 * g, rel=1e-12)
 
@@ -234,7 +233,7 @@ def test_parameters_need_no_site_and_agree_with_the_run(tmp_path):
 def test_a_level_that_fails_bounds_the_pga_at_capacity(tmp_path):
     study = study_of(tmp_path, analysis='levels = ["0.2 g", "0.6 g", "1.2 g"]')
     five = dataclasses.replace(study, records=study.records * 3)
-    checks = [c for c in run(five).mechanisms[0].checks if c.procedure == "asce43-05-history"]
+    checks = [c for c in run_study(five).mechanisms[0].checks if c.procedure == "asce43-05-history"]
     failing = [c.level_pga_g for c in checks if c.ratio is None or c.ratio > 1.0]  # two tones: not answered
     assert failing
     assert checks[0].capacity_pga_g < min(failing)
@@ -259,7 +258,7 @@ def test_loads_of_the_project_file_reach_the_oscillator_and_the_drawing(tmp_path
     assert mechanism.oscillator.mass_kg == pytest.approx(wall + 1700, rel=1e-12)
     assert [load.name for load in mechanism.drawing.loads] == ["mass 1", "mass 2", "force 3", "force 4", "tie 5"]
     assert mechanism.interfaces[0]["normal_force_n"] == pytest.approx((wall + 1200) * g + 1000, rel=1e-12)
-    assert len(run(study).mechanisms[0].checks) > 3
+    assert len(run_study(study).mechanisms[0].checks) > 3
 
 
 def test_direction_of_a_force_is_seen_in_the_plane_of_motion(tmp_path):
@@ -313,7 +312,7 @@ def test_an_inclined_cut_has_each_hinge_at_its_own_elevation(tmp_path):
     np.testing.assert_allclose(mechanism.negative.hinges[0], (0.3, 1.35), atol=1e-12)  # mirrored
     assert mechanism.elevation == pytest.approx(1.65, rel=1e-12)
     assert all("restitution" in notice.text for notice in study.messages if notice.key == "mechanism")
-    (shown,) = run(study).mechanisms
+    (shown,) = run_study(study).mechanisms
     np.testing.assert_allclose([h.at for h in shown.drawing.hinges], [(0.3, 1.65), (-0.3, 1.35)], atol=1e-12)
     assert shown.oscillator.mass_kg == pytest.approx(2000 * 0.6 * 4 * 3, rel=1e-12)
     onto_low, onto_high = mechanism.restitution  # onto the hinge nearer to the centroid it turns faster
@@ -330,7 +329,7 @@ def test_clauses_above_ground_apply_to_a_cut_wall(tmp_path):
     asked = 'procedures = ["dmi2008-linear"]'
     for cut, at_floor in (("", 0), ("cut = 1.5", 1)):
         study = study_of(tmp_path, mechanism=cut, analysis=asked, tail=building)
-        steps = run(study).mechanisms[0].checks[0].steps
+        steps = run_study(study).mechanisms[0].checks[0].steps
         found = [step.inputs for step in steps if step.description.startswith("demand of the floor")]
         assert len(found) == at_floor
         assert all({each.symbol: each.value for each in inputs}["ψ"] == pytest.approx(1.5 / 9) for inputs in found)
@@ -374,8 +373,8 @@ SUITE = 'synthetic = { count = 5, duration = "10 s" }'
 
 def test_joints_that_answer_at_once_have_no_pga_at_uplift_by_any_procedure(tmp_path):
     """It is null, not zero; the rigid one lifts off at its multiplier, 0.6 / 4.5."""
-    soft = run(study_of(tmp_path, records=SUITE, mechanism=SOFT)).mechanisms[0]
-    rigid = run(study_of(tmp_path, records=SUITE)).mechanisms[0]
+    soft = run_study(study_of(tmp_path, records=SUITE, mechanism=SOFT)).mechanisms[0]
+    rigid = run_study(study_of(tmp_path, records=SUITE)).mechanisms[0]
     assert soft.oscillator.uplift_multiplier is None
     assert {check.procedure: check.uplift_pga_g for check in soft.checks} == dict.fromkeys(
         check.procedure for check in rigid.checks
@@ -391,7 +390,7 @@ def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(
     force = '{ kind = "force", force = ["-2 kN", "0 N"], at = [0, 4.5], until = "collapse" }'
     leaning = f'sides = "one"\nloads = [{force}]\n{SOFT}'
     shown = '\n[report.sources]\n"mechanisms.m.loads" = "measured: it stays"\n'
-    found = run(study_of(tmp_path, records=SUITE, mechanism=leaning, tail=shown)).mechanisms[0]
+    found = run_study(study_of(tmp_path, records=SUITE, mechanism=leaning, tail=shown)).mechanisms[0]
     at_rest = found.oscillator.uplift_multiplier
     assert 0.0 < at_rest < 0.6 / 4.5
     own = [check.uplift_pga_g * factor_of(check) for check in found.checks]
@@ -419,7 +418,7 @@ def test_the_linearised_equation_on_joints_without_a_threshold_is_told(tmp_path,
     texts = [notice.text for notice in made.messages if (notice.key, notice.where) == ("equation", "analysis.equation")]
     assert len(texts) == told
     assert all("the joints of m do not have" in text for text in texts)
-    histories = run(made).mechanisms[0].histories
+    histories = run_study(made).mechanisms[0].histories
     moved = [history.max_rotation_rad for history in histories if history.level_pga_g < 0.1]
     assert len(moved) == 5
     assert any(moved) == (equation == "exact")

@@ -13,15 +13,14 @@ from scipy.constants import g
 
 from assess.messages.message import Message
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.motions import ScaledRecord, motions_of, raise_artificial
-from assess.study.run import run
-from assess.study.study import Study
-from assess.study.suite_faults import suite_faults
-from assess.study.suite_rules import made_band, spectrum_of_rules
+from assess.project.project_file import load
+from assess.study.record_set import motions_of, raise_artificial
+from assess.study.run import run_study
+from assess.study.study import ScaledRecord, Study
+from assess.study.suite_rules import made_band, spectrum_of_rules, suite_faults
 from records.record import Record
 from records.scaling import Scaling
-from records.synthetic import artificial
+from records.synthetic import artificial_records
 from spectra.asce7 import design_spectrum
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
@@ -59,7 +58,9 @@ def study_of(
 @cache
 def made(count: int, duration: float = 25.0) -> tuple[Record, ...]:
     """Records that follow the spectrum of the site of ASCE 7 closely."""
-    return artificial(design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=8.0), count=count, seed=1, duration=duration)
+    return artificial_records(
+        design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=8.0), count=count, seed=1, duration=duration
+    )
 
 
 def moved(records: Sequence[Record], factor: float = 1.0, **change: object) -> tuple[ScaledRecord, ...]:
@@ -106,7 +107,7 @@ def test_fewer_than_seven_artificial_records_ask_for_more(tmp_path: Path, given:
 def test_recorded_ones_may_be_fewer(tmp_path: Path, code: str, least: int) -> None:
     study = replace(study_of(tmp_path, code=code), artificial=None)
     assert study.spectrum is not None
-    records = artificial(study.spectrum, count=least, seed=1)
+    records = artificial_records(study.spectrum, count=least, seed=1)
     assert faults(study, natural(records, 1.05), code) == ()
     few = only(faults(study, natural(records[1:], 1.05), code), "suite-count")
     assert (few.where, few.values["toml"]) == ("records.files", 'files = ["records/*.AT2"]')
@@ -116,7 +117,7 @@ def test_recorded_ones_may_be_fewer(tmp_path: Path, code: str, least: int) -> No
 def test_a_mean_that_is_low_by_a_factor_tells_the_factor(tmp_path: Path, code: str) -> None:
     study = replace(study_of(tmp_path, code=code), artificial=None)
     assert study.spectrum is not None
-    records = artificial(study.spectrum, count=5, seed=1, band=(0.04, 6.0))
+    records = artificial_records(study.spectrum, count=5, seed=1, band=(0.04, 6.0))
     one = only(faults(study, natural(records, 0.85), code), "suite-mean-low")
     assert one.where == "records.factor"
     factor = float(str(one.values["toml"]).removeprefix("factor = "))
@@ -135,7 +136,7 @@ def test_the_factor_goes_on_top_of_the_one_the_project_has(tmp_path: Path) -> No
 def test_recorded_ones_may_not_rise_above_1_30_of_the_target_in_the_italian_code(tmp_path: Path) -> None:
     study = replace(study_of(tmp_path, code="ntc2018"), artificial=None)
     assert study.spectrum is not None
-    records = artificial(study.spectrum, count=5, seed=1, band=(0.04, 6.0))
+    records = artificial_records(study.spectrum, count=5, seed=1, band=(0.04, 6.0))
     one = only(faults(study, natural(records, 1.4), "ntc2018"), "suite-mean-high")
     assert float(str(one.values["toml"]).removeprefix("factor = ")) < 0.97
 
@@ -160,7 +161,7 @@ def test_a_mean_of_another_shape_has_no_factor_that_does(tmp_path: Path) -> None
 def test_artificial_records_must_last(tmp_path: Path, code: str, duration: float, keys: set[str], asked: str) -> None:
     study = study_of(tmp_path, code=code, records=f'synthetic = {{ count = 7, duration = "{duration} s" }}')
     assert study.spectrum is not None
-    records = artificial(study.spectrum, count=7, seed=1, duration=duration, band=(0.04, 5.0))
+    records = artificial_records(study.spectrum, count=7, seed=1, duration=duration, band=(0.04, 5.0))
     found = faults(study, moved(records, 1.05), code)
     assert {one.key for one in found} == keys
     for one in found:
@@ -189,7 +190,7 @@ def test_artificial_records_decide_only_where_the_method_is_named(tmp_path: Path
 def test_histories_that_decide_nothing_need_not_be_named(tmp_path: Path) -> None:
     study = study_of(tmp_path, code="ntc2018", verdict="")
     assert study.spectrum is not None
-    made_here = artificial(study.spectrum, count=7, seed=1, band=(0.04, 6.0))
+    made_here = artificial_records(study.spectrum, count=7, seed=1, band=(0.04, 6.0))
     assert suite_faults(study, study.spectrum, moved(made_here, 1.05)) == {"asce43-05": (), "ntc2018": ()}
 
 
@@ -227,7 +228,7 @@ def test_a_range_beyond_the_target_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize("code", ["asce43-05", "ntc2018"])
 def test_the_suite_that_the_program_makes_meets_the_rules_and_decides(tmp_path: Path, code: str) -> None:
     study = study_of(tmp_path, code=code)
-    results = run(study)
+    results = run_study(study)
     (wall,) = results.mechanisms
     (deciding,) = {check.verdict for check in wall.checks if check.procedure == f"{code}-history"}
     assert deciding in ("pass", "fail")
@@ -235,7 +236,7 @@ def test_the_suite_that_the_program_makes_meets_the_rules_and_decides(tmp_path: 
 
 def test_faults_leave_the_history_checks_unanswered_with_every_remedy_at_once(tmp_path: Path) -> None:
     study = study_of(tmp_path, records='synthetic = { count = 5, duration = "15 s" }')
-    results = run(study)
+    results = run_study(study)
     checks = [check for check in results.mechanisms[0].checks if check.procedure == "asce43-05-history"]
     assert {(check.verdict, check.reason.key) for check in checks} == {("not-answered", "suite-count")}
     assert results.verdict is not None

@@ -16,10 +16,9 @@ from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.verdict import Action, MechanismChecks, Question, mark_deciding, verdict
 from assess.results import MechanismResult
 from assess.results.json import dumps
-from assess.study.case_severity import controlling_index
-from assess.study.parameters import case_parameters, parameters
-from assess.study.run import run
-from assess.study.sweep_cases import CaseResult
+from assess.study.mechanism_results import case_parameters, parameters
+from assess.study.run import run_study
+from assess.study.sweeps import MechanismInCase, controlling_index
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, block, project_toml, study_of, wall
 
@@ -58,14 +57,16 @@ def result(folder: Path) -> MechanismResult:
     return parameters(study_of(folder, PROJECT))[0]
 
 
-def case(result: MechanismResult, *checks: Check, uplift: float = 0.1, basis: str | None = "asce43-05") -> CaseResult:
+def case(
+    result: MechanismResult, *checks: Check, uplift: float = 0.1, basis: str | None = "asce43-05"
+) -> MechanismInCase:
     """The mechanism with these checks and this multiplier, judged at 0.1 g."""
     methods = ("asce43-05-history", "asce43-05-spectrum")
     question = Question(None if basis is None else BASES[basis], Action(0.1, "DBE"), procedures=methods)
     found = verdict(question, [MechanismChecks(result.name, checks)]).mechanisms[0]
     weaker = replace(result.oscillator, uplift_multiplier=uplift)
     marked = mark_deciding(checks, found, question.basis, question.action)
-    return CaseResult(replace(result, checks=marked, oscillator=weaker, oscillator_negative=None), found)
+    return MechanismInCase(replace(result, checks=marked, oscillator=weaker, oscillator_negative=None), found)
 
 
 def test_a_failing_case_controls_before_an_incomplete_one_and_that_before_one_that_passes(
@@ -124,7 +125,7 @@ def test_equals_leave_the_first(result: MechanismResult) -> None:
 
 
 def test_only_what_depends_on_the_key_is_swept_and_its_worst_case_stands(folder: Path) -> None:
-    results = run(study_of(folder, PROJECT + HEIGHT))
+    results = run_study(study_of(folder, PROJECT + HEIGHT))
     (sweep,) = results.sweeps
     assert (sweep.mechanism, sweep.key, sweep.unit, sweep.value) == (
         "capped",
@@ -155,7 +156,7 @@ def test_a_sweep_of_stiffness_tells_how_the_mechanism_stands_on_its_joint(folder
     joint = 'interface = { model = "flexible", stiffness = "1 GPa/m", strength = "inf" }\n'
     text = PROJECT.replace('blocks = ["wall"]\n', 'blocks = ["wall"]\n' + joint)
     key = '[analysis.sweep]\nkey = "mechanisms.wall.interface.stiffness"\nvalues = ["1 GPa/m", "4 GPa/m"]\n'
-    (sweep,) = run(study_of(folder, text + key)).sweeps
+    (sweep,) = run_study(study_of(folder, text + key)).sweeps
     b, length, H, mass = 0.6, 4.0, 4.5, 2000 * 0.6 * 4.0 * 4.5
     inertia = mass * ((b**2 + H**2) / 12 + (H / 2) ** 2)
     omega2 = (np.array([1e9, 4e9]) * length * b**3 / 12 - mass * g * H / 2) / inertia
@@ -177,16 +178,16 @@ def test_a_sweep_of_stiffness_tells_how_the_mechanism_stands_on_its_joint(folder
 )
 def test_a_case_is_what_the_project_with_its_value_would_be(folder: Path, key: str, value: str, old: str) -> None:
     sweep = f'[analysis.sweep]\nkey = "{key}"\nvalues = [{value}]\n'
-    swept = run(study_of(folder, PROJECT + sweep))
+    swept = run_study(study_of(folder, PROJECT + sweep))
     assert PROJECT.count(old) == 1
-    alone = run(study_of(folder, PROJECT.replace(old, f"{old.split('=')[0]}= {value}" if "=" in old else value)))
+    alone = run_study(study_of(folder, PROJECT.replace(old, f"{old.split('=')[0]}= {value}" if "=" in old else value)))
     assert swept.mechanisms == alone.mechanisms
     assert swept.comparison == alone.comparison
 
 
 def test_the_worst_of_several_sweeps_stands(folder: Path) -> None:
     lighter = '[[analysis.sweep]]\nkey = "materials.brick.density"\nvalues = [1000, 1900]\n'
-    results = run(study_of(folder, PROJECT + lighter + HEIGHT.replace("[analysis.sweep]", "[[analysis.sweep]]")))
+    results = run_study(study_of(folder, PROJECT + lighter + HEIGHT.replace("[analysis.sweep]", "[[analysis.sweep]]")))
     first, second = results.sweeps
     assert (first.mechanism, second.mechanism) == ("capped", "capped")
     assert (first.governs, second.governs) == (False, True)
@@ -218,25 +219,25 @@ def test_lengths_times_a_number_divide_p_squared_by_it(folder: Path) -> None:
 def test_results_do_not_depend_on_jobs(folder: Path) -> None:
     every = PROJECT.replace('procedures = ["asce43-05-spectrum", ', 'procedures = ["asce43-05-history", ')
     study = study_of(folder, every + HEIGHT.replace(', "1.5 m"', ""))
-    assert dumps(run(study, jobs=1)) == dumps(run(study, jobs=3))
+    assert dumps(run_study(study, jobs=1)) == dumps(run_study(study, jobs=3))
 
 
 def test_progress_counts_the_cases(folder: Path) -> None:
     said: list[tuple[str, int, int]] = []
-    run(study_of(folder, PROJECT + HEIGHT), progress=lambda *told: said.append(told))
+    run_study(study_of(folder, PROJECT + HEIGHT), progress=lambda *told: said.append(told))
     assert [(done, total) for stage, done, total in said if stage == "cases of sweeps"] == [(0, 3), (1, 3), (2, 3)]
 
 
 def test_without_sweeps_nothing_is_swept(folder: Path) -> None:
-    results = run(study_of(folder, PROJECT))
+    results = run_study(study_of(folder, PROJECT))
     assert results.sweeps == ()
     assert [mechanism.direction_sweep for mechanism in results.mechanisms] == [None, None]
 
 
 def test_the_verdict_of_a_swept_site_stands_at_the_action_of_the_case_that_controls(folder: Path) -> None:
     scaled = PROJECT.replace("[site]\n", '[site]\npga = "0.2 g"\n')
-    swept = run(study_of(folder, f'{scaled}[analysis.sweep]\nkey = "site.pga"\nvalues = ["0.15 g", "0.28 g"]\n'))
-    alone = run(study_of(folder, scaled.replace('pga = "0.2 g"', 'pga = "0.28 g"')))
+    swept = run_study(study_of(folder, f'{scaled}[analysis.sweep]\nkey = "site.pga"\nvalues = ["0.15 g", "0.28 g"]\n'))
+    alone = run_study(study_of(folder, scaled.replace('pga = "0.2 g"', 'pga = "0.28 g"')))
     assert swept.verdict is not None
     assert swept.verdict.action.pga_g == pytest.approx(0.28, rel=1e-12)
     assert alone.verdict is not None

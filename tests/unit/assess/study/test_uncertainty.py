@@ -12,14 +12,13 @@ import pytest
 import trimesh
 from scipy.special import ndtr, ndtri
 
-from assess.cli.tables.summary import summary
-from assess.cli.tables.uncertainty import uncertainty_lines
+from assess.cli.tables.analysis import run_text, uncertainty_lines
 from assess.results import Results
-from assess.results.diff import changes
+from assess.results.diff import differences
 from assess.results.json import dumps, loads
 from assess.results.table import table
-from assess.results.uncertainty import UncertainAnswer, UncertaintyResult
-from assess.study.run import run
+from assess.results.variations import UncertainAnswer, UncertaintyResult
+from assess.study.run import run_study
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, NTC, block, project_toml, study_of, wall
 
@@ -58,7 +57,7 @@ def project(*more: str, samples: int = 16, procedures: Any = (LINEAR,), **tables
 
 
 def assessed(folder: Path, *more: str, jobs: int = 1, **tables: Any) -> Results:
-    return run(study_of(folder, project(*more, **tables)), jobs=jobs)
+    return run_study(study_of(folder, project(*more, **tables)), jobs=jobs)
 
 
 def found(results: Results) -> UncertaintyResult:
@@ -144,7 +143,7 @@ def test_the_same_bytes_for_any_number_of_jobs_and_a_seed_of_its_own(folder: Pat
 
 def test_records_stay_as_they_are_and_the_rest_of_the_results_too(folder: Path) -> None:
     study = study_of(folder, project(bodies={"wall": wall(THICK)}, samples=16))
-    results, plain = run(study), run(replace(study, sampling=None))
+    results, plain = run_study(study), run_study(replace(study, sampling=None))
     assert results == replace(plain, uncertainty=results.uncertainty)
 
 
@@ -253,15 +252,15 @@ def test_table_summary_and_differences(folder: Path) -> None:
     frame = table(results, "uncertainty")
     assert list(frame["mechanism"]) == ["wall"] * len(found(results).answers)
     assert frame["quantile_50"][0] == found(results).answers[0].quantiles[2]
-    said = " ".join(summary(results).split())
+    said = " ".join(run_text(results).split())
     assert "uncertainty: 16 samples of 1 uncertain number in 1 group wall: ntc2018-nonlinear SLV: fails in" in said
     assert "most by walls (share 1)" in said
     assert list(uncertainty_lines(None)) == []
     other = assessed(folder, premises, **{**tables, "bodies": {"wall": wall({**THICK, "cov": 0.2, "group": "walls"})}})
-    differing = [each for each in changes(results, other) if each.kind == "uncertainty"]
+    differing = [each for each in differences(results, other) if each.kind == "uncertainty"]
     assert ("bodies.wall.box.thickness, cov", 0.1, 0.2) in [(each.what, each.before, each.after) for each in differing]
     assert any(each.what.startswith("demand_capacity, 95 %") for each in differing)
-    assert not [each for each in changes(results, results) if each.kind == "uncertainty"]
+    assert not [each for each in differences(results, results) if each.kind == "uncertainty"]
 
 
 def test_a_mechanism_without_an_answer_has_no_influence_to_tell(folder: Path) -> None:

@@ -11,14 +11,14 @@ import pytest
 import trimesh
 from shapely import Polygon
 
+from assess.geometry.cut import Scene
 from assess.geometry.planar import planar_body
-from assess.geometry.scene import Scene
 from assess.geometry.solid import box, polyhedron
 from assess.mechanisms.single_block import single_block
 from assess.project.build import build
-from assess.project.schema import load
-from assess.study.parameters import parameters
-from assess.study.view import LIMIT, view
+from assess.project.project_file import load
+from assess.study.drawing import VIEW_TRIANGLES, view_in_space
+from assess.study.mechanism_results import parameters
 from tests.support.projects import block, project_toml, published, wall
 
 PROJECT = project_toml(
@@ -128,9 +128,9 @@ def test_a_scan_is_simplified_for_the_results_only():
     solid = polyhedron(sphere.vertices, sphere.faces, density=2000.0, name="boulder")
     beside = box(thickness=1.0, length=1.0, height=1.0, base=(0.0, 0.0, -3.0), density=2000.0, name="plinth")
     mechanism = single_block("w", planar_body(beside, direction=(1, 0, 0)))
-    seen = view(mechanism, Scene(((solid,),), (beside,), (), np.array([1.0, 0.0, 0.0])))
+    seen = view_in_space(mechanism, Scene(((solid,),), (beside,), (), np.array([1.0, 0.0, 0.0])))
     assert seen.given == len(sphere.faces) + 12
-    assert len(seen.triangles) <= LIMIT
+    assert len(seen.triangles) <= VIEW_TRIANGLES
     assert mesh(seen, block=0).volume == pytest.approx(sphere.volume, rel=0.02)
     assert mesh(seen, block=-1).volume == pytest.approx(1.0, rel=1e-3)
     assert len(json.dumps([seen.vertices, seen.triangles])) < 200_000

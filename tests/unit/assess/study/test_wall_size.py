@@ -8,9 +8,9 @@ from scipy.constants import g
 from assess.codes.context import Wall
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.schema import load as load_project
-from assess.study.run import run
-from assess.study.wall_size import carries_floors, wall_of
+from assess.project.project_file import load as load_project
+from assess.study.context import carries_floors, wall_of
+from assess.study.run import run_study
 from tests.support.projects import block, project_toml, published, wall
 
 AMERICA = 'code = "asce7-16"\ns_ds = "1 g"\ns_d1 = "0.45 g"\nt_l = "6 s"'
@@ -68,7 +68,7 @@ def test_a_site_brings_the_procedures_that_decide_there(
     tmp_path: Path, site: str, name: str, mechanisms: set[str]
 ) -> None:
     read = project(tmp_path, site)
-    results = run(build(read), jobs=1)
+    results = run_study(build(read), jobs=1)
     checks = {m.name: [c for c in m.checks if c.procedure == name] for m in results.mechanisms}
     assert {key for key, found in checks.items() if found} == mechanisms
     roles = {check.role for found in checks.values() for check in found}
@@ -78,7 +78,7 @@ def test_a_site_brings_the_procedures_that_decide_there(
 
 def test_asked_for_by_name_every_mechanism_is_answered(tmp_path: Path) -> None:
     rest = '[analysis]\nprocedures = ["asce41-13-ht"]\n[procedures.asce41-13]\nposition = "top-storey"'
-    results = run(build(project(tmp_path, AMERICA, rest=rest)), jobs=1)
+    results = run_study(build(project(tmp_path, AMERICA, rest=rest)), jobs=1)
     checks = {m.name: m.checks[0] for m in results.mechanisms}
     assert {name for name, check in checks.items() if check.verdict == "not-applicable"} == {"values", "block", "free"}
     assert checks["spanning"].ratio == pytest.approx(4.0 / 0.4 / 9.0, rel=1e-9)  # S_X1 = 0.45 g > 0.37 g
@@ -107,7 +107,7 @@ def test_options_reach_the_clause(tmp_path: Path) -> None:
     )
     study = build(project(tmp_path, ZEALAND, rest=rest))
     assert (study.options.nzsee2017.usable, study.options.ec8.behaviour_factor) == (0.5, 1.5)
-    spanning = run(study, jobs=1).mechanisms[0].checks
+    spanning = run_study(study, jobs=1).mechanisms[0].checks
     assert spanning[0].capacity_rotation_ratio == pytest.approx(0.5 * 0.975, rel=1e-9)  # t_eff without load
     site = study.spectrum
     assert site is not None

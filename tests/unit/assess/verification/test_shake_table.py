@@ -9,10 +9,9 @@ import shutil
 import numpy as np
 import pytest
 
-from assess.verification.read import read_cases
+from assess.verification.case_files import read_cases, write_cases
 from assess.verification.solvers import SOLVERS
 from assess.verification.verify import run_case
-from assess.verification.writing import write_cases
 
 BLOCK = {"p": 2.0, "slenderness": 0.2, "restitution": 0.9}
 COUNT, STEP = 40, 0.02

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from assess.dynamics.envelope import envelope
-from assess.oscillator import Oscillator, SingleBlock, plain_branch
+from assess.dynamics.pulses import envelope
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from assess.study.envelopes import envelope_result
-from records.pulses import SHAPES
+from records.pulses import PULSE_SHAPES
 from reports.chapters.annex_envelopes import describe_envelope
 from reports.language.locale import Locale
 
-BRANCH = plain_branch(SingleBlock(1.0, 2.0, 0.2, 5.0), restitution=0.9)
+BRANCH = plain_branch(RockingBlock(1.0, 2.0, 0.2, 5.0), restitution=0.9)
 BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
 
 
@@ -27,7 +27,7 @@ BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
 )
 def test_the_factor_of_the_motion_is_told_where_there_is_one(factor: list[float], shape: str, said: str) -> None:
     made = envelope(
-        BLOCK, SHAPES[shape], np.array([0.5, 0.6]), np.array([0.0, 10.0, 10.1]),
+        BLOCK, PULSE_SHAPES[shape], np.array([0.5, 0.6]), np.array([0.0, 10.0, 10.1]),
         equation="linearised", factor=np.array(factor),
     )  # fmt: skip
     said_of_it = Locale().text(describe_envelope(envelope_result(made, BLOCK)))

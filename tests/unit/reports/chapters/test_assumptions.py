@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assess.results import Resolved, Results
+from assess.results import ResolvedValue, Results
 from reports.chapters import assumptions, site
-from reports.language.spectrum_parameters import NAMES
 from reports.language.texts import Reference, say
+from reports.language.value_names import PARAMETER_NAMES
 from tests.support.letters import letters, lines, rows
 
 
-def with_project(results: Results, **values: Resolved) -> Results:
+def with_project(results: Results, **values: ResolvedValue) -> Results:
     return replace(results, project={key.replace("__", "."): value for key, value in values.items()})
 
 
-def given(value: object, kind: str = "") -> Resolved:
-    return Resolved(value, True, {"": kind} if kind else {})
+def given(value: object, kind: str = "") -> ResolvedValue:
+    return ResolvedValue(value, True, {"": kind} if kind else {})
 
 
-def default(value: object) -> Resolved:
-    return Resolved(value, False)
+def default(value: object) -> ResolvedValue:
+    return ResolvedValue(value, False)
 
 
 def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
@@ -32,13 +32,13 @@ def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
         report__sources__materials__stone__friction=given("assumed: as usual"),
     )
     stated = {
-        key: assumptions.source_of(made, key, made.project[key])
+        key: assumptions.value_source(made, key, made.project[key])
         for key in ("materials.stone.density", "materials.stone.friction")
     }
-    assert stated["materials.stone.density"] == assumptions.Source("literature", "handbook")
-    assert stated["materials.stone.friction"] == assumptions.Source("assumed", "as usual")
-    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumed_values(made))
-    assert ["stone: all properties", "literature", "handbook", "–"] in rows(assumptions.sources(made))
+    assert stated["materials.stone.density"] == assumptions.ValueSource("literature", "handbook")
+    assert stated["materials.stone.friction"] == assumptions.ValueSource("assumed", "as usual")
+    assert ["stone: friction", "0.6", "assumed: as usual", "–"] in rows(assumptions.assumptions_table(made))
+    assert ["stone: all properties", "literature", "handbook", "–"] in rows(assumptions.sources_table(made))
 
 
 def test_a_key_does_not_cover_another_that_begins_alike(results: Results) -> None:
@@ -47,7 +47,7 @@ def test_a_key_does_not_cover_another_that_begins_alike(results: Results) -> Non
         materials__stone2__friction=given(0.6),
         report__sources__materials__stone=given("measured: core"),
     )
-    found = assumptions.source_of(made, "materials.stone2.friction", made.project["materials.stone2.friction"])
+    found = assumptions.value_source(made, "materials.stone2.friction", made.project["materials.stone2.friction"])
     assert found.kind == assumptions.UNSTATED
     assert "The project states no source for: stone2: friction." in lines(assumptions.sections(made))
 
@@ -59,7 +59,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
         building__storeys=given(4),
         report__sources__building__storeys=given("assumed: by its windows"),
     )
-    table = assumptions.assumed_values(made)
+    table = assumptions.assumptions_table(made)
     assert [row[0] for row in rows(table)] == ["Number of storeys", "Vertical over horizontal spectrum"]
     assert table.muted == {1}
 
@@ -67,7 +67,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
 def test_a_value_of_several_mechanisms_has_one_row(results: Results) -> None:
     keys = [f"mechanisms.{each.name}.interface.model" for each in results.mechanisms]
     made = replace(results, project=dict.fromkeys(keys, default("rigid")))
-    assert rows(assumptions.assumed_values(made)) == [
+    assert rows(assumptions.assumptions_table(made)) == [
         ["Model of the joints", "rigid", "default of the program", "all mechanisms"]
     ]
 
@@ -76,7 +76,7 @@ def test_defaults_of_a_code_that_answered_nothing_do_not_matter(results: Results
     made = with_project(
         results, procedures__nzsee2017__masonry=default("rubble"), procedures__dmi2008__confidence_factor=default(1.0)
     )
-    assert [row[0] for row in rows(assumptions.assumed_values(made))] == ["Confidence factor"]
+    assert [row[0] for row in rows(assumptions.assumptions_table(made))] == ["Confidence factor"]
 
 
 def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
@@ -86,7 +86,7 @@ def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
         materials__stone__young_modulus=given(6.89e9, "stress"),
         materials__stone__friction=default(None),
     )
-    table = assumptions.materials(made)
+    table = assumptions.materials_table(made)
     assert rows(table) == [["stone", "2240 kg/m³", "6.89 GPa"]]
     assert [letters(column.label) for column in table.columns] == ["Material", "Density", "Young’s modulus E"]
 
@@ -106,17 +106,17 @@ HAZARD = [{"return_period": years, "a_g": 1.0, "f_0": 2.4, "t_c_star": 0.3} for 
 def test_a_list_of_tables_is_one_row(results: Results) -> None:
     source = given("assumed: like the next town")
     made = with_project(results, site__spectrum__hazard=given(HAZARD), report__sources__site__spectrum__hazard=source)
-    ((name, where, stated, _),) = assumptions.assumed_values(made).rows
-    assert [name, where] == [NAMES["hazard"][0], say("see {table}", table=Reference("Table", "hazard"))]
+    ((name, where, stated, _),) = assumptions.assumptions_table(made).rows
+    assert [name, where] == [PARAMETER_NAMES["hazard"][0], say("see {table}", table=Reference("Table", "hazard"))]
     assert letters(stated) == "assumed: like the next town"
-    assert site.hazard(made).rows
+    assert site.hazard_table(made).rows
 
 
 def test_loads_that_no_table_shows_are_counted(results: Results) -> None:
     bare = replace(results, mechanisms=tuple(replace(each, loads=()) for each in results.mechanisms))
     key = f"mechanisms.{results.mechanisms[0].name}.loads"
     project = {key: given([{"kind": "mass"}]), f"report.sources.{key}": given("assumed: as usual")}
-    assert rows(assumptions.assumed_values(replace(bare, project=project))) == [
+    assert rows(assumptions.assumptions_table(replace(bare, project=project))) == [
         ["Loads", "1 set of values", "assumed: as usual", "M1"]
     ]
 
@@ -125,10 +125,10 @@ def test_a_list_of_tables_that_no_table_shows_is_counted(results: Results) -> No
     made = with_project(
         results, site__layers=given([{"depth": 1.0}] * 2), report__sources__site=given("assumed: as there")
     )
-    assert rows(assumptions.assumed_values(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
+    assert rows(assumptions.assumptions_table(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
 
 
 def test_a_parameter_of_the_spectrum_has_its_name(results: Results) -> None:
     source = given("assumed: by the map")
     made = with_project(results, site__spectrum__soil=given("B"), report__sources__site__spectrum__soil=source)
-    assert rows(assumptions.assumed_values(made)) == [["subsoil category", "B", "assumed: by the map", "–"]]
+    assert rows(assumptions.assumptions_table(made)) == [["subsoil category", "B", "assumed: by the map", "–"]]

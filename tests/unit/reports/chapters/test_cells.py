@@ -8,7 +8,7 @@ from reports.chapters.cells import value_cell
 from reports.document import Column
 from reports.language.locale import Locale
 from reports.language.texts import say
-from reports.render.cell_text import cell_text
+from reports.render.table_text import cell_text
 
 
 @pytest.mark.parametrize(

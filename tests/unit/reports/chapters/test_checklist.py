@@ -8,7 +8,7 @@ import pytest
 
 from assess.codes.verdict import Index
 from assess.results import ChecklistItem, ReportMatter, Results
-from reports.chapters import checklist, key_plan
+from reports.chapters import key_plan
 from tests.support.letters import letters, lines, rows
 
 GABLE = ChecklistItem("gable", None, "examined", ("parapet",))
@@ -34,13 +34,13 @@ def house(results: Results, *items: ChecklistItem) -> Results:
     ],
 )
 def test_each_item_says_what_became_of_it(results: Results, item: ChecklistItem, said: str) -> None:
-    assert letters(checklist.state(house(results, item), item)) == said
+    assert letters(key_plan.item_outcome(house(results, item), item)) == said
 
 
 def test_a_church_has_the_numbers_of_the_form(results: Results) -> None:
     items = (ChecklistItem("facade", 1, "absent"), ChecklistItem("apse", 16, "absent"))
     church = replace(results, report=ReportMatter(building_type="church", checklist=items))
-    table = checklist.table(church)
+    table = key_plan.checklist_table(church)
     assert rows(table) == [["1", "overturning of the façade", "absent"], ["16", "overturning of the apse", "absent"]]
     assert table.muted == {0, 1}
 
@@ -58,13 +58,13 @@ def test_the_index_is_at_most_where_something_is_left(
 ) -> None:
     assert results.verdict is not None
     share = replace(results, verdict=replace(results.verdict, index=Index("zeta_E", 0.4)))
-    assert said in letters(checklist.meaning(house(share, *items)))
+    assert said in letters(key_plan.checklist_meaning(house(share, *items)))
 
 
 def test_a_ratio_is_at_least(results: Results) -> None:
     assert results.verdict is not None
     ratio = replace(results, verdict=replace(results.verdict, index=Index("D/C", 0.4)))
-    assert "at least the largest" in letters(checklist.meaning(house(ratio, LEAF)))
+    assert "at least the largest" in letters(key_plan.checklist_meaning(house(ratio, LEAF)))
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_what_is_left_bounds_no_index_where_there_is_none(
     assert results.verdict is not None
     without = replace(results, verdict=replace(results.verdict, index=None))
     for each in (without, replace(results, verdict=None)):
-        words = letters(checklist.meaning(house(each, *items)))
+        words = letters(key_plan.checklist_meaning(house(each, *items)))
         assert words.startswith(said)
         assert "index" not in words
 
@@ -94,7 +94,7 @@ def test_without_a_list_the_page_says_that_nobody_gave_one(results: Results) -> 
 
 def test_many_items_are_counted_on_page_1(results: Results) -> None:
     many = tuple(replace(CHIMNEY, key=key) for key in ("gable", "corner", "parapet", "chimney", "outer-leaf") * 2)
-    said = checklist.not_examined_text(house(results, *many))
+    said = key_plan.not_examined_text(house(results, *many))
     assert said is not None
     assert letters(said).endswith("and 4 others")
-    assert checklist.not_examined_text(house(results, GABLE, CORNER)) is None
+    assert key_plan.not_examined_text(house(results, GABLE, CORNER)) is None

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from assess.codes.check import Family, Outcome, PgaCurve
 from assess.results import Results
-from reports.chapters import comparison, comparison_words
-from reports.document import Cell, Figure, Graded
+from reports.chapters import comparison
+from reports.document import Cell, Figure, OutcomeCell
 from reports.language.locale import Locale
 from reports.language.texts import Text
 
@@ -20,22 +20,22 @@ def told(texts: Iterable[Text]) -> str:
 
 
 def shown(cell: Cell) -> str:
-    if isinstance(cell, Graded):
+    if isinstance(cell, OutcomeCell):
         return f"{cell.outcome}: {EN.text(cell.text)}"
     assert cell is not None
     return f"{cell:g}" if isinstance(cell, float | int) else EN.text(cell)
 
 
 def test_only_the_sites_own_action_is_coloured(results: Results) -> None:
-    table = comparison.table(results)
+    table = comparison.ratios_table(results)
     assert [EN.text(column.label).replace("\u00a0", " ") for column in table.columns][2:5] == [
         "D/C at 0.067 g",
         "D/C at 0.2 g",
         "D/C at 0.45 g",
     ]
     for row in table.rows:
-        assert isinstance(row[2], Graded)
-        assert not any(isinstance(cell, Graded) for cell in row[3:])
+        assert isinstance(row[2], OutcomeCell)
+        assert not any(isinstance(cell, OutcomeCell) for cell in row[3:])
     assert shown(table.rows[1][0]) == "M2 parapet"
     assert [shown(cell) for cell in table.rows[1][3:5]] == ["0.37", "overturns"]
 
@@ -43,13 +43,13 @@ def test_only_the_sites_own_action_is_coloured(results: Results) -> None:
 def test_the_methods_that_may_decide_stand_in_the_table(
     results: Results, judged_at: Callable[[Results, float], Results]
 ) -> None:
-    row = comparison.table(judged_at(results, 0.45)).rows[1]
+    row = comparison.ratios_table(judged_at(results, 0.45)).rows[1]
     assert shown(row[2]) == "fail: overturns"
     assert results.verdict is not None
-    nameless = comparison.table(replace(results, verdict=replace(results.verdict, basis="", methods=())))
-    assert not any(isinstance(cell, Graded) for row in nameless.rows for cell in row)
-    without = comparison.table(replace(results, verdict=None))
-    assert not any(isinstance(cell, Graded) for row in without.rows for cell in row)
+    nameless = comparison.ratios_table(replace(results, verdict=replace(results.verdict, basis="", methods=())))
+    assert not any(isinstance(cell, OutcomeCell) for row in nameless.rows for cell in row)
+    without = comparison.ratios_table(replace(results, verdict=None))
+    assert not any(isinstance(cell, OutcomeCell) for row in without.rows for cell in row)
     assert len(without.columns) == len(without.rows[0])
 
 
@@ -58,20 +58,20 @@ def test_many_levels_are_thinned_out(results: Results) -> None:
     levels = [0.1 + 0.01 * place for place in range(23)]
     checks = (*wall.checks, *(replace(wall.checks[0], level_pga_g=level) for level in levels))
     many = replace(results, mechanisms=(replace(wall, checks=checks),))
-    assert len(comparison.table(many).columns) <= 2 + 1 + comparison.MOST + 2
+    assert len(comparison.ratios_table(many).columns) <= 2 + 1 + comparison.MAX_LEVELS + 2
 
 
 def test_disagreement_names_who_fails_by_which_method(
     results: Results, judged_at: Callable[[Results, float], Results]
 ) -> None:
     judged = judged_at(results, 0.45)
-    said = told(comparison_words.findings(judged))
+    said = told(comparison.findings(judged))
     assert "At the site’s own action the methods disagree on M1" in said
     assert "DMI 2008, linear fails M1 and M2. It compares the acceleration that starts the motion" in said
     agreed = tuple(
         replace(m, checks=tuple(replace(c, verdict=Outcome.PASS) for c in m.checks)) for m in judged.mechanisms
     )
-    assert "disagree" not in told(comparison_words.findings(replace(judged, mechanisms=agreed)))
+    assert "disagree" not in told(comparison.findings(replace(judged, mechanisms=agreed)))
 
 
 def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None:
@@ -79,27 +79,27 @@ def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None
 
     def said(capacity: float) -> str:
         passing = replace(first.checks[4], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
-        return told(comparison_words.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
+        return told(comparison.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
 
     assert "For M1 a record that overturns" in said(0.28)
     assert "For M1 a record that overturns" not in said(0.31)
 
 
 def test_overturning_records_are_counted(results: Results) -> None:
-    said = told(comparison_words.findings(results))
+    said = told(comparison.findings(results))
     assert "Records overturn M2 parapet at 0.45 g (1 of 5). No other history overturns a mechanism." in said
     standing = replace(results, mechanisms=results.mechanisms[:1])
-    assert "No record overturns a mechanism at the levels requested." in told(comparison_words.findings(standing))
+    assert "No record overturns a mechanism at the levels requested." in told(comparison.findings(standing))
 
 
 def test_swept_mechanisms_are_represented_by_a_case(results: Results) -> None:
-    assert told(comparison_words.introduction(results)).startswith(
+    assert told(comparison.introduction(results)).startswith(
         "Each swept mechanism is represented by its most critical case: M2."
     )
 
 
 def test_every_family_of_methods_has_a_sentence_on_what_it_measures() -> None:
-    assert set(comparison_words.MEASURES) == set(Family)
+    assert set(comparison.FAMILY_MEASURES) == set(Family)
 
 
 def test_there_is_no_chapter_without_answers(results: Results) -> None:
@@ -116,7 +116,7 @@ def test_a_method_without_an_answer_passes_nothing(results: Results) -> None:
     silent = replace(first, procedure="ntc2018-history", verdict=Outcome.NOT_ANSWERED)
     passed = replace(silent, verdict=Outcome.PASS)
     apart = (replace(wall, checks=(one, two, silent)), replace(parapet, checks=(one, two, passed)))
-    said = told(comparison_words.findings(replace(results, mechanisms=apart)))
+    said = told(comparison.findings(replace(results, mechanisms=apart)))
     assert "All of these are passed by NTC 2018, non-linear kinematic." in said
     assert "M2 is passed by NTC 2018, response history." in said
     assert "NTC 2018, linear kinematic fails M1 and M2." in said
@@ -131,7 +131,7 @@ def test_a_method_is_named_with_every_mechanism_that_it_fails(results: Results) 
     two = replace(first, procedure="ntc2018-nonlinear", verdict=Outcome.PASS)
     failed = replace(two, verdict=Outcome.FAIL)
     apart = (replace(wall, checks=(one, two)), replace(parapet, checks=(one, failed)))
-    said = told(comparison_words.findings(replace(results, mechanisms=apart)))
+    said = told(comparison.findings(replace(results, mechanisms=apart)))
     assert "the methods disagree on M1." in said
     assert "NTC 2018, linear kinematic fails M1 and M2." in said
     assert "M1 is passed by NTC 2018, non-linear kinematic." in said
@@ -154,7 +154,7 @@ def test_a_figure_without_anything_to_draw_is_left_out(results: Results) -> None
 
 def test_a_method_without_an_answer_is_not_compared(results: Results) -> None:
     """The ground motion unamplified at a height may fail a mechanism: the PGA at its capacity is no capacity."""
-    said = told(comparison_words.findings(results))
+    said = told(comparison.findings(results))
     assert "PGA at capacity" in said
     silent = tuple(
         replace(
@@ -163,4 +163,4 @@ def test_a_method_without_an_answer_is_not_compared(results: Results) -> None:
         )
         for each in results.mechanisms
     )
-    assert "PGA at capacity by" not in told(comparison_words.findings(replace(results, mechanisms=silent)))
+    assert "PGA at capacity by" not in told(comparison.findings(replace(results, mechanisms=silent)))

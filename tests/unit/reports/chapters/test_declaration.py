@@ -8,8 +8,8 @@ import pytest
 
 from assess.messages.message import Message, Severity
 from assess.results import Control, Input, Program, ReportMatter, Results
-from reports.chapters import controls, declaration, signatures
-from reports.document import Graded, Signatures, Writing
+from reports.chapters import declaration
+from reports.document import OutcomeCell, Signatures, WritingBox
 from tests.support.letters import letters, lines, rows
 
 NOTE = Message("n", Severity.NOTE, "", "by moments about the hinges")
@@ -33,13 +33,13 @@ def controlled(results: Results, *made: Control) -> Results:
     ],
 )
 def test_controls_are_counted(made: tuple[Control, ...], said: str) -> None:
-    assert letters(controls.summary(made)).startswith(said)
+    assert letters(declaration.controls_summary(made)).startswith(said)
 
 
 def test_a_control_shows_both_numbers_and_its_outcome(results: Results) -> None:
-    table = controls.table(controlled(results, MULTIPLIER, ENERGY, NOT_MADE))
+    table = declaration.controls_table(controlled(results, MULTIPLIER, ENERGY, NOT_MADE))
     wall = table.rows[0]
-    assert [cell.outcome for cell in wall if isinstance(cell, Graded)] == ["fail", "pass"]
+    assert [cell.outcome for cell in wall if isinstance(cell, OutcomeCell)] == ["fail", "pass"]
     assert (wall[3], wall[4]) == (0.14, 0.14)
     assert rows(table)[1][1:] == ["–"] * 6
     assert letters(table.columns[2].label) == "Energy balance, at most 0.001"
@@ -48,7 +48,7 @@ def test_a_control_shows_both_numbers_and_its_outcome(results: Results) -> None:
 def test_the_worst_of_several_controls_is_shown(results: Results) -> None:
     small = replace(ENERGY, kind="equilibrium", difference=1e-9, met=True, tolerance=1e-6)
     large = replace(small, difference=1e-3, met=False)
-    assert rows(controls.table(controlled(results, large, small)))[0][1] == "0.001"
+    assert rows(declaration.controls_table(controlled(results, large, small)))[0][1] == "0.001"
 
 
 def test_what_is_not_met_or_not_made_has_its_note(results: Results) -> None:
@@ -63,7 +63,7 @@ def test_results_without_controls_say_so(results: Results) -> None:
 
 
 def test_every_control_is_in_the_data(results: Results) -> None:
-    assert len(controls.control_rows(controlled(results, MULTIPLIER, ENERGY, NOT_MADE)).rows) == 3
+    assert len(declaration.controls_in_full(controlled(results, MULTIPLIER, ENERGY, NOT_MADE)).rows) == 3
 
 
 def test_the_program_and_the_inputs_can_be_identified(results: Results) -> None:
@@ -98,20 +98,20 @@ def test_large_rotations_are_claimed_only_of_methods_that_follow_them(results: R
 def test_the_clause_is_named_where_an_italian_code_decides(results: Results) -> None:
     assert results.verdict is not None
     italian = replace(results, verdict=replace(results.verdict, basis="ntc2018"))
-    assert letters(declaration.title(italian)) == "Calculation by computer (NTC 2018, 10.2)"
-    assert "NTC" not in letters(declaration.title(results))
+    assert letters(declaration.chapter_title(italian)) == "Calculation by computer (NTC 2018, 10.2)"
+    assert "NTC" not in letters(declaration.chapter_title(results))
 
 
 def test_there_is_room_for_the_judgement(results: Results) -> None:
     boxes = [
-        block for section in declaration.sections(results) for block in section.blocks if isinstance(block, Writing)
+        block for section in declaration.sections(results) for block in section.blocks if isinstance(block, WritingBox)
     ]
     assert len(boxes) == 1
 
 
 def test_whoever_is_named_has_a_place_to_sign(results: Results) -> None:
     matter = ReportMatter(author="A. Author", engineer="E. Engineer", office="Co.", licence_number="1", client="T")
-    (section,) = signatures.sections(replace(results, report=matter))
+    (section,) = declaration.signature_sections(replace(results, report=matter))
     assert {"Office: Co.", "Licence number: 1"} <= {*lines([section])}
     places = next(block for block in section.blocks if isinstance(block, Signatures)).places
     assert [(letters(role), letters(name)) for role, name in places] == [
@@ -123,6 +123,6 @@ def test_whoever_is_named_has_a_place_to_sign(results: Results) -> None:
 
 
 def test_nobody_named_leaves_lines_to_sign(results: Results) -> None:
-    (section,) = signatures.sections(replace(results, project={}, report=ReportMatter()))
+    (section,) = declaration.signature_sections(replace(results, project={}, report=ReportMatter()))
     places = next(block for block in section.blocks if isinstance(block, Signatures)).places
     assert [letters(name) for _, name in places] == ["", ""]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assess.results import Picture, ReportMatter, Resolved, Results, Revision
+from assess.results import Picture, ReportMatter, ResolvedValue, Results, Revision
 from reports.chapters import front_matter
 from reports.language.locale import Locale
 from tests.support.letters import letters
@@ -58,7 +58,7 @@ def test_italian_sites_have_class_and_reference_life(results: Results) -> None:
         code="ntc2018",
         parameters={"nominal_life": 50.0, "use_coefficient": 1.5, "reference_life": 75.0},
     )
-    project = {**results.project, "site.spectrum.use_class": Resolved("III", True)}
+    project = {**results.project, "site.spectrum.use_class": ResolvedValue("III", True)}
     said = facts(replace(results, spectrum=spectrum, project=project))
     assert said["Class of use"] == "III, C_U = 1.5"
     assert (said["Nominal life V_N"], said["Reference life V_R"]) == ("50 years", "75 years")

@@ -9,14 +9,14 @@ import pytest
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.schema import load
-from assess.results import HistoryResult, MechanismResult, Trace
-from assess.study.parameters import parameters
+from assess.project.project_file import load
+from assess.results import HistoryResult, HistoryTrace, MechanismResult
+from assess.study.mechanism_results import parameters
 from reports import joints
-from reports.chapters import joint_tables
-from reports.chapters.parameter_tables import parameters as table_of_parameters
+from reports.chapters import annex_sheets
+from reports.chapters.annex_sheets import parameters_table as table_of_parameters
 from reports.document import Figure, Prose, Sheet, Table
-from reports.figures import capacity, contact, moment_rotation
+from reports.figures import capacity
 from reports.language.locale import Locale
 from reports.language.texts import Text, Verbatim, quantity
 from tests.support.projects import block, project_toml, wall
@@ -46,7 +46,7 @@ def mechanisms(tmp_path_factory) -> dict[str, MechanismResult]:
 
 def shaken(mechanism: MechanismResult, rotation: float | None) -> MechanismResult:
     """The mechanism with one history that reaches a rotation [rad], or overturns it."""
-    fell, trace = rotation is None, Trace((0.0,), (0.0,), (0.0,))
+    fell, trace = rotation is None, HistoryTrace((0.0,), (0.0,), (0.0,))
     ratio = None if rotation is None else abs(rotation) / mechanism.oscillator.overturning_rad
     side = "negative" if rotation is not None and rotation < 0 else "positive"
     one = HistoryResult("r <1>", 1, 0.3, 1.0, 1.0, rotation, ratio, None, 3, fell, None, trace, side)
@@ -65,7 +65,7 @@ def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation
     assert resultant == pytest.approx(a / 3, rel=1e-3)
     assert opened == pytest.approx(1 - a / B, rel=1e-3)
     assert crushed == 0.0
-    told = read(joint_tables.at_peak(mechanism))
+    told = read(annex_sheets.joints_at_peak(mechanism))
     hinge = "A" if rotation > 0 else "A'"
     assert f"joint {hinge} presses with up to {read(quantity(stress, 'stress', 3))} (strength 1.5 MPa)" in told
     assert f"{read(quantity(100 * opened, 'percent', 2))} of it open and none crushed" in told
@@ -77,9 +77,9 @@ def read(text: Text) -> str:
 
 def test_what_has_no_peak_says_so(mechanisms):
     flexible = mechanisms["flexible"]
-    assert "No time history" in read(joint_tables.at_peak(flexible))
-    assert "overturns the mechanism" in read(joint_tables.at_peak(shaken(flexible, None)))
-    assert "does not move" in read(joint_tables.at_peak(shaken(flexible, 0.0)))
+    assert "No time history" in read(annex_sheets.joints_at_peak(flexible))
+    assert "overturns the mechanism" in read(annex_sheets.joints_at_peak(shaken(flexible, None)))
+    assert "does not move" in read(annex_sheets.joints_at_peak(shaken(flexible, 0.0)))
 
 
 def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
@@ -94,7 +94,7 @@ def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
 
 def test_the_table_has_every_hinge_and_its_thresholds(mechanisms):
     """Thesis 6.2 and 6.4 with W < f A / 2: the joint opens at 2 W / (k l b^2), crushes at f^2 l / (2 k W)."""
-    table = joint_tables.table(mechanisms["flexible"], name="t")
+    table = annex_sheets.joints_table(mechanisms["flexible"], name="t")
     headings = [read(column.label) for column in table.columns]
     for row in table.rows:
         found = dict(zip(headings, row, strict=True))
@@ -103,26 +103,26 @@ def test_the_table_has_every_hinge_and_its_thresholds(mechanisms):
         assert found["Opens at"] == pytest.approx(2 * W / (K * L * B**2), rel=1e-9)
         assert found["Crushes at"] == pytest.approx(F**2 * L / (2 * K * W), rel=1e-9)
     assert [row[0] for row in table.rows] == [Verbatim("A"), Verbatim("A'")]
-    rigid = joint_tables.table(mechanisms["rigid"], name="t").rows[0]
+    rigid = annex_sheets.joints_table(mechanisms["rigid"], name="t").rows[0]
     assert [read(rigid[place]) for place in (2, 3, 8)] == ["rigid", "unlimited", "never"]
 
 
 def test_only_mechanisms_with_joints_have_the_pages(mechanisms):
-    assert joint_tables.blocks(mechanisms["rigid"], "x") == []
-    made = joint_tables.blocks(mechanisms["flexible"], "x")
+    assert annex_sheets.joint_blocks(mechanisms["rigid"], "x") == []
+    made = annex_sheets.joint_blocks(mechanisms["flexible"], "x")
     assert [type(block) for block in made] == [Table, Prose, Figure, Figure, Sheet]
 
 
 def test_joints_that_are_alike_share_a_sheet(mechanisms):
-    (both,) = joint_tables.sheets(mechanisms["flexible"], "x")
+    (both,) = annex_sheets.contact_sheets(mechanisms["flexible"], "x")
     assert both.name == "x-contact-A"
     assert read(both.caption).startswith("Contact of joints A and A': force at rest")
-    (one,) = joint_tables.sheets(mechanisms["other"], "x")
+    (one,) = annex_sheets.contact_sheets(mechanisms["other"], "x")
     assert read(one.caption).startswith("Contact of joint A: force at rest")
     assert one.steps == mechanisms["other"].contact_sheets[0].steps
-    apart = [sheet.name for sheet in joint_tables.sheets(mechanisms["two"], "x")]
+    apart = [sheet.name for sheet in annex_sheets.contact_sheets(mechanisms["two"], "x")]
     assert apart[:4] == ["x-contact-A", "x-contact-B", "x-contact-C", "x-contact-A-negative"]
-    assert joint_tables.sheets(mechanisms["rigid"], "x") == []
+    assert annex_sheets.contact_sheets(mechanisms["rigid"], "x") == []
 
 
 def test_parameters_show_rest_frequency_and_no_threshold(mechanisms):
@@ -134,7 +134,7 @@ def test_parameters_show_rest_frequency_and_no_threshold(mechanisms):
 
 
 def test_the_moment_figure_marks_opening_and_crushing_on_the_curve(mechanisms):
-    axes = moment_rotation.draw(mechanisms["flexible"], Locale()).axes[0]
+    axes = capacity.draw_moment_rotation(mechanisms["flexible"], Locale()).axes[0]
     marks = [line.get_xydata()[0] for line in axes.lines if line.get_marker() == "o" and len(line.get_xdata())]
     opening, crushing = 2 * W / (K * L * B**2), F**2 * L / (2 * K * W)
     assert [x for x, _ in marks] == pytest.approx([opening, crushing], rel=1e-4)
@@ -151,22 +151,22 @@ def test_the_moment_figure_marks_opening_and_crushing_on_the_curve(mechanisms):
 def test_the_capacity_curve_has_a_mark_for_each_overturning(mechanisms):
     for name, marks in (("flexible", ["o", "s"]), ("rigid", ["o"])):
         found = mechanisms[name]
-        axes = capacity.draw(found, Locale()).axes[0]
+        axes = capacity.draw_capacity(found, Locale()).axes[0]
         drawn = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "s")]
         assert drawn == marks
 
 
 def test_joints_that_are_alike_share_a_line(mechanisms):
-    assert [hinges for *_, hinges in contact.distinct_curves(mechanisms["flexible"])] == ["A, A'"]
-    assert [hinges for *_, hinges in contact.distinct_curves(mechanisms["other"])] == ["A"]
-    two = [hinges for *_, hinges in contact.distinct_curves(mechanisms["two"])]
+    assert [hinges for *_, hinges in capacity.distinct_curves(mechanisms["flexible"])] == ["A, A'"]
+    assert [hinges for *_, hinges in capacity.distinct_curves(mechanisms["other"])] == ["A"]
+    two = [hinges for *_, hinges in capacity.distinct_curves(mechanisms["two"])]
     assert two[:3] == ["A, A'", "B, B'", "C"]
-    stress = contact.draw(mechanisms["flexible"], Locale()).axes[1]
+    stress = capacity.draw_contact(mechanisms["flexible"], Locale()).axes[1]
     assert max(line.get_ydata().max() for line in stress.lines[:1]) == pytest.approx(F / 1e6, rel=1e-12)
 
 
 def test_ticks_of_the_logarithmic_axis_are_plain_numbers(mechanisms):
-    figure = contact.draw(mechanisms["flexible"], Locale())
+    figure = capacity.draw_contact(mechanisms["flexible"], Locale())
     figure.draw_without_rendering()
     for axes in figure.axes:
         told = {tick.get_text() for tick in axes.get_xticklabels()}

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from assess.results import Results
-from reports.chapters.mechanism_keys import split_key, starred_key
+from reports.project_values import split_key, starred_key
 
 
 @pytest.mark.parametrize(

@@ -10,11 +10,11 @@ import pytest
 from assess.codes.check import Outcome
 from assess.codes.verdict import Decision, Index
 from assess.messages.message import Message, Severity
-from assess.results import MechanismResult, Resolved, Results
+from assess.results import MechanismResult, ResolvedValue, Results
 from reports import governing
-from reports.chapters import governing_words, mechanism_page, mechanism_tables, mechanism_words
-from reports.chapters.cells import clause
-from reports.document import Figure, Graded, Row
+from reports.chapters import mechanism_page
+from reports.chapters.cells import comparison_clause
+from reports.document import Figure, FigureRow, OutcomeCell
 from reports.figures.building import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Text
@@ -27,7 +27,7 @@ def told(texts: Iterable[Text], locale: Locale = Locale()) -> str:  # noqa: B008
 
 
 def described(mechanism: MechanismResult) -> str:
-    return told([mechanism_words.description(mechanism)])
+    return told([mechanism_page.description(mechanism)])
 
 
 def test_the_description_names_kind_sides_direction_and_loads(results: Results) -> None:
@@ -52,17 +52,17 @@ def test_the_x_of_a_sketch_is_told_from_that_of_the_model(results: Results) -> N
 
 def test_heights_follow_the_units(results: Results) -> None:
     above = replace(results.mechanisms[0], base_elevation_m=3.048, above_ground=True)
-    assert "Its base is 10 ft above the ground." in told([mechanism_words.description(above)], US)
+    assert "Its base is 10 ft above the ground." in told([mechanism_page.description(above)], US)
     ground = replace(above, base_elevation_m=0.0, above_ground=False)
     assert "Its base is on the ground." in described(ground)
 
 
 def test_the_case_that_stands_for_a_sweep_is_named(results: Results) -> None:
     wall, parapet = results.mechanisms
-    assert told(mechanism_words.representation(results, parapet)) == (
+    assert told(mechanism_page.represented_case(results, parapet)) == (
         "3 values of mechanisms.parapet.uplift were studied; this page shows the most critical one: 0.09."
     )
-    assert not tuple(mechanism_words.representation(results, wall))
+    assert not tuple(mechanism_page.represented_case(results, wall))
 
 
 def test_warnings_belong_to_the_mechanism_with_the_longest_name(results: Results) -> None:
@@ -76,35 +76,37 @@ def test_warnings_belong_to_the_mechanism_with_the_longest_name(results: Results
         Message("d", Severity.WARNING, "records", "of the records"),
     )
     both = replace(results, mechanisms=(wall, longer), warnings=said)
-    assert [each.text for each in mechanism_words.warnings(both, wall)] == ["of the wall"]
-    assert [each.text for each in mechanism_words.warnings(both, longer)] == ["of the longer one"]
+    assert [each.text for each in mechanism_page.mechanism_warnings(both, wall)] == ["of the wall"]
+    assert [each.text for each in mechanism_page.mechanism_warnings(both, longer)] == ["of the longer one"]
 
 
 def test_branches_that_are_alike_share_a_row(results: Results) -> None:
     wall, parapet = results.mechanisms
-    assert len(mechanism_tables.parameters(results, wall, name="n").rows) == 1
+    assert len(mechanism_page.branch_parameters_table(results, wall, name="n").rows) == 1
     assert wall.oscillator_negative is not None
     other = replace(wall, oscillator_negative=replace(wall.oscillator_negative, radius_m=2.0))
-    rows = mechanism_tables.parameters(results, other, name="n").rows
+    rows = mechanism_page.branch_parameters_table(results, other, name="n").rows
     assert [row[2] for row in rows] == [2.84, 2.0]
-    assert mechanism_tables.parameters(results, parapet, name="n").rows[0][1] is None  # a unit mass stands for none
-    given = {**results.project, "mechanisms.parapet.mass": Resolved(1.0, True)}
+    assert (
+        mechanism_page.branch_parameters_table(results, parapet, name="n").rows[0][1] is None
+    )  # a unit mass stands for none
+    given = {**results.project, "mechanisms.parapet.mass": ResolvedValue(1.0, True)}
     known = replace(results, project=given)
-    assert mechanism_tables.parameters(known, parapet, name="n").rows[0][1] == 1.0
+    assert mechanism_page.branch_parameters_table(known, parapet, name="n").rows[0][1] == 1.0
 
 
 def test_answers_are_those_at_the_sites_own_action_once_each(results: Results) -> None:
     wall = results.mechanisms[0]
-    checks = mechanism_tables.shown_checks(results, wall)
+    checks = mechanism_page.shown_checks(results, wall)
     assert {check.level_pga_g for check in checks} == {0.067}
     keys = [(check.procedure, check.limit_state) for check in checks]
     assert len(keys) == len(set(keys)) == 5
-    table = mechanism_tables.answers(results, wall, name="n")
+    table = mechanism_page.answers_table(results, wall, name="n")
     assert table.muted == {4}  # the reading of the thesis comes last
     graded = [row[-1] for row in table.rows]
-    assert all(isinstance(each, Graded) for each in graded)
+    assert all(isinstance(each, OutcomeCell) for each in graded)
     roles = [check.role for check in checks]
-    colours = [each.outcome for each in graded if isinstance(each, Graded)]
+    colours = [each.outcome for each in graded if isinstance(each, OutcomeCell)]
     assert [colour == "comparison" for colour in colours] == [role != "deciding" for role in roles]
 
 
@@ -115,7 +117,7 @@ def test_methods_that_do_not_apply_are_named_and_have_no_row(results: Results) -
         for check in wall.checks
     )
     changed = replace(wall, checks=checks)
-    assert len(mechanism_tables.shown_checks(results, changed)) == 4
+    assert len(mechanism_page.shown_checks(results, changed)) == 4
     (section,) = mechanism_page.sections(results, changed, "01-wall")
     prose = [told(block.paragraphs) for block in section.blocks if hasattr(block, "paragraphs")]
     assert any("Methods that do not apply to this mechanism: DMI 2008, linear." in each for each in prose)
@@ -124,13 +126,13 @@ def test_methods_that_do_not_apply_are_named_and_have_no_row(results: Results) -
 def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judged_at: object) -> None:
     assert callable(judged_at)
     judged = judged_at(results, 0.45)
-    said = told(governing_words.sentences(judged, judged.mechanisms[1]))
+    said = told(mechanism_page.verdict_sentences(judged, judged.mechanisms[1]))
     assert (
         "ASCE 43-05, response history governs at DBE: overturns: no rotation balances this demand (ASCE/SEI 43-05"
         in said
     )
     judged = judged_at(results, 0.2)
-    said = told(governing_words.sentences(judged, judged.mechanisms[0]))
+    said = told(mechanism_page.verdict_sentences(judged, judged.mechanisms[0]))
     assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said
 
 
@@ -145,12 +147,12 @@ def test_a_target_below_full_safety_passes_a_ratio_above_one(results: Results, j
     found = replace(failing.verdict, basis="nzsee2017", target=34.0, index=Index("%NBS", 40.0), mechanisms=(passing,))
     lowered = replace(failing, verdict=found)
     (deciding, *_), *_ = [
-        [cell for cell in row if isinstance(cell, Graded)]
-        for row in mechanism_tables.answers(lowered, wall, name="a").rows
+        [cell for cell in row if isinstance(cell, OutcomeCell)]
+        for row in mechanism_page.answers_table(lowered, wall, name="a").rows
     ]
     assert (deciding.outcome, told([deciding.text])) == ("pass", "pass")
     assert "It passes, as the target is less than full safety: at least 34 %NBS." in told(
-        governing_words.sentences(lowered, wall)
+        mechanism_page.verdict_sentences(lowered, wall)
     )
 
 
@@ -162,7 +164,7 @@ def test_a_failure_with_a_ratio_within_one_says_why(results: Results) -> None:
     for ratio, outcome in ((0.4, Decision.FAIL), (1.4, Decision.FAIL), (0.4, Decision.PASS)):
         answers = (replace(one.answers[0], ratio=ratio, outcome=outcome, reason=reason),)
         judged = replace(verdict, mechanisms=(replace(one, answers=answers, outcome=outcome), *verdict.mechanisms[1:]))
-        said = told(governing_words.sentences(replace(results, verdict=judged), results.mechanisms[0]))
+        said = told(mechanism_page.verdict_sentences(replace(results, verdict=judged), results.mechanisms[0]))
         why = "It fails although this ratio is not above 1: the PGA scan already fails just above 0.1 g."
         assert (why in said) == (ratio < 1.0 and outcome == Decision.FAIL)
 
@@ -172,7 +174,7 @@ def test_joints_of_several_models_are_words_of_the_language(results: Results) ->
     kinds = ("rigid", "flexible")
     both = replace(wall, interfaces=tuple({"model": kind, "curve": {}, "hinge": "A"} for kind in kinds))
     assert "Joints: rigid, with crushing and flexible;" in described(both)
-    italian = told([mechanism_words.description(both)], Locale("it"))
+    italian = told([mechanism_page.description(both)], Locale("it"))
     assert "crushing" not in italian
     assert "flexible" not in italian
 
@@ -180,10 +182,10 @@ def test_joints_of_several_models_are_words_of_the_language(results: Results) ->
 def test_where_no_code_decides_nothing_governs(results: Results) -> None:
     assert results.verdict is not None
     nameless = replace(results, verdict=replace(results.verdict, basis=""))
-    assert told(governing_words.sentences(nameless, results.mechanisms[0])) == (
+    assert told(mechanism_page.verdict_sentences(nameless, results.mechanisms[0])) == (
         "No code is named that decides: the results of all methods are for comparison only."
     )
-    assert not tuple(governing_words.sentences(replace(results, verdict=None), results.mechanisms[0]))
+    assert not tuple(mechanism_page.verdict_sentences(replace(results, verdict=None), results.mechanisms[0]))
 
 
 def test_a_failure_says_what_it_lacks(results: Results) -> None:
@@ -191,19 +193,19 @@ def test_a_failure_says_what_it_lacks(results: Results) -> None:
     one = results.verdict.mechanisms[1]
     answer = replace(one.answers[0], outcome=Decision.FAIL, ratio=3.0, index=Index("zeta_E", 0.4))
     failing = replace(one, outcome=Decision.FAIL, answers=(answer,), margin=0.5)
-    assert governing_words.lacking_factor(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
+    assert mechanism_page.required_increase(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
     by_ratio = replace(failing, answers=(replace(answer, index=Index("D/C", 3.0)),))
-    assert governing_words.lacking_factor(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
+    assert mechanism_page.required_increase(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
     unknown = replace(by_ratio, margin=None)
-    assert governing_words.lacking_factor(unknown, results.verdict) == pytest.approx(3.0)
+    assert mechanism_page.required_increase(unknown, results.verdict) == pytest.approx(3.0)
 
 
 def test_the_clause_is_that_of_the_comparison(results: Results) -> None:
     check = results.mechanisms[0].checks[0]
     last, before = check.steps[-1], check.steps[-2]
     steps = (*check.steps[:-2], replace(before, value=check.ratio, unit="-", clause="A.2"), replace(last, value=7.0))
-    assert clause(replace(check, steps=steps)) == "A.2"
-    assert clause(replace(check, steps=())) == ""
+    assert comparison_clause(replace(check, steps=steps)) == "A.2"
+    assert comparison_clause(replace(check, steps=())) == ""
 
 
 def test_figures_stand_in_pairs_and_none_is_lost(results: Results) -> None:
@@ -213,7 +215,7 @@ def test_figures_stand_in_pairs_and_none_is_lost(results: Results) -> None:
         strict=True,
     ):
         (section,) = mechanism_page.sections(results, mechanism, "s", building_of(results))
-        rows = [block for block in section.blocks if isinstance(block, Row)]
+        rows = [block for block in section.blocks if isinstance(block, FigureRow)]
         alone = [block for block in section.blocks if isinstance(block, Figure)]
         figures = [figure for row in rows for figure in row.figures] + alone
         assert [figure.name for figure in figures] == [f"s-{name}" for name in names]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assess.codes.calculation_step import step
-from assess.results import LoadResult, MechanismResult, Resolved, Results
-from reports.chapters import premises, verdict
+from assess.codes.calculation_sheet import step
+from assess.results import LoadResult, MechanismResult, ResolvedValue, Results
+from reports.chapters import verdict, verdict_texts
 from tests.support.letters import letters, lines
 
 TIE = LoadResult("tie 1", "tie", 0, (0.0, 6.0), None, None, (-20e3, 0.0), "given", lasting="to collapse")
@@ -21,7 +21,7 @@ def with_factor(mechanism: MechanismResult, factor: float | None) -> MechanismRe
     return replace(mechanism, checks=tuple(replace(check, role="deciding", steps=steps) for check in mechanism.checks))
 
 
-def with_factors(results: Results, *factors: float | None, **project: Resolved) -> Results:
+def with_factors(results: Results, *factors: float | None, **project: ResolvedValue) -> Results:
     made = tuple(map(with_factor, results.mechanisms, factors))
     levels = {key.replace("__", "."): value for key, value in project.items()}
     return replace(results, mechanisms=made, project={**results.project, **levels})
@@ -29,26 +29,26 @@ def with_factors(results: Results, *factors: float | None, **project: Resolved) 
 
 def test_confidence_factors_are_told_by_mechanism(results: Results) -> None:
     assert (
-        letters(premises.knowledge(with_factors(results, 1.35, 1.35)))
+        letters(verdict_texts.knowledge_text(with_factors(results, 1.35, 1.35)))
         == "confidence factor FC = 1.35 for all mechanisms"
     )
     assert (
-        letters(premises.knowledge(with_factors(results, 1.35, 1.2)))
+        letters(verdict_texts.knowledge_text(with_factors(results, 1.35, 1.2)))
         == "confidence factor FC = 1.35 for M1, confidence factor FC = 1.2 for M2"
     )
-    assert premises.knowledge(with_factors(results, None, None)) is None
+    assert verdict_texts.knowledge_text(with_factors(results, None, None)) is None
 
 
 def test_the_knowledge_level_stands_before_its_factor(results: Results) -> None:
     code = next(check.procedure.partition("-")[0] for check in results.mechanisms[0].checks)
-    made = with_factors(results, 1.35, 1.35, **{f"procedures__{code}__knowledge_level": Resolved("LC1", True)})
-    level, factor = premises.knowledge_of(made, made.mechanisms[0]) or ("", 0.0)
-    assert letters(premises.factor_text(level, factor)) == "LC1, confidence factor FC = 1.35"
+    made = with_factors(results, 1.35, 1.35, **{f"procedures__{code}__knowledge_level": ResolvedValue("LC1", True)})
+    level, factor = verdict_texts.mechanism_knowledge(made, made.mechanisms[0]) or ("", 0.0)
+    assert letters(verdict_texts.factor_text(level, factor)) == "LC1, confidence factor FC = 1.35"
 
 
 def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
     first, *others = with_factors(results, 1.35, 1.35).mechanisms
-    project = {**results.project, "materials.stone.disintegration": Resolved("excluded", True)}
+    project = {**results.project, "materials.stone.disintegration": ResolvedValue("excluded", True)}
     made = replace(results, mechanisms=(replace(first, loads=(TIE, BEAM)), *others), project=project)
     told = lines(verdict.sections(made))
     assert "the masonry does not disintegrate, as the project states for stone" in told
@@ -57,5 +57,5 @@ def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
 
 
 def test_sound_masonry_is_no_condition_where_no_code_asks_for_it(results: Results) -> None:
-    project = {**results.project, "materials.stone.disintegration": Resolved("excluded", True)}
-    assert not list(premises.premises(replace(with_factors(results, None, None), project=project)))
+    project = {**results.project, "materials.stone.disintegration": ResolvedValue("excluded", True)}
+    assert not list(verdict_texts.stated_premises(replace(with_factors(results, None, None), project=project)))

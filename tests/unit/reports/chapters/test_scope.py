@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from assess.codes.check import Check, Outcome
 from assess.messages.message import note
-from assess.results import MechanismResult, Resolved, Results
-from reports.chapters import methods, references, scope
+from assess.results import MechanismResult, ResolvedValue, Results
+from reports.chapters import scope
 from tests.support.letters import letters, lines, rows
 
 
 def limits(results: Results) -> str:
-    return "\n".join(letters(text) for text in scope.limits_of(results))
+    return "\n".join(letters(text) for text in scope.applicable_limits(results))
 
 
 def with_checks(mechanism: MechanismResult, *more: Check) -> MechanismResult:
@@ -24,7 +24,7 @@ def without_histories(results: Results) -> Results:
 
 
 def test_notes_of_the_engineer_are_signed(results: Results) -> None:
-    made = replace(results, project={"notes": Resolved("The attic was not seen.", given=True)})
+    made = replace(results, project={"notes": ResolvedValue("The attic was not seen.", given=True)})
     assert "Notes: The attic was not seen." in lines(scope.sections(made))
 
 
@@ -68,7 +68,7 @@ def test_what_the_basis_could_not_compare_is_told(results: Results) -> None:
 
 
 def test_methods_say_their_part_and_those_that_decide_come_first(results: Results) -> None:
-    table = methods.table(results)
+    table = scope.methods_table(results)
     parts = [row[2] for row in rows(table)]
     assert parts[0] == "decides"
     assert "never decides: reading of the thesis" in parts
@@ -77,7 +77,7 @@ def test_methods_say_their_part_and_those_that_decide_come_first(results: Result
 
 
 def test_references_are_those_of_these_results(results: Results) -> None:
-    cited = [letters(text) for text in references.cited_works(results)]
+    cited = [letters(text) for text in scope.cited_works(results)]
     assert len(set(cited)) == len(cited)
     assert any("ASCE/SEI 7-16" in text for text in cited)
     assert not any("NZSEE" in text or "Zhang" in text for text in cited)

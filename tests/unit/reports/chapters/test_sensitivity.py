@@ -11,8 +11,8 @@ import pytest
 
 from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
-from reports.chapters import sensitivity, varied_values
-from reports.chapters.sensitivity_ranking import rank_inputs
+from reports.chapters import sensitivity
+from reports.chapters.sensitivity import rank_inputs
 from reports.document import Figure, Prose, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Text
@@ -121,7 +121,7 @@ def drawn(results: Results) -> list[list[str]]:
     """The names of the figures of the chapter, and of those in the annex."""
     return [
         [block.name for section in made for block in section.blocks if isinstance(block, Figure)]
-        for made in (sensitivity.sections(results), sensitivity.others(results))
+        for made in (sensitivity.sections(results), sensitivity.annex_sections(results))
     ]
 
 
@@ -138,9 +138,9 @@ def test_a_tornado_begins_at_the_answer_as_assessed(found: tuple[SensitivityResu
 
 def test_names_tell_entries_and_joints() -> None:
     row = replace(rows("p", 0.1, 0.2)[0], parameter="loads", key="mechanisms.wall-6.loads[2].force[1]")
-    assert told([varied_values.input_name(row)]) == "load 2"
+    assert told([sensitivity.input_name(row)]) == "load 2"
     joint = replace(row, parameter="stiffness", key="mechanisms.wall-6.interfaces.B.stiffness")
-    assert told([varied_values.input_name(joint)]) == "stiffness, joint B"
+    assert told([sensitivity.input_name(joint)]) == "stiffness, joint B"
 
 
 def test_what_is_not_varied_is_told_even_where_nothing_is(results: Results) -> None:
@@ -171,7 +171,7 @@ def test_what_decides_stands_before_what_is_for_comparison() -> None:
     shown = [(row.quantity, row.procedure) for row in found.shown]
     assert shown == [("index", "asce43-05-spectrum"), ("capacity_pga_g", "asce43-05-spectrum")]
     assert {row.procedure for row in found.decisive} == {"asce43-05-spectrum"}
-    assert EN.text(varied_values.answer_name(index)) == "index D/C"
+    assert EN.text(sensitivity.answer_name(index)) == "index D/C"
 
 
 def test_damage_does_not_stand_for_collapse() -> None:

@@ -8,9 +8,9 @@ from typing import Literal
 
 import pytest
 
-from assess.results import GroundMotionResult, RequirementResult, Resolved, Results
-from reports.chapters import actions, site, suite
-from reports.document import Graded, Prose, Table
+from assess.results import GroundMotionResult, RequirementResult, ResolvedValue, Results
+from reports.chapters import site, suite
+from reports.document import OutcomeCell, Prose, Table
 from reports.language.locale import Locale
 from reports.language.texts import Text
 
@@ -40,30 +40,30 @@ def test_parameters_have_their_units_and_sources(results: Results) -> None:
     assert results.spectrum is not None
     project = {
         **results.project,
-        "site.spectrum.s_ds": Resolved(1.6377, True),
-        "site.spectrum.s_d1": Resolved(0.51975, True),
-        "site.spectrum.damping": Resolved(0.05, False),
-        "report.sources.site.spectrum": Resolved("literature: <b>a study</b>", True),
+        "site.spectrum.s_ds": ResolvedValue(1.6377, True),
+        "site.spectrum.s_d1": ResolvedValue(0.51975, True),
+        "site.spectrum.damping": ResolvedValue(0.05, False),
+        "report.sources.site.spectrum": ResolvedValue("literature: <b>a study</b>", True),
     }
-    table = site.parameters(replace(results, project=project), results.spectrum)
+    table = site.parameters_table(replace(results, project=project), results.spectrum)
     rows = {told([row[0]]): told(row[1:]) for row in table.rows}  # type: ignore[list-item, arg-type]  all are texts
     assert rows["S_DS, design, at short periods"] == "0.167 g\nliterature: <b>a study</b>"
     assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
     assert rows["Damping ratio"] == "0.05\ndefault"
     assert "T_L, long-period transition" not in rows
-    calculated = site.calculated_parameters(replace(results, project=project), results.spectrum)
+    calculated = site.calculated_parameters_table(replace(results, project=project), results.spectrum)
     cells = [told([cell]) for row in calculated.rows for cell in row]  # type: ignore[list-item]  all are texts
     assert cells[cells.index("T_L, long-period transition") + 1] == "6 s"
-    assert {len(row) for row in calculated.rows} == {2 * site.ABREAST}
+    assert {len(row) for row in calculated.rows} == {2 * site.PAIRS_IN_ROW}
 
 
 def test_a_hazard_over_return_periods_is_tabulated_in_g(results: Results) -> None:
-    assert not site.hazard(results).rows
+    assert not site.hazard_table(results).rows
     row = {"return_period": 475.0, "a_g": 1.5690640, "f_0": 2.45, "t_c_star": 0.33}
-    project = {**results.project, "site.spectrum.hazard": Resolved([row], True)}
-    assert site.hazard(replace(results, project=project)).rows == ((475.0, pytest.approx(0.16), 2.45, 0.33),)
-    named = {**results.project, "site.spectrum.hazard": Resolved("design", False)}
-    assert not site.hazard(replace(results, project=named)).rows
+    project = {**results.project, "site.spectrum.hazard": ResolvedValue([row], True)}
+    assert site.hazard_table(replace(results, project=project)).rows == ((475.0, pytest.approx(0.16), 2.45, 0.33),)
+    named = {**results.project, "site.spectrum.hazard": ResolvedValue("design", False)}
+    assert not site.hazard_table(replace(results, project=named)).rows
 
 
 def test_no_spectrum_and_no_records_are_told(results: Results) -> None:
@@ -82,21 +82,21 @@ def test_the_combination_is_that_of_the_basis(results: Results) -> None:
 
 def test_vertical_motion_is_told_either_way(results: Results) -> None:
     assert "No vertical ground motion is applied." in prose(results)
-    project = {**results.project, "site.vertical_ratio": Resolved(0.67, True)}
+    project = {**results.project, "site.vertical_ratio": ResolvedValue(0.67, True)}
     assert "vertical ground motion of 0.67 times the horizontal one" in prose(replace(results, project=project))
 
 
 def test_loads_that_are_alike_share_a_row(results: Results) -> None:
     wall, parapet = results.mechanisms
     both = replace(results, mechanisms=(replace(wall, loads=parapet.loads[:1]), parapet))
-    rows = actions.loads(both).rows
+    rows = site.loads_table(both).rows
     assert [told([row[0], row[1], row[2]]) for row in rows] == [  # type: ignore[list-item]  all are texts
         "floor <beam>\nM1 and M2\nweight and mass",
         "=cmd()\nM2\nforce",
     ]
     assert rows[1][4:] == (8250.5, -120.0)
     bare = replace(results, mechanisms=(wall,))
-    assert not actions.loads(bare).rows
+    assert not site.loads_table(bare).rows
     assert "The project gives no other loads" in prose(bare)
     block = replace(bare, mechanisms=(replace(wall, kind="equivalent-block"),))
     assert "The project gives no other loads" not in prose(block)
@@ -105,7 +105,7 @@ def test_loads_that_are_alike_share_a_row(results: Results) -> None:
 
 def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Results) -> None:
     recorded = replace(results.records[0], path="a.AT2", event="Friuli", date="1976-05-06", component="NS")
-    rows = suite.records(replace(results, records=(*results.records, recorded))).rows
+    rows = suite.records_table(replace(results, records=(*results.records, recorded))).rows
     assert len(rows) == 2
     assert told([rows[0][1]]) == "Friuli 1976"  # type: ignore[list-item]  a text
     assert told([rows[1][0]]) == "5 artificial records"  # type: ignore[list-item]  a text
@@ -114,15 +114,17 @@ def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Result
 
 def test_the_suite_is_judged_by_the_rules_of_the_basis_alone(results: Results) -> None:
     met = with_rules(results, rule("met"), rule("not met", code="NTC 2018"))
-    assert told(suite.sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
+    assert told(suite.suite_sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
     missed = with_rules(results, rule("met"), rule("not met"))
-    assert told(suite.sentences(missed)).endswith(
+    assert told(suite.suite_sentences(missed)).endswith(
         "The suite does not meet these requirements of ASCE 43-05: largest time step."
     )
     silent = with_rules(results, rule("not answered"))
-    assert "These requirements of ASCE 43-05 could not be checked: largest time step." in told(suite.sentences(silent))
-    table = suite.requirements(missed)
-    assert [row[-1].outcome for row in table.rows if isinstance(row[-1], Graded)] == ["pass", "fail"]
+    assert "These requirements of ASCE 43-05 could not be checked: largest time step." in told(
+        suite.suite_sentences(silent)
+    )
+    table = suite.basis_requirements_table(missed)
+    assert [row[-1].outcome for row in table.rows if isinstance(row[-1], OutcomeCell)] == ["pass", "fail"]
     assert told([table.rows[0][3]]) == "≤ 0.01 s"  # type: ignore[list-item]  a text
 
 

@@ -12,8 +12,8 @@ from assess.results import Results
 from assess.results.json import dumps, loads
 from reports.assessment import assessment
 from reports.chapters import uncertainty
-from reports.document import Row
-from reports.figures import uncertainty as figure
+from reports.document import FigureRow
+from reports.figures import sensitivity as figure
 from reports.language.locale import Locale
 from tests.languages.test_reports import unknown_words
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
@@ -31,13 +31,13 @@ def sampled(results: Results) -> Results:
 
 def said(results: Results) -> str:
     assert results.uncertainty is not None
-    texts = uncertainty.idle_densities(results, results.uncertainty)
+    texts = uncertainty.densities_without_effect(results, results.uncertainty)
     return " ".join(map(Locale().text, texts))
 
 
 def test_there_is_no_chapter_without_samples(results: Results) -> None:
-    assert uncertainty.sections(results) == uncertainty.others(results) == []
-    assert not list(uncertainty.data(results))
+    assert uncertainty.sections(results) == uncertainty.annex_sections(results) == []
+    assert not list(uncertainty.data_tables(results))
 
 
 def test_the_main_part_has_the_answer_that_fails_most_often(sampled: Results) -> None:
@@ -52,10 +52,10 @@ def test_an_answer_that_nothing_changes_has_no_figure(sampled: Results) -> None:
     assert sampled.uncertainty is not None
     still = tuple(replace(each, influences=()) for each in sampled.uncertainty.answers)
     one = replace(sampled, uncertainty=replace(sampled.uncertainty, answers=(still[0], sampled.uncertainty.answers[1])))
-    (row,) = [block for block in uncertainty.sections(one)[0].blocks if isinstance(block, Row)]
+    (row,) = [block for block in uncertainty.sections(one)[0].blocks if isinstance(block, FigureRow)]
     assert "-uncertainty-02-" in row.figures[0].name
     none = replace(sampled, uncertainty=replace(sampled.uncertainty, answers=still))
-    assert not [block for block in uncertainty.sections(none)[0].blocks if isinstance(block, Row)]
+    assert not [block for block in uncertainty.sections(none)[0].blocks if isinstance(block, FigureRow)]
 
 
 def test_a_density_that_changes_nothing_is_told_of_the_mechanisms_where_that_is_so(sampled: Results) -> None:
@@ -78,7 +78,7 @@ def test_means_have_the_unit_of_their_key(sampled: Results) -> None:
         (Locale(), ["0.6 m", "2100 kg/m³", "12 kN"]),
         (Locale("en", "US"), ["1.969 ft", "131.1 lb/ft³"]),
     ):
-        rows = uncertainty.inputs(sampled.uncertainty).rows
+        rows = uncertainty.inputs_table(sampled.uncertainty).rows
         assert [locale.text(row[1]).replace("\u00a0", " ") for row in rows][: len(means)] == means  # type: ignore[arg-type]
 
 

@@ -9,9 +9,9 @@ import pytest
 
 from assess.codes.verdict import Decision, Index, Missing
 from assess.messages.message import Message, Severity, warning
-from assess.results import ChecklistItem, ReportMatter, Resolved, Results
+from assess.results import ChecklistItem, ReportMatter, ResolvedValue, Results
 from reports.chapters import recommendations, scope, site, verdict
-from reports.document import Banner, Code
+from reports.document import Banner, FileLines
 from tests.support.letters import letters, lines
 
 JudgedAt = Callable[[Results, float], Results]
@@ -94,7 +94,7 @@ def test_what_lies_at_the_limit_says_so_unless_it_is_incomplete(results: Results
 
 def test_the_basis_names_titles_action_target_and_index(results: Results) -> None:
     known = with_verdict(results, index=Index("zeta_E", 0.8312))
-    project = {**results.project, "building.use_class": Resolved("III", True)}
+    project = {**results.project, "building.use_class": ResolvedValue("III", True)}
     said = lines(verdict.sections(replace(known, project=project)))
     assert "Code: ASCE/SEI 43-05" in said
     assert "Limit state: DBE (design basis earthquake)" in said
@@ -127,7 +127,7 @@ def test_an_incomplete_verdict_lists_what_is_missing_with_lines_to_paste(results
     blocks = verdict.sections(lacking)[0].blocks
     said = lines(verdict.sections(lacking))
     assert "materials.old stone.disintegration: whether it may disintegrate" in said
-    assert Code(('[materials."old stone"]', 'disintegration = "excluded"')) in blocks
+    assert FileLines(('[materials."old stone"]', 'disintegration = "excluded"')) in blocks
     assert "With the safe value of all that is missing, the verdict would be: fail." in said
 
 
@@ -152,7 +152,7 @@ def test_many_lines_to_paste_stand_with_the_recommendations(results: Results) ->
 
 
 def test_what_passes_asks_for_nothing(results: Results) -> None:
-    assert not any(isinstance(block, Code) for block in verdict.sections(results)[0].blocks)
+    assert not any(isinstance(block, FileLines) for block in verdict.sections(results)[0].blocks)
 
 
 def test_many_conditions_are_all_in_the_report(results: Results) -> None:

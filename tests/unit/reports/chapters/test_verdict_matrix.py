@@ -8,9 +8,9 @@ from dataclasses import replace
 from assess.codes.check import Check, NumericalSpread, Outcome, Reason, reason_message
 from assess.codes.verdict import Index
 from assess.results import Results
-from reports.chapters import comparison, recommendations, verdict_matrix
-from reports.chapters.index_text import margin_text
-from reports.document import Graded, Table
+from reports.chapters import comparison, recommendations, verdict
+from reports.chapters.verdict_texts import margin_text
+from reports.document import OutcomeCell, Table
 from tests.support.letters import letters, rows
 
 JudgedAt = Callable[[Results, float], Results]
@@ -19,7 +19,7 @@ PROCEDURES = ("ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history", "nzsee20
 
 def matrix(results: Results) -> Table:
     assert results.verdict is not None
-    return verdict_matrix.table(results, results.verdict)
+    return verdict.matrix(results, results.verdict)
 
 
 def headings(results: Results) -> list[str]:
@@ -36,7 +36,7 @@ def with_more(results: Results, procedures: tuple[str, ...], ratio: float = 2.5)
 
 
 def cell_of(check: Check) -> str:
-    return letters(verdict_matrix.ratio_text(check))
+    return letters(verdict.ratio_text(check))
 
 
 def test_each_mechanism_has_a_row_with_its_number(results: Results) -> None:
@@ -46,7 +46,7 @@ def test_each_mechanism_has_a_row_with_its_number(results: Results) -> None:
 def test_the_deciding_answer_alone_has_a_colour(results: Results, judged_at: JudgedAt) -> None:
     table = matrix(judged_at(results, 0.45))
     for row, outcome in zip(table.rows, ("pass", "fail"), strict=True):
-        graded = [cell.outcome for cell in row[2:] if isinstance(cell, Graded)]
+        graded = [cell.outcome for cell in row[2:] if isinstance(cell, OutcomeCell)]
         assert graded.count(outcome) == 1
         assert set(graded) <= {outcome, "comparison"}
 
@@ -69,7 +69,7 @@ def test_a_method_that_answers_for_nobody_has_no_column(results: Results) -> Non
 def test_many_methods_share_a_column_with_the_largest_of_their_answers(results: Results) -> None:
     many = with_more(results, PROCEDURES)
     table = matrix(many)
-    assert len(table.columns) == verdict_matrix.WIDTH
+    assert len(table.columns) == verdict.MAX_COLUMNS
     assert letters(table.columns[-1].label) == "Largest D/C of the other methods"
     assert rows(table)[0][-1].startswith("2.5 (")
     assert rows(table)[1][-1] != ""
@@ -123,7 +123,7 @@ def test_histories_have_no_more_digits_than_stand(results: Results, judged_at: J
         text = margin_text(spread.verdict.mechanisms[1], spread.verdict.action)
         assert text is not None
         assert letters(text) == row[2]
-        compared = rows(comparison.table(spread))[1]
+        compared = rows(comparison.ratios_table(spread))[1]
         assert compared[-1] == shown[1]
         (lacking,) = (b for b in recommendations.sections(spread)[0].blocks if isinstance(b, Table))
         held, factor = rows(lacking)[-1][1], rows(lacking)[-1][3]

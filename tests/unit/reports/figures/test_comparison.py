@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from assess.codes.check import Check, Outcome
 from assess.results import Results
 from reports.figures import comparison
-from reports.figures.mechanism_pens import mechanism_pens
+from reports.figures.style import mechanism_pens
 from reports.language.locale import Locale
 
 DRAWN = (comparison.draw_capacities, comparison.draw_demands, comparison.draw_curves)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from reports.figures.faces import normals, occluding_pairs, painting_order, visible_edges
-from reports.figures.solids import Surface
+from reports.figures.projection import TriangleSurface, occluding_pairs, painting_order, unit_normals, visible_edges
 
 CUBE = np.array([(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CORNER = np.array([1.0, 1.0, 1.0]) / np.sqrt(3.0)
@@ -19,7 +18,7 @@ def triangle(x: float, y: float, z: float, *, size: float = 1.0, rise: float = 0
 
 
 def test_the_edges_of_a_cube_are_sharp_and_its_diagonals_are_not() -> None:
-    drawn = visible_edges(Surface(CUBE, TRIANGLES), CORNER, 1.0)
+    drawn = visible_edges(TriangleSurface(CUBE, TRIANGLES), CORNER, 1.0)
     corners = CUBE[TRIANGLES]
     lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
     facing = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ CORNER > 0.0
@@ -27,8 +26,8 @@ def test_the_edges_of_a_cube_are_sharp_and_its_diagonals_are_not() -> None:
 
 
 def test_three_faces_of_a_cube_look_at_an_eye_in_its_corner_and_their_rim_is_drawn_however_blunt() -> None:
-    drawn = visible_edges(Surface(CUBE, TRIANGLES), CORNER, 3.0)
-    seen = normals(CUBE[TRIANGLES]) @ CORNER > 0.0
+    drawn = visible_edges(TriangleSurface(CUBE, TRIANGLES), CORNER, 3.0)
+    seen = unit_normals(CUBE[TRIANGLES]) @ CORNER > 0.0
     assert seen.sum() == 6
     assert drawn[seen].sum() == 6  # the hexagon that the eye sees as the border
 

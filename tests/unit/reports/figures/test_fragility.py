@@ -14,9 +14,9 @@ from matplotlib.text import Text
 
 from assess.results.fragility import FragilityResults
 from reports.document import Figure as Drawing
-from reports.figures import fragility, fragility_risk, fragility_runs
+from reports.figures import fragility
+from reports.intensity_measures import curves_by, first_measure, main_curve, main_risk
 from reports.language.locale import Locale
-from reports.measures import curves_by, first_measure, main_curve, main_risk
 from tests.support.fragility_results import PGV, SCALED_PGV, fragility_results
 from tests.unit.reports.figures.test_words import WORD, _Bracketed, outside_brackets
 
@@ -62,7 +62,7 @@ def marks(figure: Figure, *, hollow: bool) -> list[float]:
 def test_points_of_large_scale_factors_are_hollow(results: FragilityResults) -> None:
     curve = main_curve(results.mechanisms[0])
     assert curve is not None
-    figure = fragility.draw(curve, Locale())
+    figure = fragility.draw_fragility(curve, Locale())
     for hollow in (False, True):
         points = [point.intensity for point in curve.empirical if (2 * point.hollow > point.records) == hollow]
         assert points
@@ -72,7 +72,7 @@ def test_points_of_large_scale_factors_are_hollow(results: FragilityResults) -> 
 def test_intervals_are_those_of_wilson_and_the_bound_is_dashed(results: FragilityResults) -> None:
     curve = main_curve(results.mechanisms[0])
     assert curve is not None
-    (axes,) = fragility.draw(curve, Locale()).axes
+    (axes,) = fragility.draw_fragility(curve, Locale()).axes
     upright = [line.get_ydata() for line in axes.get_lines() if len(set(np.atleast_1d(line.get_xdata()))) == 1]
     wilson = [[100 * point.low, 100 * point.high] for point in curve.empirical]
     assert np.allclose([each for each in upright if len(each) == 2], wilson)
@@ -84,7 +84,7 @@ def test_the_lognormal_passes_half_at_its_median(results: FragilityResults) -> N
     curve = main_curve(results.mechanisms[0])
     assert curve is not None
     assert curve.lognormal is not None
-    (axes,) = fragility.draw(curve, Locale()).axes
+    (axes,) = fragility.draw_fragility(curve, Locale()).axes
     line = next(line for line in axes.get_lines() if line.get_label() == "lognormal")
     at = np.interp(curve.lognormal.median, *map(np.asarray, line.get_data()))
     assert at == pytest.approx(50.0, abs=0.2)  # between 200 points of the curve
@@ -93,7 +93,7 @@ def test_the_lognormal_passes_half_at_its_median(results: FragilityResults) -> N
 def test_a_curve_that_is_not_bounded_has_its_points_alone(results: FragilityResults) -> None:
     curve = main_curve(results.mechanisms[0])
     assert curve is not None
-    (axes,) = fragility.draw(replace(curve, lognormal=None, first=None), Locale()).axes
+    (axes,) = fragility.draw_fragility(replace(curve, lognormal=None, first=None), Locale()).axes
     assert "lognormal" not in {line.get_label() for line in axes.get_lines()}
     assert not axes.collections
     assert fragility.draw_states((replace(curve, lognormal=None),), Locale()).axes
@@ -104,7 +104,7 @@ def test_islands_are_marked_where_records_stand_again(results: FragilityResults)
     measure = first_measure(front)
     assert measure is not None
     units = [run.intensity[0] for run in front.runs]
-    (axes,) = fragility_runs.draw(front.runs, units, measure, Locale(), reach=1.0).axes
+    (axes,) = fragility.draw_record_runs(front.runs, units, measure, Locale(), reach=1.0).axes
     drawn = next(line for line in axes.get_lines() if line.get_label() == "island: stands again")
     stand = [
         scale * unit
@@ -120,7 +120,7 @@ def test_bars_of_contributions_make_up_the_whole_rate(results: FragilityResults)
     risk = main_risk(results.mechanisms[0])
     assert risk is not None
     for hazard in (results.hazard[0], None):
-        _, below = fragility_risk.draw(risk, hazard, Locale()).axes
+        _, below = fragility.draw_risk(risk, hazard, Locale()).axes
         heights = [patch.get_height() for patch in below.patches]  # type: ignore[attr-defined]
         assert sum(heights) == pytest.approx(100.0)
 
@@ -129,7 +129,7 @@ def test_axes_have_the_units_of_the_measure(results: FragilityResults) -> None:
     front = results.mechanisms[0]
     for measure, system, unit in ((PGV, "SI", "m/s"), (PGV, "US", "ft/s"), (SCALED_PGV, "US", "-")):
         curves = curves_by(front, measure)
-        for draw in (partial(fragility.draw, curves[-1]), partial(fragility.draw_states, curves)):
+        for draw in (partial(fragility.draw_fragility, curves[-1]), partial(fragility.draw_states, curves)):
             (axes,) = draw(Locale(system=system)).axes  # type: ignore[arg-type]
             assert axes.get_xlabel().endswith(f"[{unit}]")
 
@@ -137,7 +137,7 @@ def test_axes_have_the_units_of_the_measure(results: FragilityResults) -> None:
 def test_rows_of_the_hazard_are_points_on_its_curve(results: FragilityResults) -> None:
     risk = main_risk(results.mechanisms[0])
     assert risk is not None
-    above, _ = fragility_risk.draw(risk, results.hazard[0], Locale()).axes
+    above, _ = fragility.draw_risk(risk, results.hazard[0], Locale()).axes
     line = above.get_lines()[0]
     assert line.get_marker() == "o"
     assert np.asarray(line.get_xdata()) == pytest.approx(results.hazard[0].intensity)

@@ -10,14 +10,13 @@ import pytest
 import trimesh
 from matplotlib.colors import to_rgb
 
-from assess.codes.verdict.outcome import Decision
+from assess.codes.verdict import Decision
 from assess.results import MechanismResult, Results, View
-from assess.results.inputs import Resolved
-from assess.results.view import Axis
-from reports.figures import key_plan, place
-from reports.figures.building import building_of, moved_by
-from reports.figures.faces import Hatching, hatch
-from reports.figures.projection import round_length
+from assess.results.inputs import ResolvedValue
+from assess.results.mechanism import HingeAxis
+from reports.figures import key_plan
+from reports.figures.building import building_of, building_of_mechanism
+from reports.figures.projection import Hatching, hatch_lines, round_length
 from reports.figures.style import FIXED, VERDICT
 from reports.language.locale import Locale
 
@@ -39,7 +38,7 @@ def wall(at: Point = (0.0, 0.0, 0.0), *, cut: float = 0.0, height: float = 6.0) 
         start += len(part.vertices)
     x, y = at[0] + 0.3, at[1]
     ring = tuple((at[0] + dx, y + dy, cut) for dx, dy in ((-0.3, -1.5), (0.3, -1.5), (0.3, 1.5), (-0.3, 1.5)))
-    axis = Axis("A", ((x, y - 1.5, cut), (x, y + 1.5, cut)))
+    axis = HingeAxis("A", ((x, y - 1.5, cut), (x, y + 1.5, cut)))
     return View(
         tuple(vertices), tuple(triangles), tuple(block_of), (axis,), (ring,) if cut else (), (1.0, 0.0, 0.0),
         (0.6, 3.0, height), len(triangles),
@@ -58,7 +57,7 @@ def built(results: Results, views: Sequence[tuple[View | None, str]]) -> Results
     names = [f"m{number}" for number in range(1, len(views) + 1)]
     mechanisms = tuple(replace(pattern, name=name, view=view) for name, (view, _) in zip(names, views, strict=True))
     bodies = {
-        f"mechanisms.{name}.blocks": Resolved([[body]], given=True)
+        f"mechanisms.{name}.blocks": ResolvedValue([[body]], given=True)
         for name, (_, body) in zip(names, views, strict=True)
     }
     assert results.verdict is not None
@@ -86,7 +85,7 @@ def test_all_of_a_mechanism_is_coloured_at_its_own_place(results: Results) -> No
     found = building_of(built(results, [(wall(), "wall"), (wall(cut=4.0), "wall")]))
     assert found is not None
     number = next(place for place, each in enumerate(found.moving) if each.title == "M1")
-    own = moved_by(found, number)
+    own = building_of_mechanism(found, number)
     assert set(own.owner.tolist()) == {number}
     assert np.ptp(own.surface.corners[:, :, 2]) == pytest.approx(6.0)
 
@@ -105,7 +104,7 @@ def test_bodies_in_one_place_stand_apart_and_the_caption_says_so(results: Result
     first, second = (found.surface.vertices[found.surface.triangles[found.group == group]] for group in (0, 1))
     right = np.array([found.direction[0], 0.0, 0.0]) + np.array([0.0, 1.0, 0.0])
     assert (first @ right).max() < (second @ right).min()
-    assert "drawn apart" in Locale().text(key_plan.caption(found))
+    assert "drawn apart" in Locale().text(key_plan.key_plan_caption(found))
 
 
 def test_walls_at_their_places_stay_there(results: Results) -> None:
@@ -114,7 +113,7 @@ def test_walls_at_their_places_stay_there(results: Results) -> None:
     assert found is not None
     assert not found.apart
     assert found.surface.vertices[:, 0].max() == pytest.approx(5.3)
-    assert "drawn apart" not in Locale().text(key_plan.caption(found))
+    assert "drawn apart" not in Locale().text(key_plan.key_plan_caption(found))
 
 
 def test_results_without_geometry_have_no_key_plan(results: Results) -> None:
@@ -123,14 +122,14 @@ def test_results_without_geometry_have_no_key_plan(results: Results) -> None:
     one = building_of(built(results, [(wall(), "wall")]))
     assert one is not None
     with pytest.raises(ValueError, match='mechanism "m7" has no geometry'):
-        place.draw(one, "m7", Locale())
+        key_plan.draw_place(one, "m7", Locale())
 
 
 def test_every_number_and_no_two_on_one_another(results: Results) -> None:
     walls = [(wall((0.8 * x, 3.2 * y, 0.0), cut=3.0), f"w{x}{y}") for x in range(4) for y in range(3)]
     found = building_of(built(results, walls))
     assert found is not None
-    figure = key_plan.draw(found, Locale())
+    figure = key_plan.draw_key_plan(found, Locale())
     figure.draw_without_rendering()
     tags = [text for text in figure.axes[0].texts if text.get_text().startswith("M")]
     assert sorted(tag.get_text() for tag in tags) == sorted(f"M{number}" for number in range(1, 13))
@@ -141,12 +140,12 @@ def test_every_number_and_no_two_on_one_another(results: Results) -> None:
 def test_a_failing_part_is_hatched_and_darker_in_grey() -> None:
     lightness = {name: float(np.dot(to_rgb(colour), (0.299, 0.587, 0.114))) for name, colour in VERDICT.items()}
     assert lightness["fail"] < lightness["pass"] - 0.15 < lightness["incomplete"] - 0.15
-    assert set(key_plan.HATCHED) == {"fail", "incomplete"}
+    assert set(key_plan.HATCHINGS) == {"fail", "incomplete"}
 
 
 def test_hatching_lies_within_the_triangle() -> None:
     corners = np.array([[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]])
-    lines = hatch(corners, Hatching(2.0, 0.0, "#000000"))
+    lines = hatch_lines(corners, Hatching(2.0, 0.0, "#000000"))
     assert len(lines) >= 5
     assert all((line >= -1e-9).all() and (line.sum(axis=1) <= 10.0 + 1e-9).all() for line in lines)
 

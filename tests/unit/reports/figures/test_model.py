@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from assess.results import Results, View
-from reports.figures.model import model_of_view
 from reports.figures.projection import eye_of
 from reports.figures.style import NEGATIVE, POSITIVE
+from reports.figures.view import model_of_view
 
 
 @pytest.fixture

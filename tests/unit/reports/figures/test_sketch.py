@@ -9,7 +9,7 @@ import pytest
 from matplotlib.patches import Polygon
 
 from assess.results import Drawing, NamedPoint, Results
-from reports.figures.sketch import BESIDE, common_window, draw, extent_between, panel_size
+from reports.figures.sketch import BESIDE, common_window, draw_sketch, extent_between, panel_size
 from reports.figures.style import HALF
 from reports.language.locale import Locale
 
@@ -20,20 +20,20 @@ def rings(axes) -> list[np.ndarray]:
 
 def test_one_panel_at_rest_and_one_displaced(results: Results) -> None:
     for mechanism in results.mechanisms:
-        rest, turned = draw(mechanism, Locale()).axes
+        rest, turned = draw_sketch(mechanism, Locale()).axes
         assert rest.get_title(loc="left") == "at rest"
         assert turned.get_title(loc="left").startswith("displaced, φ = 0.")
 
 
 def test_feet_are_written_at_round_numbers_of_feet(results: Results) -> None:
-    axes = draw(results.mechanisms[0], Locale(system="US")).axes[0]
+    axes = draw_sketch(results.mechanisms[0], Locale(system="US")).axes[0]
     ticks = [float(tick.get_text().replace("−", "-")) for tick in axes.get_yticklabels()]
     np.testing.assert_allclose(axes.get_yticks(), np.array(ticks) * 0.3048, rtol=1e-12)
     assert axes.get_ylabel() == "elevation z [ft]"
 
 
 def test_all_panels_have_one_scale_and_it_is_true(results: Results) -> None:
-    figure = draw(results.mechanisms[0], Locale())
+    figure = draw_sketch(results.mechanisms[0], Locale())
     for axes in figure.axes:
         box = axes.get_window_extent()
         across = box.width / np.ptp(axes.get_xlim())
@@ -44,7 +44,7 @@ def test_all_panels_have_one_scale_and_it_is_true(results: Results) -> None:
 
 def test_displaced_panels_show_the_displaced_shape_over_the_one_at_rest(results: Results) -> None:
     drawing = results.mechanisms[0].drawing
-    figure = draw(results.mechanisms[0], Locale())
+    figure = draw_sketch(results.mechanisms[0], Locale())
     back, displaced, rest = rings(figure.axes[1])
     assert back == pytest.approx(np.array(drawing.displaced_negative.blocks[0]))
     assert displaced == pytest.approx(np.array(drawing.displaced.blocks[0]))
@@ -71,7 +71,7 @@ def test_hinges_are_coloured_by_branch_whatever_they_are_called(results: Results
     mechanism = results.mechanisms[0]
     drawing: Drawing = mechanism.drawing
     named = replace(drawing, hinges=tuple(NamedPoint("$x'", hinge.at) for hinge in drawing.hinges))
-    figure = draw(replace(mechanism, drawing=named), Locale())
+    figure = draw_sketch(replace(mechanism, drawing=named), Locale())
     names = [text for text in figure.axes[0].texts if text.get_text() == "$x'"]
     assert len(names) == 2
     assert names[0].get_color() != names[1].get_color()

@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 import trimesh
 
-from reports.figures.solids import Plane, Surface, body_numbers, cut, plane_of, weld
+from reports.figures.building import CrackPlane, body_numbers, cut_triangles, plane_of, weld
+from reports.figures.projection import TriangleSurface
 
 
-def box(size: tuple[float, float, float] = (1.0, 2.0, 3.0), at: tuple[float, float, float] = (0, 0, 0)) -> Surface:
+def box(
+    size: tuple[float, float, float] = (1.0, 2.0, 3.0), at: tuple[float, float, float] = (0, 0, 0)
+) -> TriangleSurface:
     mesh = trimesh.creation.box(size)
-    return Surface(np.array(mesh.vertices) + at, np.array(mesh.faces))
+    return TriangleSurface(np.array(mesh.vertices) + at, np.array(mesh.faces))
 
 
 def area(corners: np.ndarray) -> float:
@@ -22,9 +25,9 @@ def area(corners: np.ndarray) -> float:
 
 @pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), (0.6, 0.0, 0.8), (0.48, 0.6, 0.64)])
 def test_a_cut_keeps_the_surface_and_leaves_no_triangle_on_both_sides(normal: tuple[float, float, float]) -> None:
-    plane = Plane(np.array([0.1, -0.2, 0.3]), np.array(normal))
+    plane = CrackPlane(np.array([0.1, -0.2, 0.3]), np.array(normal))
     whole = box().corners
-    parts = cut(whole, plane)
+    parts = cut_triangles(whole, plane)
     assert len(parts) > len(whole)
     assert area(parts) == pytest.approx(area(whole), rel=1e-12)
     heights = plane.heights(parts)
@@ -35,7 +38,9 @@ def test_a_cut_keeps_the_surface_and_leaves_no_triangle_on_both_sides(normal: tu
 
 def test_a_cut_beside_the_surface_changes_nothing() -> None:
     whole = box().corners
-    np.testing.assert_array_equal(cut(whole, Plane(np.array([0.0, 0.0, 1.5]), np.array([0.0, 0.0, 1.0]))), whole)
+    np.testing.assert_array_equal(
+        cut_triangles(whole, CrackPlane(np.array([0.0, 0.0, 1.5]), np.array([0.0, 0.0, 1.0]))), whole
+    )
 
 
 def test_loose_triangles_are_one_body_again() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from assess.results import Results
 from assess.results.ground_motion import GroundMotionResult, RequirementResult
-from reports.figures import suite
+from reports.figures import spectrum
 from reports.language.locale import Locale
 
 PERIOD = tuple(np.geomspace(0.02, 5.0, 60).tolist())
@@ -38,14 +38,14 @@ def chosen(results: Results) -> Results:
 def test_the_limits_are_those_of_the_basis(chosen: Results, basis: str, count: int) -> None:
     assert chosen.verdict is not None
     asked = replace(chosen, verdict=replace(chosen.verdict, basis=basis))
-    assert len(suite.limits(asked)) == count
-    assert suite.limits(replace(asked, verdict=None)) == ()
+    assert len(spectrum.mean_limits(asked)) == count
+    assert spectrum.mean_limits(replace(asked, verdict=None)) == ()
 
 
 def test_a_limit_is_drawn_over_its_periods_at_its_share_of_the_target(chosen: Results) -> None:
     assert chosen.verdict is not None
     asked = replace(chosen, verdict=replace(chosen.verdict, basis="asce43-05"))
-    lines = suite.draw(asked, Locale()).axes[0].get_lines()
+    lines = spectrum.draw_suite(asked, Locale()).axes[0].get_lines()
     most = next(line for line in lines if "130" in str(line.get_label()))
     np.testing.assert_allclose(most.get_ydata(), 0.52, rtol=1e-12)
     assert 0.1 <= np.min(most.get_xdata()) < np.max(most.get_xdata()) <= 2.0
@@ -53,4 +53,4 @@ def test_a_limit_is_drawn_over_its_periods_at_its_share_of_the_target(chosen: Re
 
 def test_results_without_a_suite_are_refused(results: Results) -> None:
     with pytest.raises(ValueError, match="no suite"):
-        suite.draw(replace(results, ground_motion=None), Locale())
+        spectrum.draw_suite(replace(results, ground_motion=None), Locale())

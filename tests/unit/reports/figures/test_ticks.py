@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 from matplotlib.figure import Figure
 
-from reports.figures.scale import fitting_scale, table_scale
-from reports.figures.style import report_style, sheet
+from reports.figures.style import fitting_scale, report_style, sheet, table_scale
 from reports.language.locale import Locale
 from reports.language.texts import say
 

@@ -6,26 +6,24 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from reports.figures.faces import Hatching, Look, paint_bodies
-from reports.figures.projection import fit_camera
-from reports.figures.solids import Surface
-from reports.figures.view import NAME, ROOM, avoid_names
+from reports.figures.projection import Appearance, Hatching, TriangleSurface, fit_camera, paint_bodies
+from reports.figures.view import AXIS_NAME_BOX, VIEW_SIZE, avoid_names
 
 
 def test_a_name_is_lowered_until_both_can_be_read() -> None:
     first, second = np.array([50.0, 80.0]), np.array([53.0, 78.0])
     found = avoid_names(second, [first])
     assert found[0] == 53.0
-    assert NAME[1] <= first[1] - found[1] < NAME[1] + 1.0
-    for clear in (np.array([50.0, 80.0 + 2 * NAME[1]]), np.array([50.0 + 2 * NAME[0], 80.0])):
+    assert AXIS_NAME_BOX[1] <= first[1] - found[1] < AXIS_NAME_BOX[1] + 1.0
+    for clear in (np.array([50.0, 80.0 + 2 * AXIS_NAME_BOX[1]]), np.array([50.0 + 2 * AXIS_NAME_BOX[0], 80.0])):
         np.testing.assert_array_equal(avoid_names(clear, [first]), clear)
 
 
 def test_a_face_is_followed_by_its_hatching_and_its_drawn_edges() -> None:
-    surface = Surface(np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 0.0, 2.0]]), np.array([[0, 1, 2]]))
-    camera = fit_camera(np.array([1.0, 0.0, 0.0]), surface.vertices, ROOM)
+    surface = TriangleSurface(np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 0.0, 2.0]]), np.array([[0, 1, 2]]))
+    camera = fit_camera(np.array([1.0, 0.0, 0.0]), surface.vertices, VIEW_SIZE)
     axes = Figure().subplots()
-    look = Look({0: "#804020"}, {0: Hatching(20.0, 0.0, "#000000")}, 1.0)
+    look = Appearance({0: "#804020"}, {0: Hatching(20.0, 0.0, "#000000")}, 1.0)
     paint_bodies(axes, surface, np.zeros(1, dtype=np.int64), camera, look)
     (painted,) = axes.collections
     face, *lines = [path.vertices[:3] for path in painted.get_paths()]

@@ -12,26 +12,7 @@ from matplotlib.text import Text
 
 from assess.results import Results
 from reports import governing, joints
-from reports.figures import (
-    amplification,
-    capacity,
-    comparison,
-    contact,
-    design_spectrum,
-    directions,
-    envelope,
-    history,
-    key_plan,
-    moment_rotation,
-    pga_rotation,
-    place,
-    sketch,
-    spectrum,
-    suite,
-    sweep,
-    tornado,
-    view,
-)
+from reports.figures import capacity, comparison, envelope, history, key_plan, sensitivity, sketch, spectrum, view
 from reports.figures.building import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, say
@@ -51,35 +32,37 @@ def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
     building = building_of(results)
     assert building is not None
     for each in results.mechanisms:
-        yield from (partial(draw, each) for draw in (sketch.draw, capacity.draw, pga_rotation.draw))
+        yield from (
+            partial(draw, each) for draw in (sketch.draw_sketch, capacity.draw_capacity, comparison.draw_pga_rotation)
+        )
         if joints.deformable_joints(each):
-            yield from (partial(draw, each) for draw in (contact.draw, moment_rotation.draw))
-        found = governing.history(each)
+            yield from (partial(draw, each) for draw in (capacity.draw_contact, capacity.draw_moment_rotation))
+        found = governing.governing_history(each)
         if found is not None:
-            yield partial(history.draw, each, *found, 0.4)
+            yield partial(history.draw_history, each, *found, 0.4)
         if each.envelope is not None:
-            yield partial(envelope.draw, each.envelope, results.records)
+            yield partial(envelope.draw_envelope, each.envelope, results.records)
         if each.direction_sweep is not None:
-            yield partial(directions.draw, each.direction_sweep)
+            yield partial(sensitivity.draw_directions, each.direction_sweep)
         if each.amplification.motion is not None:
-            yield partial(amplification.draw, each.amplification.motion)
+            yield partial(history.draw_amplification, each.amplification.motion)
         if each.view is not None:
-            yield partial(view.draw, each.view, 1)
-            yield partial(place.draw, building, each.name)
-    yield from (partial(sweep.draw, each) for each in results.sweeps)
+            yield partial(view.draw_view, each.view, 1)
+            yield partial(key_plan.draw_place, building, each.name)
+    yield from (partial(sensitivity.draw_sweep, each) for each in results.sweeps)
     yield from (partial(draw, results) for draw in (comparison.draw_capacities, comparison.draw_demands))
     yield partial(comparison.draw_curves, results)
-    yield partial(key_plan.draw, building)
+    yield partial(key_plan.draw_key_plan, building)
     if results.critical is not None:
-        yield partial(envelope.bounds, results)
+        yield partial(envelope.draw_envelope_bounds, results)
     if results.ground_motion is not None:
-        yield partial(suite.draw, results)
+        yield partial(spectrum.draw_suite, results)
     assert results.spectrum is not None
-    yield partial(spectrum.draw, results.spectrum, results.records)
-    yield partial(design_spectrum.draw, results.spectrum)
-    bar = tornado.Bar((say("density"), Verbatim("1 to 2")), 0.1, 0.3, (None, say("fails")))
-    panel = tornado.Panel((say("index"), say("method")), "ratio", 0.2, (0.25, say("limit")), (bar,))
-    yield partial(tornado.draw, [panel])
+    yield partial(spectrum.draw_scaled_spectra, results.spectrum, results.records)
+    yield partial(spectrum.draw_design_spectrum, results.spectrum)
+    bar = sensitivity.TornadoBar((say("density"), Verbatim("1 to 2")), 0.1, 0.3, (None, say("fails")))
+    panel = sensitivity.TornadoPanel((say("index"), say("method")), "ratio", 0.2, (0.25, say("limit")), (bar,))
+    yield partial(sensitivity.draw_tornado, [panel])
 
 
 def outside_brackets(text: str) -> str:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from reports.language.numerals import numeral
+from reports.language.locale import numeral
 from tests.support.written_numbers import read_number
 
 

@@ -7,7 +7,7 @@ import pytest
 from reports.document import Cell, Column
 from reports.language.locale import Locale
 from reports.language.texts import say
-from reports.render.cell_text import column_texts
+from reports.render.table_text import column_texts
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from scipy.constants import foot, kilo
 
-from reports.document import NOTHING, Cell, Column, Document, Graded, Section, Table
+from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Text, Verbatim, quantity, say
 from reports.render.csv import field, write_csv
@@ -40,8 +40,8 @@ def test_numbers_are_whole_in_the_unit_of_their_head_with_a_point(
     [
         (quantity(1234.5, "force"), "1.234\u00a0kN"),
         (quantity(2.0 / 3.0), repr(2.0 / 3.0)),
-        (Graded("fail", quantity(1.31)), "1.31"),
-        (Graded("pass", say("holds")), "holds"),
+        (OutcomeCell("fail", quantity(1.31)), "1.31"),
+        (OutcomeCell("pass", say("holds")), "holds"),
         (None, ""),
         (True, "true"),
         (7, "7"),

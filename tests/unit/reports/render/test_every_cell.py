@@ -13,11 +13,9 @@ from openpyxl import load_workbook
 from reports.document import Cell, Column, Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
-from reports.render.cell_text import PlainCell, column_texts, plain_cell
 from reports.render.csv import field, write_csv
-from reports.render.sheet_rows import sheet_rows
-from reports.render.sheet_table import as_table
 from reports.render.spreadsheet import write_xlsx
+from reports.render.table_text import PlainCell, column_texts, plain_cell, sheet_as_table, sheet_rows
 from tests.support.sample_document import sample_document
 from tests.support.sample_page import write_page
 
@@ -32,7 +30,7 @@ def plain(table: Table, locale: Locale) -> list[list[PlainCell]]:
 def test_csv(tmp_path: Path, locale: Locale) -> None:
     document = sample_document(locale)
     write_csv(document, tmp_path)
-    for table in (*document.tables, *(as_table(sheet, document.writer) for sheet in document.sheets)):
+    for table in (*document.tables, *(sheet_as_table(sheet, document.writer) for sheet in document.sheets)):
         with (tmp_path / f"{table.name}.csv").open(encoding="utf-8", newline="") as stream:
             _, *rows = csv.reader(stream)
         assert [row[:-1] for row in rows] == [[field(cell) for cell in row] for row in plain(table, document.writer)]
@@ -47,7 +45,7 @@ def test_workbook(tmp_path: Path, locale: Locale) -> None:
         assert [list(map(read_as, row)) for row in plain(table, document.writer)] == list(map(list, rows))
     (sheet,) = document.sheets
     rows = list(book[book.sheetnames[-1]].iter_rows(min_row=3, values_only=True))
-    assert [list(map(read_as, row)) for row in plain(as_table(sheet, document.writer), document.writer)] == [
+    assert [list(map(read_as, row)) for row in plain(sheet_as_table(sheet, document.writer), document.writer)] == [
         list(row) for row in rows
     ]
 

@@ -25,26 +25,26 @@ from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
 from selenium.webdriver.support.select import Select
 
-from assess.portfolio.row import Row as Project
+from assess.portfolio.row import ProjectRow as Project
 from reports.document import (
     NOTHING,
     Banner,
-    Code,
+    BulletList,
+    ColouredFaces,
     Column,
     Document,
     Facts,
     Figure,
-    Graded,
-    Items,
-    Model,
-    Part,
+    FigureRow,
+    FileLines,
+    OutcomeCell,
     Prose,
-    Row,
     Section,
     Signatures,
+    SpatialModel,
     Table,
     Wire,
-    Writing,
+    WritingBox,
 )
 from reports.language.texts import Verbatim
 from reports.portfolio import write_ranking
@@ -283,7 +283,7 @@ def pinch(driver: webdriver.Chrome, element: WebElement) -> None:
     actions.perform()
 
 
-def shown(model: Model, folder: Path) -> Path:
+def shown(model: SpatialModel, folder: Path) -> Path:
     """A page of one figure with this model."""
     figure = Figure("f", NOTHING, partial(draw_sample, "f"), model)
     document = Document(NOTHING, NOTHING, "", "p", "A4", (), (Section(Verbatim("s"), 0, (figure,)),))
@@ -295,8 +295,10 @@ def test_what_is_nearer_hides_what_is_behind_and_is_lit_as_it_faces(browser: web
     near, red = box((1.0, -1.0, -1.0), (2.0, 1.0, 1.0))
     far, blue = box((-2.0, -3.0, -3.0), (0.0, 3.0, 3.0))
     behind = tuple((a + 8, b + 8, c + 8) for a, b, c in blue)
-    parts = (Part("#ff0000", red), Part("#0000ff", behind))
-    model = Model((*near, *far), parts, (Wire(((0, 0, 0), (0, 0, 5)), "#000000", "A"),), "#6f6350", 0.6, (0.0, 0.0))
+    parts = (ColouredFaces("#ff0000", red), ColouredFaces("#0000ff", behind))
+    model = SpatialModel(
+        (*near, *far), parts, (Wire(((0, 0, 0), (0, 0, 5)), "#000000", "A"),), "#6f6350", 0.6, (0.0, 0.0)
+    )
     browser.get(shown(model, tmp_path).as_uri())
     turning(browser)
     painted(browser)
@@ -330,7 +332,7 @@ def test_names_of_wires_are_drawn_apart_at_their_ends(browser: webdriver.Chrome,
     counts = []
     for number, names in enumerate((("M1",), ("M1", "M8"))):
         wires = tuple(Wire(((2.0, 0.0, 1.0), (2.0, 0.0, 1.01)), "#ff0000", name) for name in names)
-        model = Model(corners, (Part("#dddddd", faces),), wires, "#6f6350", 0.6, (0.0, 0.0))
+        model = SpatialModel(corners, (ColouredFaces("#dddddd", faces),), wires, "#6f6350", 0.6, (0.0, 0.0))
         (tmp_path / str(number)).mkdir()
         browser.get(shown(model, tmp_path / str(number)).as_uri())
         turning(browser)
@@ -394,17 +396,17 @@ def test_the_page_is_no_wider_than_the_window(browser: webdriver.Chrome, page: P
 @pytest.mark.parametrize("width", [PHONE, DESK])
 def test_a_word_without_end_does_not_widen_the_page(browser: webdriver.Chrome, tmp_path: Path, width: int) -> None:
     word = Verbatim("x" * 3_000)
-    table = Table("t", word, (Column(word), Column(word)), ((word, Graded("fail", word)),))
+    table = Table("t", word, (Column(word), Column(word)), ((word, OutcomeCell("fail", word)),))
     figure = Figure("f", word, partial(draw_sample, "f"))
     blocks = (
         Banner("fail", word),
         Facts(((word, word),)),
         Prose((word,)),
-        Items((word,)),
+        BulletList((word,)),
         table,
-        Row((figure, figure)),
+        FigureRow((figure, figure)),
     )
-    more = (Code((word.text,)), Writing(word), Signatures(((word, word),)))
+    more = (FileLines((word.text,)), WritingBox(word), Signatures(((word, word),)))
     section = Section(word, 0, (*blocks, *more), mark="1")
     document = Document(word, word, "", "p", "A4", ((word, word),), (section, section), running=(word,))
     with resized(browser, width):

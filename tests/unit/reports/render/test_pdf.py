@@ -18,28 +18,27 @@ from reportlab.pdfbase import pdfmetrics
 from reports.document import (
     Banner,
     Block,
-    Code,
+    BulletList,
     Column,
     Document,
     Facts,
     Figure,
-    Graded,
-    Items,
+    FigureRow,
+    FileLines,
     Outcome,
+    OutcomeCell,
     Prose,
-    Row,
     Section,
     Signatures,
     Table,
-    Writing,
+    WritingBox,
 )
-from reports.figures.font import printable
-from reports.figures.style import BANNER
+from reports.figures.style import BANNER, printable
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity
-from reports.render.frame_words import verdict_word
 from reports.render.pdf import write_pdf
-from reports.render.pdf_tables import INK_OF, TINT, column_widths
+from reports.render.pdf_blocks import INK_OF, TINT, column_widths
+from reports.render.table_text import verdict_word
 from reports.render.typeset import BOLD, REGULAR, register_fonts, width_of
 from tests.support.sample_document import HOSTILE, sample_document
 
@@ -185,7 +184,9 @@ def test_a_sheet_has_its_formula_with_numbers(report: Path) -> None:
 
 @pytest.mark.parametrize("outcome", ["pass", "fail", "incomplete", "comparison"])
 def test_an_answer_has_a_colour_and_a_word(tmp_path: Path, outcome: Outcome) -> None:
-    table = Table("t", Verbatim("A table"), (Column(Verbatim("Answer")),), ((Graded(outcome, Verbatim("a word")),),))
+    table = Table(
+        "t", Verbatim("A table"), (Column(Verbatim("Answer")),), ((OutcomeCell(outcome, Verbatim("a word")),),)
+    )
     path = write(tmp_path, section(table))
     assert "a word" in text_of(path)
     for colour in (TINT[outcome], INK_OF[outcome]):
@@ -204,7 +205,7 @@ def test_the_verdict_is_printed_whole(
 
 
 def test_lines_to_paste_are_printed_letter_for_letter(tmp_path: Path) -> None:
-    code = Code(('[materials."<b> & stone"]', 'disintegration = "excluded"'))
+    code = FileLines(('[materials."<b> & stone"]', 'disintegration = "excluded"'))
     assert " ".join(code.lines) in text_of(write(tmp_path, section(code)))
 
 
@@ -224,8 +225,10 @@ def lettered(page: Any) -> Iterator[tuple[float, float, str, str, float]]:
 def test_words_of_ten_thousand_letters_stay_on_the_page_and_are_printed_whole(tmp_path: Path) -> None:
     long = Verbatim("".join(f"{number:05d}" for number in range(2000)))
     columns = (Column(Verbatim("Name")), Column(long), Column(Verbatim("Level"), "length"), Column(Verbatim("Answer")))
-    rows = tuple((Verbatim(f"M{place}"), long if place == 3 else None, 0.1, Graded("pass", long)) for place in range(4))
-    blocks = (Prose((long,)), Items((long,)), Facts(((long, long),)), Banner("fail", long))
+    rows = tuple(
+        (Verbatim(f"M{place}"), long if place == 3 else None, 0.1, OutcomeCell("pass", long)) for place in range(4)
+    )
+    blocks = (Prose((long,)), BulletList((long,)), Facts(((long, long),)), Banner("fail", long))
     table = Table("u", long, columns, rows)
     path = write(tmp_path, section(*blocks, title=long.text), section(table))
     reader = PdfReader(path)
@@ -262,7 +265,7 @@ def test_a_figure_higher_than_the_page_is_made_smaller(tmp_path: Path) -> None:
 
 
 def test_figures_of_a_row_stand_side_by_side_over_their_captions(tmp_path: Path) -> None:
-    path = write(tmp_path, section(Row((figure("one", 2.0), figure("two", 2.0)))))
+    path = write(tmp_path, section(FigureRow((figure("one", 2.0), figure("two", 2.0)))))
     ((one, low, *_), (two, high, *_)) = [each for each in lettered(PdfReader(path).pages[0]) if "Caption" in each[2]]
     assert low == pytest.approx(high)
     assert two - one > 200
@@ -290,7 +293,7 @@ def test_a_table_repeats_its_head_on_each_page(tmp_path: Path) -> None:
 def test_no_heading_stands_at_the_foot_of_a_page(tmp_path: Path) -> None:
     table = Table("t", Verbatim("Walls"), (Column(Verbatim("Wall")),), ((Verbatim("one"),),) * 40)
     for filled in range(30, 60, 3):
-        blocks = (Prose((Verbatim(WORDS),)), Row((figure("f", 2.0),)), table)
+        blocks = (Prose((Verbatim(WORDS),)), FigureRow((figure("f", 2.0),)), table)
         ends = [replace(section(block, title=f"Heading of {place}"), level=1) for place, block in enumerate(blocks)]
         first = section(Prose((Verbatim("a line"),) * filled))
         for page in PdfReader(write(tmp_path, first, section(title="A chapter alone"), *ends)).pages:
@@ -313,7 +316,7 @@ def test_a_section_that_asks_for_it_begins_a_page_unless_the_page_is_nearly_empt
 
 def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -> None:
     def wall(place: int) -> Section:
-        rows = (Row((figure(f"a{place}", 2.6), figure(f"b{place}", 2.6))), Row((figure(f"c{place}", 2.6),)))
+        rows = (FigureRow((figure(f"a{place}", 2.6), figure(f"b{place}", 2.6))), FigureRow((figure(f"c{place}", 2.6),)))
         facts = Facts(tuple((Verbatim("slenderness"), quantity(0.1)) for _ in range(8)))
         table = Table("t", Verbatim("Walls"), (Column(Verbatim("Wall")),), ((Verbatim("one"),),) * 8)
         blocks = (rows[0], facts, rows[1], table, Prose((Verbatim(WORDS),) * 4))
@@ -326,10 +329,10 @@ def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -
 
 
 def test_what_is_written_and_signed_by_hand_stays_on_one_page(tmp_path: Path) -> None:
-    judged = section(Prose((Verbatim("judge it"),)), Writing(Verbatim("judgement"), 60.0), title="Judgement")
+    judged = section(Prose((Verbatim("judge it"),)), WritingBox(Verbatim("judgement"), 60.0), title="Judgement")
     signed = section(Prose((Verbatim("signed by"),)), Signatures(((Verbatim("Engineer"), Verbatim("A. Name")),)))
     for points in range(10, 50, 4):
-        before = section(Items((Verbatim("a point"),) * points))
+        before = section(BulletList((Verbatim("a point"),) * points))
         pages = pages_of(write(tmp_path, before, judged, signed))
         assert sum("judge it" in page and "signed by" in page and "A. Name" in page for page in pages) == 1
 

@@ -8,7 +8,7 @@ from matplotlib.path import Path
 from pypdf import PdfReader
 from reportlab.pdfgen.canvas import Canvas
 
-from reports.render.pdf_marks import operators, replay
+from reports.render.pdf_blocks import draw_marks, operators
 from reports.render.vector import FigureMarks, Stroke
 
 
@@ -29,7 +29,7 @@ def test_pen_and_window_are_set_where_they_change() -> None:
     marks = (stroke("red", window), stroke("red", window), stroke("blue", window), stroke("blue", None))
     file = io.BytesIO()
     canvas = Canvas(file)
-    replay(FigureMarks(marks, 100.0, 100.0), canvas, font="Helvetica", bold="Helvetica-Bold")
+    draw_marks(FigureMarks(marks, 100.0, 100.0), canvas, font="Helvetica", bold="Helvetica-Bold")
     canvas.save()
     content = PdfReader(file).pages[0].get_contents()
     assert content is not None

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from assess.codes.calculation_step import Step, step
+from assess.codes.calculation_sheet import Step, step
 from reports.document import NOTHING, Sheet
 from reports.language.locale import Locale
-from reports.render.sheet_rows import SheetRow, sheet_rows
+from reports.render.table_text import SheetRow, sheet_rows
 
 
 def row(made: Step, locale: Locale | None = None) -> SheetRow:

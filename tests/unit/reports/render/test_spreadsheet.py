@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from reports.document import NOTHING, Cell, Column, Document, Graded, Section, Table
+from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
-from reports.render.cell_text import plain_cell
 from reports.render.spreadsheet import unique, write_xlsx
+from reports.render.table_text import plain_cell
 from tests.support.sample_document import HOSTILE, sample_document
 
 
@@ -40,7 +40,7 @@ def test_a_sheet_for_each_table_with_its_numbers(tmp_path: Path, locale: Locale)
 
 
 def test_outcomes_are_text_in_their_colours_and_numbers_have_the_figures_of_their_column(tmp_path: Path) -> None:
-    cells: tuple[Cell, ...] = (Graded("pass", say("holds")), Graded("fail", quantity(1.31)), 12.3456)
+    cells: tuple[Cell, ...] = (OutcomeCell("pass", say("holds")), OutcomeCell("fail", quantity(1.31)), 12.3456)
     book = load_workbook(write_xlsx(with_table(one_column("t", *cells)), tmp_path / "t.xlsx"))
     holds, fails, number = (book["t"][f"A{row}"] for row in (3, 4, 5))
     assert [cell.value for cell in (holds, fails, number)] == ["holds", 1.31, 12.3456]

@@ -13,8 +13,7 @@ from matplotlib.textpath import TextPath
 
 from reports.figures.style import report_style, sheet
 from reports.language.locale import Locale
-from reports.render.svg import _glyph, outline, picture, write_svg
-from reports.render.vector import trace_figure
+from reports.render.vector import _glyph, path_data, svg_picture, trace_figure, write_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -28,7 +27,7 @@ def written(folder: File, text: str) -> ElementTree.Element:
         axes.plot([1, 3], [0.5, 1.5], color="#ff0000", linestyle="--")
         figure.text(0.5, 0.5, text)
     return ElementTree.parse(
-        write_svg(picture(trace_figure(figure)), folder / "figure.svg", creator="program <1>")
+        write_svg(svg_picture(trace_figure(figure)), folder / "figure.svg", creator="program <1>")
     ).getroot()
 
 
@@ -70,4 +69,4 @@ def test_letters_are_those_of_the_font(bold: bool) -> None:
 
 def test_outline_in_the_commands_of_svg() -> None:
     codes = bytes((Path.MOVETO, Path.LINETO, Path.CURVE3, Path.LINETO, Path.LINETO, Path.CLOSEPOLY))
-    assert outline(codes, (0, 0, 1, 0, 2, 1, 3, 1, 4, 2, 5, 2.5)) == "M0 0L1 0Q2 1 3 1L4 2L5 2.5Z"
+    assert path_data(codes, (0, 0, 1, 0, 2, 1, 3, 1, 4, 2, 5, 2.5)) == "M0 0L1 0Q2 1 3 1L4 2L5 2.5Z"

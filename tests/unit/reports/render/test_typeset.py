@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, strategies
 
-from reports.figures.font import printable
+from reports.figures.style import printable
 from reports.language.lettering import truncate, visible
 from reports.render.typeset import paragraph, register_fonts
 

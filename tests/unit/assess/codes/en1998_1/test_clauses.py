@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from scipy.constants import g
 
-from assess.codes.en1998_1.clauses import (
+from assess.codes.en1998_1 import (
     BEHAVIOUR,
     amplification,
     element_period,

@@ -7,14 +7,18 @@ from dataclasses import replace
 import pytest
 from scipy.constants import g
 
+from assess.codes import italian_kinematic
 from assess.codes.check import Outcome
-from assess.codes.context import Building, Hazard, LocalLimit
-from assess.codes.italian import kinematic
-from assess.codes.italian.confidence import confidence_factors
-from assess.codes.italian.edition import Options
-from assess.codes.italian.floor import floor_of, outcome_of
-from assess.codes.italian.limit_state import pga_ratio, return_period
-from assess.codes.italian.thresholds import Rule, threshold_of
+from assess.codes.context import Building, LocalLimit, SiteHazard
+from assess.codes.italian_kinematic import DisplacementLimit, displacement_capacity
+from assess.codes.italian_limit_states import (
+    ItalianOptions,
+    confidence_factors,
+    floor_of,
+    outcome_of,
+    pga_ratio,
+    return_period,
+)
 from spectra.asce7 import design_spectrum
 from tests.support.straight import CURVES, GROUND, HOUSE, MASS, PHI, RAISED, SOFT, SPECTRUM, STRAIGHT
 
@@ -23,35 +27,35 @@ LC1, LC2, LC3 = 1.35, 1.20, 1.00
 
 @pytest.mark.parametrize(("FC", "in_g"), [(1.0, 0.25), (1.25, 0.2), (LC1, 0.185185)])  # 0.2 / (0.8 FC)
 def test_activation(FC: float, in_g: float) -> None:
-    assert kinematic.activation(STRAIGHT, mass=MASS, confidence_factor=FC) / g == pytest.approx(in_g, rel=1e-5)
+    assert italian_kinematic.activation(STRAIGHT, mass=MASS, confidence_factor=FC) / g == pytest.approx(in_g, rel=1e-5)
 
 
 @pytest.mark.parametrize(("branch", "d0"), [(STRAIGHT, 0.5), (replace(STRAIGHT, overturning_flexible=0.16), 0.4)])
 def test_displacement_at_collapse(branch, d0: float) -> None:
-    assert kinematic.displacement_at_collapse(branch, mass=MASS) == pytest.approx(d0, rel=1e-9)
+    assert italian_kinematic.displacement_at_collapse(branch, mass=MASS) == pytest.approx(d0, rel=1e-9)
 
 
 @pytest.mark.parametrize(("rotation", "moved"), [(0.0, 0.0), (0.04, 0.1), (0.08, 0.2), (0.2, 0.5)])  # 2.5 phi
 def test_displacement_at(rotation: float, moved: float) -> None:
-    assert kinematic.displacement_at(STRAIGHT, rotation, mass=MASS) == pytest.approx(moved, abs=1e-12)
+    assert italian_kinematic.displacement_at(STRAIGHT, rotation, mass=MASS) == pytest.approx(moved, abs=1e-12)
 
 
 @pytest.mark.parametrize(
     ("moved", "rotation"), [(0.08, 0.04), (0.16, 0.08), (0.39, 0.195)]
 )  # of the control point: 2 phi
 def test_rotation_at(moved: float, rotation: float) -> None:
-    assert kinematic.rotation_at(STRAIGHT, moved, mass=MASS) == pytest.approx(rotation, rel=1e-9)
+    assert italian_kinematic.rotation_at(STRAIGHT, moved, mass=MASS) == pytest.approx(rotation, rel=1e-9)
 
 
 @pytest.mark.parametrize(("rotation", "multiplier"), [(0.0, 0.2), (0.05, 0.15), (0.2, 0.0)])
 def test_multiplier_at(rotation: float, multiplier: float) -> None:
-    assert kinematic.multiplier_at(STRAIGHT, rotation) == pytest.approx(multiplier, abs=1e-12)
+    assert italian_kinematic.multiplier_at(STRAIGHT, rotation) == pytest.approx(multiplier, abs=1e-12)
 
 
 @pytest.mark.parametrize(("moved", "FC", "in_g"), [(0.2, 1.0, 0.15), (0.2, 1.5, 0.1), (0.3, 1.0, 0.1)])
 def test_acceleration_at(moved: float, FC: float, in_g: float) -> None:
     """(0.2 - d / 2.5) / (0.8 FC)."""
-    found = kinematic.acceleration_at(STRAIGHT, moved, mass=MASS, confidence_factor=FC)
+    found = italian_kinematic.acceleration_at(STRAIGHT, moved, mass=MASS, confidence_factor=FC)
     assert found / g == pytest.approx(in_g, rel=1e-8)  # read 1e-9 before the rotation
 
 
@@ -60,7 +64,7 @@ def test_acceleration_at(moved: float, FC: float, in_g: float) -> None:
     [(STRAIGHT, 1.0, 1.0, 0.2), (STRAIGHT, 1.25, 0.5, 0.16), (STRAIGHT, 1.25, 2.0, 0.08), (SOFT, 1.0, 1.0, None)],
 )
 def test_uplift_pga(branch, FC: float, amplified: float, in_g: float | None) -> None:
-    found = kinematic.uplift_pga(branch, confidence_factor=FC, amplified=amplified)
+    found = italian_kinematic.uplift_pga(branch, confidence_factor=FC, amplified=amplified)
     assert found == (None if in_g is None else pytest.approx(in_g * g, rel=1e-12))
 
 
@@ -84,7 +88,7 @@ WEAK = replace(STRAIGHT, restoring=STRAIGHT.restoring * (1.0 - 0.7 * (PHI > 0.07
 def test_threshold_of(share: float, breaks: bool, kind, rotation: float, breaking, moved: float) -> None:
     limits = () if kind is None else (LocalLimit(kind, "tie", "positive", rotation),)
     curves = replace(CURVES, breaking=breaking, limits=limits)
-    found = threshold_of(curves, Rule(share, breaks=breaks, clause=""))
+    found = displacement_capacity(curves, DisplacementLimit(share, breaks=breaks, clause=""))
     assert (found.moved, found.collapse) == pytest.approx((moved, 0.5), rel=1e-9)
 
 
@@ -103,7 +107,7 @@ def test_threshold_of(share: float, breaks: bool, kind, rotation: float, breakin
     ],
 )
 def test_confidence_factors(crushing: bool, level: str | None, given: float | None, factors: list[float]) -> None:
-    found = confidence_factors(Options(confidence_factor=given), crushing=crushing, level=level)
+    found = confidence_factors(ItalianOptions(confidence_factor=given), crushing=crushing, level=level)
     assert [each.factor for each in found] == factors
     assert [each.instead_of for each in found[1:]] == [factors[0]] * (len(factors) - 1)
 
@@ -134,13 +138,13 @@ def test_outcome_of(ratio: float, outcome: Outcome) -> None:
 
 
 HALF = design_spectrum(s_ds=0.25 * g, s_d1=0.1 * g, t_l=6.0)
-HAZARD = Hazard({"SLD": HALF, "SLV": SPECTRUM}, (50.0, 475.0, 975.0), (0.1 * g, 0.25 * g, 0.33 * g))
+HAZARD = SiteHazard({"SLD": HALF, "SLV": SPECTRUM}, (50.0, 475.0, 975.0), (0.1 * g, 0.25 * g, 0.33 * g))
 
 
 @pytest.mark.parametrize(
     ("hazard", "state", "ratio"), [(HAZARD, "SLD", 0.5), (HAZARD, "SLV", 1.0), (HAZARD, "SLC", 1.0), (None, "SLD", 1.0)]
 )
-def test_pga_ratio(hazard: Hazard | None, state: str, ratio: float) -> None:
+def test_pga_ratio(hazard: SiteHazard | None, state: str, ratio: float) -> None:
     assert pga_ratio(hazard, GROUND.spectrum, state) == pytest.approx(ratio, rel=1e-12)
 
 

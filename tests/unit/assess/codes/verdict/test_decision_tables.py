@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from assess.codes.bases import BASES, BY_SITE
-from assess.codes.bases.own import own
+from assess.codes.bases import BASES, BY_SITE, stated_basis
 from assess.codes.check import Outcome
 from assess.codes.verdict import Action, Decision, Missing, Question
 from tests.support.answered import SITE, check, decide, question
@@ -238,14 +237,14 @@ def test_ec8_elements(said, outcome):
     [("all", PASS, PASS, YES), ("all", PASS, FAIL, NO), ("all", PASS, SILENT, OPEN), ("any", SILENT, PASS, YES)],
 )
 def test_own_basis(rule, first, second, outcome):
-    basis = own(("sliding", NONLINEAR), rule=rule, statement="as agreed")
+    basis = stated_basis(("sliding", NONLINEAR), rule=rule, statement="as agreed")
     asked = Question(basis, Action(SITE, None))
     checks = [check("sliding", first, state="no sliding"), check(NONLINEAR, second)]
     assert decide(asked, checks).outcome == outcome
 
 
 def test_a_method_with_two_checks_does_not_stand_for_one_that_gave_none():
-    basis = own((LINEAR, "asce43-05-history"), rule="all", statement="as agreed")
+    basis = stated_basis((LINEAR, "asce43-05-history"), rule="all", statement="as agreed")
     checks = [check(LINEAR, PASS), check(LINEAR, PASS, state="SLD")]
     assert decide(Question(basis, Action(SITE, None)), checks).outcome == OPEN
 

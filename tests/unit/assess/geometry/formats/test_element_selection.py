@@ -3,8 +3,7 @@
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.formats.element_selection import select_elements
-from assess.geometry.formats.mesh_file import Element
+from assess.geometry.formats.mesh_file import Element, select_elements
 
 WALL = ("IfcWallStandardCase", "IfcWall", "IfcElement")
 HOUSE = (

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
-from assess.geometry.formats.readers import read as read_file
-from assess.geometry.mesh import load
+from assess.geometry.formats.readers import read_mesh_file as read_file
+from assess.geometry.mesh import load_solid
 from assess.geometry.solid import Solid, box
 
 DENSITY = 2000.0
@@ -78,7 +78,7 @@ def mf3(vertices: ArrayLike, triangles: ArrayLike, *, unit: str | None, items: s
 
 def read(folder: Path, file: str, content: bytes, **options) -> Solid:
     (folder / file).write_bytes(content)
-    return load(folder / file, density=DENSITY, name="wall", **options)
+    return load_solid(folder / file, density=DENSITY, name="wall", **options)
 
 
 def same(found: Solid, wanted: Solid, *, rtol: float = 1e-12) -> None:

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.formats.ifc_numbers import refuse_commas
-from assess.geometry.mesh import load
+from assess.geometry.formats.ifc import refuse_commas
+from assess.geometry.mesh import load_solid
 
 ifcopenshell: Any = pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
 
@@ -58,12 +58,14 @@ def test_elements_are_chosen_by_name_or_identifier_in_metres(tmp_path: Path, pre
     identifiers = building(file, prefix=prefix)
     south, north = 4.0 * 1.25 * 8.0, 3.0 * 1.25 * 8.0 - 1.0 * 1.25 * 2.0
     for name, volume in ((None, south + north), ("south", south), ("north", north), (identifiers["north"], north)):
-        found = load(file, density=1.0, name="wall", element=name)
+        found = load_solid(file, density=1.0, name="wall", element=name)
         assert found.mass == pytest.approx(volume, rel=1e-9)
         assert found.history == ()
-    assert load(file, density=1.0, name="wall", element="south").vertices[:, 1].min() == pytest.approx(20.0, rel=1e-9)
+    assert load_solid(file, density=1.0, name="wall", element="south").vertices[:, 1].min() == pytest.approx(
+        20.0, rel=1e-9
+    )
     with pytest.raises(GeometryError, match='it has no element "hall"; known: north, south'):
-        load(file, density=1.0, name="wall", element="hall")
+        load_solid(file, density=1.0, name="wall", element="hall")
 
 
 @pytest.mark.parametrize(
@@ -81,7 +83,7 @@ def test_decimal_commas_in_an_ifc_file_are_told(tmp_path: Path, old: str, new: s
     assert old in content
     (tmp_path / "comma.ifc").write_text(content.replace(old, new, 1))
     with pytest.raises(GeometryError, match=told):
-        load(tmp_path / "comma.ifc", density=1.0, name="wall")
+        load_solid(tmp_path / "comma.ifc", density=1.0, name="wall")
 
 
 def test_a_single_point_without_decimal_point_is_refused_and_a_habit_is_not(tmp_path: Path) -> None:
@@ -102,7 +104,7 @@ def test_a_direction_without_length_is_refused(tmp_path: Path, ratios: str) -> N
     for place in re.finditer(r"(?<=IFCDIRECTION\(\()[^()]*", content):
         (tmp_path / "flat.ifc").write_text(content[: place.start()] + ratios + content[place.end() :])
         with pytest.raises(GeometryError, match=rf"the direction \({ratios[:3]}.*\) in it has no length"):
-            load(tmp_path / "flat.ifc", density=1.0, name="wall")
+            load_solid(tmp_path / "flat.ifc", density=1.0, name="wall")
 
 
 @pytest.mark.parametrize("name", ["IFC" + "9" * 400, "IFC9", ""])
@@ -111,7 +113,7 @@ def test_an_unknown_schema_is_refused_however_long_its_name(tmp_path: Path, name
     building(file, prefix=None)
     file.write_text(file.read_text().replace("'IFC4'", f"'{name}'", 1))
     with pytest.raises(GeometryError, match="schema"):
-        load(file, density=1.0, name="wall", element="south")
+        load_solid(file, density=1.0, name="wall", element="south")
 
 
 @pytest.mark.parametrize("kind", ["CARTESIANPOINT", "DIRECTION"])
@@ -121,7 +123,7 @@ def test_what_is_no_number_is_refused(tmp_path: Path, kind: str, value: str) -> 
     building(file, prefix=None)
     file.write_text(re.sub(rf"(IFC{kind}\(\()[^,)]*", rf"\g<1>{value}", file.read_text(), count=1))
     with pytest.raises(GeometryError, match=rf"\({re.escape(value)},.* in it are not numbers"):
-        load(file, density=1.0, name="wall", element="south")
+        load_solid(file, density=1.0, name="wall", element="south")
 
 
 @pytest.mark.parametrize(
@@ -141,7 +143,7 @@ def test_what_takes_an_element_or_an_opening_with_it_is_refused(tmp_path: Path, 
     assert found == 1
     file.write_text(text)
     with pytest.raises(GeometryError, match=rf"{kind} #\d+ refers to an entity that is not in it"):
-        load(file, density=1.0, name="wall", element="south")
+        load_solid(file, density=1.0, name="wall", element="south")
 
 
 @pytest.mark.parametrize("part", [0.0, 0.3, 0.6, 0.99])
@@ -150,7 +152,7 @@ def test_an_ifc_file_cut_short_is_refused(tmp_path: Path, part: float) -> None:
     content = (tmp_path / "house.ifc").read_bytes()
     (tmp_path / "short.ifc").write_bytes(content[: int(part * len(content))])
     with pytest.raises(GeometryError, match=r'body "wall": mesh short.ifc: it cannot be read as IFC .it does not end'):
-        load(tmp_path / "short.ifc", density=1.0, name="wall")
+        load_solid(tmp_path / "short.ifc", density=1.0, name="wall")
 
 
 @pytest.mark.parametrize("lost", ["((0.,0.,0.));", "(0.,0.,0.);", "($);"])
@@ -160,7 +162,7 @@ def test_an_entity_without_its_name_is_refused(tmp_path: Path, lost: str) -> Non
     content = (tmp_path / "house.ifc").read_text()
     (tmp_path / "lost.ifc").write_text(re.sub(r"=IFCCARTESIANPOINT\(\([^;]*;", f"={lost}", content, count=1))
     with pytest.raises(GeometryError, match=r"#\d+ has no name of an entity in it"):
-        load(tmp_path / "lost.ifc", density=1.0, name="wall")
+        load_solid(tmp_path / "lost.ifc", density=1.0, name="wall")
 
 
 def test_a_number_that_stands_twice_is_refused(tmp_path: Path) -> None:
@@ -171,17 +173,17 @@ def test_a_number_that_stands_twice_is_refused(tmp_path: Path) -> None:
     first, second = re.findall(r"^#(\d+)=IFCINDEXEDPOLYCURVE", text, re.MULTILINE)[:2]
     file.write_text(text.replace(f"#{first}=", f"#{second}=", 1))
     with pytest.raises(GeometryError, match=f"#{second} is defined twice"):
-        load(file, density=1.0, name="wall")
+        load_solid(file, density=1.0, name="wall")
 
 
 def test_text_that_only_ends_like_one_is_refused(tmp_path: Path) -> None:
     (tmp_path / "junk.ifc").write_text("hello\nEND-ISO-10303-21;\n")
     with pytest.raises(GeometryError, match=r'body "wall": mesh junk.ifc: it cannot be read as IFC'):
-        load(tmp_path / "junk.ifc", density=1.0, name="wall")
+        load_solid(tmp_path / "junk.ifc", density=1.0, name="wall")
 
 
 def test_only_the_elements_asked_for_are_meshed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from assess.geometry.models import read_models
+    from assess.geometry.mesh import read_selected_meshes
 
     file = tmp_path / "house.ifc"
     building(file, prefix=None)
@@ -191,7 +193,7 @@ def test_only_the_elements_asked_for_are_meshed(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(
         ifcopenshell.geom, "iterator", lambda *given, include: made.append(include) or really(*given, include=include)
     )
-    found = read_models({"one": (file, "south"), "two": (file, "s*th"), "three": (file, "south")})
+    found = read_selected_meshes({"one": (file, "south"), "two": (file, "s*th"), "three": (file, "south")})
     assert [each.parts[0].element.names for each in found.values()] == [("south",), ("south",)]
     assert opened == [str(file)]
     assert [[each.Name for each in asked] for asked in made] == [["south"]]
@@ -201,7 +203,7 @@ def test_classes_and_patterns_join_and_say_so(tmp_path: Path) -> None:
     file = tmp_path / "house.ifc"
     building(file, prefix=None)
     for wanted in ("IfcWall", "IfcBuildingElement", "*th"):
-        found = load(file, density=1.0, name="wall", element=wanted)
+        found = load_solid(file, density=1.0, name="wall", element=wanted)
         assert found.mass == pytest.approx(4.0 * 1.25 * 8.0 + 3.0 * 1.25 * 8.0 - 1.0 * 1.25 * 2.0, rel=1e-9)
         assert [told.text for told in found.history] == ["elements joined into one body: 2 (north, south)"]
 
@@ -212,10 +214,10 @@ def test_a_broken_element_is_named_and_does_not_refuse_the_others(tmp_path: Path
     model = ifcopenshell.open(str(file))
     model.by_guid(identifiers["north"]).Representation.Representations[0].Items[0].Depth = 0.0
     model.write(str(file))
-    assert load(file, density=1.0, name="wall", element="south").mass == pytest.approx(40.0, rel=1e-9)
+    assert load_solid(file, density=1.0, name="wall", element="south").mass == pytest.approx(40.0, rel=1e-9)
     for wanted in ("north", "IfcWall", None):
         with pytest.raises(GeometryError) as caught:
-            load(file, density=1.0, name="wall", element=wanted)
+            load_solid(file, density=1.0, name="wall", element=wanted)
         assert f'element "north" ({identifiers["north"]}): its body could not be built' in str(caught.value)
 
 
@@ -226,9 +228,11 @@ def test_elements_of_one_name_are_told_apart_by_their_identifiers(tmp_path: Path
     model.by_guid(identifiers["north"]).Name = "south"
     model.write(str(file))
     with pytest.raises(GeometryError, match='2 elements are called "south"') as caught:
-        load(file, density=1.0, name="wall", element="south")
+        load_solid(file, density=1.0, name="wall", element="south")
     assert all(each in str(caught.value) for each in identifiers.values())
-    assert load(file, density=1.0, name="wall", element=identifiers["south"]).mass == pytest.approx(40.0, rel=1e-9)
+    assert load_solid(file, density=1.0, name="wall", element=identifiers["south"]).mass == pytest.approx(
+        40.0, rel=1e-9
+    )
 
 
 def test_a_body_or_an_opening_that_is_lost_is_told(tmp_path: Path) -> None:
@@ -238,11 +242,11 @@ def test_a_body_or_an_opening_that_is_lost_is_told(tmp_path: Path) -> None:
     (door,) = model.by_type("IfcOpeningElement")
     door.Representation.Representations[0].Items[0].Depth = 0.0
     model.write(str(file))
-    whole = load(file, density=1.0, name="wall", element="north")
+    whole = load_solid(file, density=1.0, name="wall", element="north")
     assert whole.mass == pytest.approx(3.0 * 1.25 * 8.0, rel=1e-9)
     assert 'element "north": not all of it could be built' in str(whole.history[0])
     assert "IfcExtrudedAreaSolid #" in str(whole.history[0])
-    assert load(file, density=1.0, name="wall", element="south").history == ()
+    assert load_solid(file, density=1.0, name="wall", element="south").history == ()
 
 
 def test_what_an_opening_is_made_of_and_the_file_lacks_is_told(tmp_path: Path) -> None:
@@ -255,7 +259,7 @@ def test_what_an_opening_is_made_of_and_the_file_lacks_is_told(tmp_path: Path) -
     for profile, solid in holders.items():
         file.write_text(re.sub(rf"^#{profile}=.*\n", "", text, flags=re.MULTILINE))
         try:
-            trail = load(file, density=1.0, name="wall", element="north").history
+            trail = load_solid(file, density=1.0, name="wall", element="north").history
         except GeometryError:  # the wall itself
             continue
         found += [solid] if any(f"IfcExtrudedAreaSolid #{solid}" in told.text for told in trail) else []

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.formats.readers import read
+from assess.geometry.formats.readers import read_mesh_file
 
 SPACE = 'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"'
 CORNERS = '<vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>'
@@ -122,7 +122,7 @@ def test_what_would_be_huge_is_refused_without_memory_for_it(
 
     tracemalloc.start()
     with pytest.raises(GeometryError, match=told):
-        read(tmp_path / name, where="mesh")
+        read_mesh_file(tmp_path / name, where="mesh")
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 20_000_000
@@ -130,4 +130,4 @@ def test_what_would_be_huge_is_refused_without_memory_for_it(
 
 def test_components_and_repeated_parts_are_read(tmp_path: Path) -> None:
     (tmp_path / "a.3mf").write_bytes(package(("3D/3dmodel.model", model(nested(2), item="2"))))
-    assert len(read(tmp_path / "a.3mf", where="mesh").parts) == 100
+    assert len(read_mesh_file(tmp_path / "a.3mf", where="mesh").parts) == 100

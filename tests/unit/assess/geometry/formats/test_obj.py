@@ -141,7 +141,7 @@ def test_what_is_held_is_a_few_times_the_numbers(tmp_path: Path) -> None:
 
 def test_boxes_with_faces_counted_back_have_both_volumes(tmp_path: Path) -> None:
     """Numbers count back from where they stand, not from the end of the file."""
-    from assess.geometry.mesh import load
+    from assess.geometry.mesh import load_solid
 
     cube = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
     quads = [(1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8)]
@@ -150,7 +150,7 @@ def test_boxes_with_faces_counted_back_have_both_volumes(tmp_path: Path) -> None
         text += "".join(f"v {x * size + at} {y * size} {z * size}\n" for x, y, z in cube)
         text += "".join("f " + " ".join(str(corner - 9) for corner in quad) + "\n" for quad in quads)
     (tmp_path / "boxes.obj").write_text(text)
-    found = load(tmp_path / "boxes.obj", density=1.0, name="boxes")
+    found = load_solid(tmp_path / "boxes.obj", density=1.0, name="boxes")
     assert (found.mass, found.history) == (pytest.approx(9.0, rel=1e-12), ())
 
 

@@ -10,7 +10,7 @@ import pytest
 from trimesh.creation import icosphere
 from trimesh.exchange.ply import export_ply, load_ply
 
-from assess.geometry.formats.mesh_file import Part
+from assess.geometry.formats.mesh_file import ElementMesh
 from assess.geometry.formats.ply import read_ply
 
 BALL = icosphere(subdivisions=1, radius=3.0)
@@ -26,7 +26,7 @@ def kept(folder: Path, data: bytes) -> Path:
     return folder / "mesh.ply"
 
 
-def read(folder: Path, data: bytes) -> Part:
+def read(folder: Path, data: bytes) -> ElementMesh:
     (found,) = read_ply(kept(folder, data)).parts
     return found
 

@@ -6,9 +6,8 @@ from pathlib import Path
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.formats.element_selection import select_elements
-from assess.geometry.formats.mesh_file import Element
-from assess.geometry.formats.readers import read
+from assess.geometry.formats.mesh_file import Element, select_elements
+from assess.geometry.formats.readers import read_mesh_file
 
 
 @pytest.mark.parametrize(
@@ -21,7 +20,7 @@ def test_a_missing_package_is_one_line_that_says_what_to_install(
     monkeypatch.setitem(sys.modules, package, None)
     (tmp_path / f"wall.{ending}").write_text("anything")
     with pytest.raises(GeometryError) as caught:
-        read(tmp_path / f"wall.{ending}", where='body "wall": mesh')
+        read_mesh_file(tmp_path / f"wall.{ending}", where='body "wall": mesh')
     assert str(caught.value) == (
         f'body "wall": mesh: {ending.upper()} files need the package "{package}"; install it: pip install {package}'
     )

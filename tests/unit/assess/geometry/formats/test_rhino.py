@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.mesh import load
+from assess.geometry.mesh import load_solid
 
 rhino3dm: Any = pytest.importorskip("rhino3dm", reason="the extra 'rhino' is not installed")
 
@@ -50,7 +50,7 @@ def model_in(unit: str) -> Any:
 def test_a_mesh_in_the_unit_of_the_file(tmp_path: Path, unit: str, size: float) -> None:
     model = model_in(unit)
     model.Objects.AddMesh(mesh(CUBE * [1.25, 3.0, 8.5] / size), called("wall"))
-    found = load(written(tmp_path, model), density=1.0, name="wall")
+    found = load_solid(written(tmp_path, model), density=1.0, name="wall")
     assert found.mass == pytest.approx(31.875, rel=1e-6)  # single precision
     np.testing.assert_allclose(found.vertices.max(axis=0), [1.25, 3.0, 8.5], rtol=1e-6, atol=0.0)
     assert found.history == ()
@@ -63,9 +63,9 @@ def test_objects_are_chosen_by_name(tmp_path: Path) -> None:
     model.Objects.AddPoint(rhino3dm.Point3d(99.0, 0.0, 0.0))
     file = written(tmp_path, model)
     for element, volume in ((None, 9.0), ("pier", 1.0), ("buttress", 8.0)):
-        assert load(file, density=1.0, name="wall", element=element).mass == pytest.approx(volume, rel=1e-6)
+        assert load_solid(file, density=1.0, name="wall", element=element).mass == pytest.approx(volume, rel=1e-6)
     with pytest.raises(GeometryError, match='it has no element "tower"; known: pier, buttress'):
-        load(file, density=1.0, name="wall", element="tower")
+        load_solid(file, density=1.0, name="wall", element="tower")
 
 
 def test_a_polysurface_and_an_extrusion_by_their_render_meshes(tmp_path: Path) -> None:
@@ -82,7 +82,7 @@ def test_a_polysurface_and_an_extrusion_by_their_render_meshes(tmp_path: Path) -
     model.Objects.AddExtrusion(pier, called("pier"))
     file = written(tmp_path, model)
     for element, volume in (("surface", 1.0), ("pier", 8.0), (None, 9.0)):
-        assert load(file, density=1.0, name="wall", element=element).mass == pytest.approx(volume, rel=1e-6)
+        assert load_solid(file, density=1.0, name="wall", element=element).mass == pytest.approx(volume, rel=1e-6)
 
 
 def test_a_surface_without_its_mesh_is_refused_by_name(tmp_path: Path) -> None:
@@ -94,8 +94,8 @@ def test_a_surface_without_its_mesh_is_refused_by_name(tmp_path: Path) -> None:
     with pytest.raises(
         GeometryError, match=r'element "vault" .*: it is a polysurface .Brep. saved without its render mesh'
     ):
-        load(file, density=1.0, name="wall")
-    assert load(file, density=1.0, name="wall", element="pier").mass == pytest.approx(1.0, rel=1e-6)
+        load_solid(file, density=1.0, name="wall")
+    assert load_solid(file, density=1.0, name="wall", element="pier").mass == pytest.approx(1.0, rel=1e-6)
 
 
 def test_block_instances_stand_in_their_places(tmp_path: Path) -> None:
@@ -107,10 +107,10 @@ def test_block_instances_stand_in_their_places(tmp_path: Path) -> None:
         place = rhino3dm.Transform.Translation(4.0, 0.0, height)
         model.Objects.AddInstanceObject(rhino3dm.InstanceReference(drum, place), called(f"drum at {height:g}"))
     file = written(tmp_path, model)
-    whole = load(file, density=1.0, name="wall")
+    whole = load_solid(file, density=1.0, name="wall")
     assert whole.mass == pytest.approx(3.0, rel=1e-6)
     np.testing.assert_allclose(whole.centroid, [4.5, 0.5, 1.5], rtol=1e-6, atol=0.0)
-    one = load(file, density=1.0, name="wall", element="drum at 2")
+    one = load_solid(file, density=1.0, name="wall", element="drum at 2")
     np.testing.assert_allclose(one.centroid, [4.5, 0.5, 2.5], rtol=1e-6, atol=0.0)
 
 
@@ -118,7 +118,7 @@ def test_block_instances_stand_in_their_places(tmp_path: Path) -> None:
 def test_what_is_no_rhino_file_is_refused(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "wall.3dm").write_bytes(content)
     with pytest.raises(GeometryError, match=r'body "wall": mesh wall.3dm: (it cannot be read as 3DM|no triangles)'):
-        load(tmp_path / "wall.3dm", density=1.0, name="wall")
+        load_solid(tmp_path / "wall.3dm", density=1.0, name="wall")
 
 
 def test_a_rhino_file_cut_short_is_refused(tmp_path: Path) -> None:
@@ -128,7 +128,7 @@ def test_a_rhino_file_cut_short_is_refused(tmp_path: Path) -> None:
     for part in (0.3, 0.6, 0.9):
         (tmp_path / "short.3dm").write_bytes(content[: int(part * len(content))])
         with pytest.raises(GeometryError, match=r'body "wall": mesh short.3dm'):
-            load(tmp_path / "short.3dm", density=1.0, name="wall")
+            load_solid(tmp_path / "short.3dm", density=1.0, name="wall")
 
 
 def test_what_its_own_process_refuses_is_not_read_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -136,14 +136,14 @@ def test_what_its_own_process_refuses_is_not_read_again(tmp_path: Path, monkeypa
     (tmp_path / "wall.3dm").write_bytes(b"hello")
     monkeypatch.setattr(rhino3dm, "File3dm", None)
     with pytest.raises(GeometryError, match="not a Rhino file"):
-        load(tmp_path / "wall.3dm", density=1.0, name="wall")
+        load_solid(tmp_path / "wall.3dm", density=1.0, name="wall")
 
 
 def test_a_damaged_rhino_file_cannot_keep_the_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assess.geometry.formats.rhino.READ", "import time; time.sleep(60)")
     for limit, value in {"MIN_TIME": 0.1, "SPEED": 1e9, "CLOCK_FACTOR": 1.5}.items():
-        monkeypatch.setattr(f"assess.geometry.formats.subprocess_reader.{limit}", value)
+        monkeypatch.setattr(f"assess.geometry.formats.isolation.{limit}", value)
     model = model_in("Meters")
     model.Objects.AddMesh(mesh(CUBE), called("wall"))
     with pytest.raises(GeometryError, match=r"openNURBS has not read it after \d s; is it damaged"):
-        load(written(tmp_path, model), density=1.0, name="wall")
+        load_solid(written(tmp_path, model), density=1.0, name="wall")

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.formats.mesh_file import MeshFile, file_from_parts
-from assess.geometry.formats.readers import READERS, read
+from assess.geometry.formats.mesh_file import MeshFile, file_from_meshes
+from assess.geometry.formats.readers import READERS, read_mesh_file
 
 
 def loud(file: Path) -> MeshFile:
@@ -25,7 +25,7 @@ def loud(file: Path) -> MeshFile:
         logging.getLogger("some.reader").warning("logged", exc_info=True)
     if file.stem == "bad":
         raise ValueError("of no use")
-    return file_from_parts([])
+    return file_from_meshes([])
 
 
 def test_nothing_is_heard_of_a_reader(
@@ -34,9 +34,9 @@ def test_nothing_is_heard_of_a_reader(
     monkeypatch.setitem(READERS, ".stl", loud)  # type: ignore[arg-type]
     for name in ("good", "bad"):
         (tmp_path / f"{name}.stl").write_bytes(b"")
-    assert read(tmp_path / "good.stl", where="mesh").elements == ()
+    assert read_mesh_file(tmp_path / "good.stl", where="mesh").elements == ()
     with pytest.raises(GeometryError, match="of no use"):
-        read(tmp_path / "bad.stl", where="mesh")
+        read_mesh_file(tmp_path / "bad.stl", where="mesh")
     assert capfd.readouterr() == ("", "")
     sys.stdout.write("heard\n")
     os.write(2, b"heard")

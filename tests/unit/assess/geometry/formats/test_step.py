@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.mesh import load
+from assess.geometry.mesh import load_solid
 
 pytest.importorskip("cascadio", reason="the extra 'step' is not installed")
 
@@ -77,7 +77,7 @@ def step(vertices: np.ndarray, *, prefix: str) -> str:
 def test_a_step_solid_comes_in_metres_with_z_up(tmp_path: Path, prefix: str, unit: float, ending: str) -> None:
     file = tmp_path / f"wall.{ending}"
     file.write_text(step((CUBE * SIZES + CORNER) / unit, prefix=prefix))
-    found = load(file, density=1.0, name="wall")
+    found = load_solid(file, density=1.0, name="wall")
     assert found.mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)  # single precision on the way
     np.testing.assert_allclose(found.vertices.min(axis=0), CORNER, rtol=0.0, atol=1e-6)
     np.testing.assert_allclose(found.vertices.max(axis=0), CORNER + SIZES, rtol=0.0, atol=1e-6)
@@ -100,26 +100,28 @@ def test_a_step_file_that_lost_its_unit_is_not_taken_for_millimetres(tmp_path: P
     file = tmp_path / "wall.step"
     file.write_text(content.replace(old, new))
     with pytest.raises(GeometryError, match=r'body "wall": mesh wall.step: the file states no unit; give mesh_unit'):
-        load(file, density=1.0, name="wall")
+        load_solid(file, density=1.0, name="wall")
 
 
 def test_a_step_file_without_a_unit_takes_the_one_given(tmp_path: Path) -> None:
     file = tmp_path / "wall.step"
     file.write_text(step((CUBE * SIZES + CORNER) * 100.0, prefix=".CENTI.").replace("LENGTH_UNIT()", "LENGTHxUNIT()"))
-    assert load(file, density=1.0, name="wall", scale=0.01).mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)
+    assert load_solid(file, density=1.0, name="wall", scale=0.01).mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)
 
 
 def test_a_damaged_unit_of_a_step_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "wall.step").write_text(step(CUBE * 100.0, prefix=".CENTX."))
     with pytest.raises(GeometryError, match="its unit of length is no metre with a prefix"):
-        load(tmp_path / "wall.step", density=1.0, name="wall", scale=0.01)
+        load_solid(tmp_path / "wall.step", density=1.0, name="wall", scale=0.01)
 
 
 def test_strings_and_comments_of_a_step_file_hide_no_unit(tmp_path: Path) -> None:
     content = step((CUBE * SIZES + CORNER) * 1000.0, prefix=".MILLI.")
     content = content.replace("REPRESENTATION_CONTEXT('','')", "REPRESENTATION_CONTEXT ('it''s; one)','') /* ; */")
     (tmp_path / "wall.step").write_text(content)
-    assert load(tmp_path / "wall.step", density=1.0, name="wall").mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)
+    assert load_solid(tmp_path / "wall.step", density=1.0, name="wall").mass == pytest.approx(
+        float(np.prod(SIZES)), rel=1e-6
+    )
 
 
 @pytest.mark.parametrize("part", [0.0, 0.5, 0.98])
@@ -127,14 +129,14 @@ def test_a_step_file_cut_short_is_refused(tmp_path: Path, part: float, capfd: py
     content = step(CUBE, prefix="$")
     (tmp_path / "wall.step").write_text(content[: int(part * len(content))])
     with pytest.raises(GeometryError, match=r'body "wall": mesh wall.step: it cannot be read as STEP .it does not end'):
-        load(tmp_path / "wall.step", density=1.0, name="wall")
+        load_solid(tmp_path / "wall.step", density=1.0, name="wall")
     assert capfd.readouterr().out == ""
 
 
 def test_a_step_file_of_no_shape_is_refused(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "wall.step").write_text(HEAD.format(prefix="$") + TAIL)
     with pytest.raises(GeometryError, match=r"cannot be read as STEP .Open CASCADE finds no shape|no triangles"):
-        load(tmp_path / "wall.step", density=1.0, name="wall")
+        load_solid(tmp_path / "wall.step", density=1.0, name="wall")
     assert capfd.readouterr().out == ""
 
 
@@ -144,13 +146,13 @@ def test_a_damaged_step_file_cannot_take_the_program_with_it(tmp_path: Path) -> 
     assert old in content
     (tmp_path / "wall.step").write_text(content.replace(old, new))
     with pytest.raises(GeometryError, match=r"cannot be read as STEP \(Open CASCADE crashed on it"):
-        load(tmp_path / "wall.step", density=1.0, name="wall")
+        load_solid(tmp_path / "wall.step", density=1.0, name="wall")
 
 
 def test_a_step_file_that_is_never_meshed_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assess.geometry.formats.step.MESH", "import time; time.sleep(60)  # {} {}")
     for limit, value in {"MIN_TIME": 0.1, "CLOCK_FACTOR": 1.5}.items():
-        monkeypatch.setattr(f"assess.geometry.formats.subprocess_reader.{limit}", value)
+        monkeypatch.setattr(f"assess.geometry.formats.isolation.{limit}", value)
     (tmp_path / "wall.step").write_text(step(CUBE, prefix="$"))
     with pytest.raises(GeometryError, match=r"has not read it after \d s; is it damaged"):
-        load(tmp_path / "wall.step", density=1.0, name="wall")
+        load_solid(tmp_path / "wall.step", density=1.0, name="wall")

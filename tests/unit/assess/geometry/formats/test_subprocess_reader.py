@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from assess.geometry.formats import subprocess_reader
-from assess.geometry.formats.subprocess_reader import run_in_subprocess
+from assess.geometry.formats import isolation
+from assess.geometry.formats.isolation import run_in_subprocess
 
 
 @pytest.fixture
@@ -23,15 +23,15 @@ def test_the_code_at_its_end_comes_back(file: Path) -> None:
 def test_a_reader_that_never_ends_is_stopped_by_the_kernel(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The limit is the process's own, so that it holds after this one was killed."""
     pytest.importorskip("resource")
-    monkeypatch.setattr(subprocess_reader, "MIN_TIME", 0.5)
-    monkeypatch.setattr(subprocess_reader, "CLOCK_FACTOR", 1000.0)
+    monkeypatch.setattr(isolation, "MIN_TIME", 0.5)
+    monkeypatch.setattr(isolation, "CLOCK_FACTOR", 1000.0)
     with pytest.raises(ValueError, match="the reader has not read it after 1 s"):
         run_in_subprocess("while True: pass", file, name="the reader")
 
 
 def test_a_reader_that_waits_for_ever_is_stopped_by_the_clock(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(subprocess_reader, "MIN_TIME", 0.1)
-    monkeypatch.setattr(subprocess_reader, "CLOCK_FACTOR", 0.5)
+    monkeypatch.setattr(isolation, "MIN_TIME", 0.1)
+    monkeypatch.setattr(isolation, "CLOCK_FACTOR", 0.5)
     with pytest.raises(ValueError, match="has not read it"):
         run_in_subprocess("import time; time.sleep(60)", file, name="the reader")
 

@@ -16,11 +16,10 @@ from assess.dynamics.history import Jobs, make_solver
 from assess.errors import ProjectError
 from assess.results.fragility import FragilityCurve, FragilityResults, HazardResult, MechanismFragility, RiskResult
 from assess.results.json import dumps_fragility, loads_fragility
-from assess.risk.empirical import Empirical
-from assess.study.fragility.fragility import run_fragility
-from assess.study.fragility.measures import measure
-from assess.study.fragility.question import FragilityQuestion
-from assess.study.study import Study
+from assess.risk.empirical import EmpiricalCurve
+from assess.study.fragility import run_fragility
+from assess.study.fragility_runs import measure
+from assess.study.study import FragilityQuestion, Study
 from records.record import Record, make_record
 from tests.support.motions import noise
 from tests.support.projects import ASCE7, NTC, published, study_of, tables_toml
@@ -360,7 +359,7 @@ def test_weak_motions_below_the_hazard_count_for_the_widened_curve(folder: Path)
     hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-4 * (at / first) ** -2.0))
     asked = {"hazard": hazard, "epistemic": Epistemic({"model": 0.6})}
     risk = overturning(noise_results(folder, **asked).mechanisms[0])
-    shares = Empirical(np.array([each.intensity for each in plain]), np.array([each.share for each in plain]))
+    shares = EmpiricalCurve(np.array([each.intensity for each in plain]), np.array([each.share for each in plain]))
     below = quad(lambda u: float(shares.convolve(0.6).probability(first * np.exp(u))) * 2e-4 * np.exp(-2.0 * u),
                  np.log(0.8) - 20.0, np.log(0.8), epsrel=1e-10, limit=400)[0]  # fmt: skip
     assert risk.below_with_epistemic == pytest.approx(below, rel=1e-3)

@@ -8,9 +8,9 @@ from scipy.special import ndtr, ndtri
 from scipy.stats import t
 
 from assess.results.fragility import FIVE_PERCENT
-from assess.risk.bootstrap import event_counts, mirrored_draws, widened_quantiles
+from assess.risk.empirical import event_counts, mirrored_draws, widened_quantiles
 from assess.risk.lognormal import fit_lognormals
-from assess.study.fragility.intervals import lognormal_result
+from assess.study.fragility_curves import lognormal_result
 
 STRIPES = np.geomspace(0.1, 1.6, 15)
 MEDIAN = 0.4

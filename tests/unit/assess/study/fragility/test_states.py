@@ -4,18 +4,17 @@ import numpy as np
 import pytest
 
 from assess.results.fragility import StateResult
-from assess.study.fragility.runs import Runs
-from assess.study.fragility.states import first_bounds, islands, outcomes, reaches
+from assess.study.fragility_runs import FragilityRuns, first_bounds, islands, reaches, state_outcomes
 
 INF, NAN = np.inf, np.nan
 OVERTURNING = StateResult("overturning")
 
 
-def runs_of(*rows: tuple[list[float], list[float]]) -> Runs:
+def runs_of(*rows: tuple[list[float], list[float]]) -> FragilityRuns:
     """Runs by the scales and ratios of each record, shorter rows ended by what is not run."""
     most = max(len(scale) for scale, _ in rows)
     padded = [[part + [NAN] * (most - len(part)) for part in row] for row in rows]
-    return Runs(np.array([scale for scale, _ in padded]), np.array([ratio for _, ratio in padded]))
+    return FragilityRuns(np.array([scale for scale, _ in padded]), np.array([ratio for _, ratio in padded]))
 
 
 def test_states_by_ratio() -> None:
@@ -32,7 +31,7 @@ def test_points_of_the_primary_measure_are_runs() -> None:
     """Records of other scales meet at the same intensities; the second may not be scaled to the last of them."""
     unit = np.array([1.0, 0.5])
     runs = runs_of(([1.0, 2.0, 4.0], [0.1, INF, 0.3]), ([2.0, 4.0], [0.1, 0.2]))
-    found = outcomes(runs, unit, reaches(runs, OVERTURNING), primary=True)
+    found = state_outcomes(runs, unit, reaches(runs, OVERTURNING), primary=True)
     np.testing.assert_allclose(found.intensity, [1.0, 2.0, 4.0])
     assert found.reached.tolist() == [[False, True, False], [False, False, False]]
     assert found.known.tolist() == [[True, True, True], [True, True, False]]  # it stands at its largest: censored
@@ -41,7 +40,7 @@ def test_points_of_the_primary_measure_are_runs() -> None:
 
 def test_a_record_that_overturns_at_its_largest_scale_counts_above_it() -> None:
     runs = runs_of(([1.0, 2.0, 4.0], [0.1, 0.2, 0.3]), ([2.0, 4.0], [0.1, INF]))
-    found = outcomes(runs, np.array([1.0, 0.5]), reaches(runs, OVERTURNING), primary=True)
+    found = state_outcomes(runs, np.array([1.0, 0.5]), reaches(runs, OVERTURNING), primary=True)
     assert found.reached.tolist() == [[False, False, False], [False, True, True]]
     assert found.known.all()
 
@@ -49,7 +48,7 @@ def test_a_record_that_overturns_at_its_largest_scale_counts_above_it() -> None:
 def test_other_measures_take_the_nearest_run() -> None:
     """Scales 1, 2, 4 of a record of 3 are 3, 6, 12: it is as at 6 from 3 sqrt(2) to 6 sqrt(2), in logarithms."""
     runs = runs_of(([1.0, 2.0, 4.0], [0.1, INF, 0.2]), ([1.0, 2.0, 4.0], [0.1, 0.1, INF]))
-    found = outcomes(runs, np.array([3.0, 1.3]), reaches(runs, OVERTURNING), primary=False)
+    found = state_outcomes(runs, np.array([3.0, 1.3]), reaches(runs, OVERTURNING), primary=False)
     at = found.intensity
     assert (at[0], at[-1]) == (pytest.approx(1.3), pytest.approx(12.0))
     assert np.all(np.diff(np.log(at)) <= np.log(2.0) + 1e-9)
@@ -79,9 +78,9 @@ def test_first_exceedance_bounds_the_share(seed: int) -> None:
     generator = np.random.default_rng(seed)
     scale = np.geomspace(1.0, 8.0, 12) * generator.uniform(0.5, 2.0, 15)[:, None]
     ratio = np.where(generator.random(scale.shape) < np.linspace(0.0, 0.9, 12), INF, 0.3)
-    runs, unit = Runs(scale, ratio), 1.0 / scale[:, 0]
+    runs, unit = FragilityRuns(scale, ratio), 1.0 / scale[:, 0]
     reached = reaches(runs, OVERTURNING)
-    found = outcomes(runs, unit, reached, primary=True)
+    found = state_outcomes(runs, unit, reached, primary=True)
     _, upper = first_bounds(runs, unit, reached)
     first = (upper[:, None] <= found.intensity * (1.0 + 1e-9)).sum(axis=0)
     assert np.all(found.reached.sum(axis=0) <= first)

@@ -1,0 +1,290 @@
+"""The commands that analyse: `run` a project, `batch` for many, `envelope` under pulses, `fragility` under records."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from assess.cli.options import Jobs, ProjectPath, flag, folder_option, refuse_two_formats
+
+if TYPE_CHECKING:
+    from assess.portfolio.batch import Portfolio
+    from assess.portfolio.tasks import Keep
+    from assess.results import Results
+
+
+def run(
+    project: ProjectPath,
+    output: Annotated[
+        Path | None, folder_option("Output folder (default: NAME-results beside the project file NAME.toml).")
+    ] = None,
+    jobs: Jobs = None,
+    no_report: Annotated[bool, flag("--no-report", "Write only results.json.")] = False,
+) -> None:
+    """Assess every mechanism and write the report.
+
+    Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg, and prints the verdicts
+    and the path of the report. The exit code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last
+    lines then say what is missing.
+    """
+    results, path = _run_project(project, output, jobs, report=not no_report)
+    from assess.cli.tables.analysis import exit_code, run_text
+
+    print(run_text(results), end="")
+    print(path)
+    raise typer.Exit(exit_code(results))
+
+
+def _run_project(project: Path, output: Path | None, jobs: int | None, *, report: bool) -> tuple[Results, Path]:
+    """Run the study and write its files; return the results and the path of the report, or of results.json."""
+    from assess.project.project_file import load
+
+    loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
+    from assess.cli.stderr import on_interruption, print_detail, print_message, progress
+    from assess.outputs.manifest import REPORT, RESULTS
+    from assess.outputs.writing import output_folder
+    from assess.project.build import build
+    from assess.results.json import dumps
+    from assess.study.run import run_study
+    from assess.workers import available_cores, process_pool
+
+    folder = output or loaded.folder / f"{loaded.path.stem}-results"
+    wanted = (RESULTS, *(REPORT if report else ()))
+    with (
+        output_folder(folder, command="assess run", wanted=wanted, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+    ):
+        with process_pool(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = run_study(study, jobs=jobs or available_cores(), progress=shown.count)
+        for record in results.records:
+            print_detail(f"record {record.path or record.id}, factor {record.scale_factor:.4g}")
+        main_file = stage / RESULTS
+        main_file.write_bytes(dumps(results).encode())
+        if report:
+            from reports.writing import write_all
+
+            main_file = write_all(results, stage, jobs=jobs or 0, progress=shown.step)
+    return results, folder / main_file.relative_to(stage)
+
+
+def batch(
+    source: Annotated[
+        Path, typer.Argument(metavar="FOLDER|TABLE.csv", help="A folder with projects below it, or a table of them.")
+    ],
+    template: Annotated[
+        Path | None,
+        typer.Option(
+            "--template",
+            metavar="FILE",
+            help="The project whose values the rows of TABLE.csv change; needed for a table.",
+        ),
+    ] = None,
+    output: Annotated[
+        Path | None, folder_option("Output folder (default: NAME-results beside the folder or table NAME).")
+    ] = None,
+    jobs: Jobs = None,
+    resume: Annotated[bool, flag("--resume", "Keep the projects that are done, and go on with the others.")] = False,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            "--scheduler",
+            metavar="ADDRESS",
+            help="Compute on the workers of a Dask scheduler, such as tcp://10.0.0.1:8786, in place of --jobs.",
+        ),
+    ] = None,
+    shard: Annotated[
+        str,
+        typer.Option(
+            "--shard",
+            metavar="I/N",
+            show_default=False,
+            help="Compute only the i-th of n shares of the projects, such as 1/4 (default: all).",
+        ),
+    ] = "1/1",
+    no_report: Annotated[bool, flag("--no-report", "Write only results.json of each project and the table.")] = False,
+    rows_only: Annotated[
+        bool, flag("--rows-only", "Write only the ranked table, and nothing of each project.")
+    ] = False,
+) -> None:
+    """Assess every project below a folder, or one for each row of a table, and rank them.
+
+    Writes ranked.html, ranked.xlsx and ranked.csv, and a report for each project. A project that cannot be assessed is
+    a row with its reason. The exit code is the worst of the projects' own: 70 for a bug in the program, 2 for wrong
+    input, 1 for a fail, 3 for an incomplete verdict, 0 if all pass.
+    """
+    keep: Keep = "rows" if rows_only else "results" if no_report else "report"
+    if scheduler is not None and jobs is not None:
+        raise typer.BadParameter("--jobs is of this machine's processes; the scheduler has workers of its own")
+    from assess.cli.stderr import on_interruption, print_note, progress
+    from assess.verbs import batch as run_batch
+
+    whole = source.resolve()
+    folder = output or whole.parent / f"{whole.name if whole.is_dir() else whole.stem}-results"
+    with on_interruption(f"what is done is kept in {folder}; go on with --resume"), progress() as shown:
+        found = run_batch(
+            source,
+            folder,
+            template=template,
+            jobs=jobs or 0,
+            resume=resume,
+            scheduler=scheduler,
+            shard=shard,
+            keep=keep,
+            tell=print_note,
+            progress=shown.count,
+        )
+    print(portfolio_text(found), end="")
+    raise typer.Exit(found.exit_code)
+
+
+def portfolio_text(found: Portfolio) -> str:
+    """Write how many projects came to what, and where the table is."""
+    counts = found.count()
+    parts = [
+        f"{counts[name]} {name}" for name in ("fail", "incomplete", "pass", "no verdict", "broken") if counts[name]
+    ]
+    number = len(found.rows)
+    lines = [f"{number} project{'' if number == 1 else 's'}{': ' if parts else ''}{', '.join(parts)}"]
+    if found.table is None:
+        lines.append(f"{found.left} of other shares are not done; the last share to end writes the ranked table")
+    else:
+        lines.append(str(found.table))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def envelope(
+    project: ProjectPath,
+    output: Annotated[
+        Path | None, folder_option("Folder to write envelopes.pdf, .html and .json, tables and figures to.")
+    ] = None,
+    as_json: Annotated[bool, flag("--json", "Print envelopes and critical mechanisms as in results.json.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the lower bounds as CSV at full precision.")] = False,
+    jobs: Jobs = None,
+) -> None:
+    """Find the ground pulses that overturn each mechanism, and the critical mechanism at each frequency.
+
+    The pulses are those of [analysis.pulses], by default sines from 0.2 to 10 Hz and up to 3 g. No spectrum is needed.
+    Prints tables; files are written only with -o. Sweeps are ignored: the envelopes use the values in the project file.
+    """
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    from assess.project.project_file import load
+
+    loaded = load(project)
+    from assess.cli.options import optional_output
+    from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, print_messages, progress
+    from assess.cli.tables.analysis import envelopes_csv, envelopes_json, envelopes_table
+    from assess.outputs.manifest import ENVELOPES
+    from assess.project.build import build
+    from assess.results.json import dumps
+    from assess.study.envelopes import run_envelopes as envelope_of_study
+    from assess.workers import available_cores, process_pool
+
+    wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
+    place = optional_output(output, command="assess envelope", owner=ENVELOPES, wanted=wanted)
+    with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
+        with process_pool(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = envelope_of_study(study, jobs=jobs or available_cores(), progress=shown.count)
+        if stage is not None:
+            from reports.assessment import envelope_report
+            from reports.writing import write_document
+
+            (stage / ENVELOPES).write_bytes(dumps(results).encode())
+            write_document(envelope_report(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=shown.step)
+    if as_json or as_csv:  # the table includes them
+        print_messages(results.warnings)
+    print((envelopes_json if as_json else envelopes_csv if as_csv else envelopes_table)(results), end="")
+    if output is not None and not (as_json or as_csv):
+        print(output / "envelopes.pdf")
+
+
+FORMATS = ("nrml", "pelicun", "csv")
+
+
+def check_formats(text: str | None) -> str | None:
+    """Return the formats of an export, separated by commas; raise BadParameter for one that is not known."""
+    for name in [] if text is None else text.split(","):
+        if name not in FORMATS:
+            raise typer.BadParameter(f'"{name}" is no format of exports; write of {",".join(FORMATS)}')
+    return text
+
+
+def fragility(
+    project: ProjectPath,
+    output: Annotated[
+        Path | None, folder_option("Folder to write fragility.pdf, .html and .json, tables, figures and exports to.")
+    ] = None,
+    export: Annotated[
+        str | None,
+        typer.Option(
+            "--export",
+            metavar="FORMATS",
+            help="Also write the curves for other programs: nrml, pelicun, csv, or several with commas; needs -o.",
+            callback=check_formats,
+            autocompletion=complete_formats,
+        ),
+    ] = None,
+    as_json: Annotated[bool, flag("--json", "Print what fragility.json holds, in place of the table.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print medians, dispersions and rates as CSV.")] = False,
+    jobs: Jobs = None,
+) -> None:
+    """Find how likely each mechanism is to rock and to overturn at each intensity, and how often it does so.
+
+    Measures, states and method are those of [analysis.fragility], the hazard that of [analysis.risk] or of an Italian
+    site over return periods. Records are scaled from what they are, not from the spectrum. Prints a table; files are
+    written only with -o. Sweeps are ignored.
+    """
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    if export is not None and output is None:
+        raise typer.BadParameter("--export needs -o, the folder to write to")
+    from assess.project.project_file import load
+
+    loaded = load(project)
+    from assess.cli.options import optional_output
+    from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, print_messages, progress
+    from assess.cli.tables.analysis import fragility_csv, fragility_table
+    from assess.outputs.manifest import FRAGILITY
+    from assess.project.build import build
+    from assess.results.json import dumps_fragility
+    from assess.study.fragility import EXPORT_FORMATS as FILES
+    from assess.study.fragility import export_curves, run_fragility
+    from assess.workers import available_cores, process_pool
+
+    formats = [] if export is None else list(dict.fromkeys(export.split(",")))
+    exported = [name for format in formats for name in FILES[format]]
+    wanted = (FRAGILITY, "fragility.pdf", "fragility.html", "tables.xlsx", *exported)
+    place = optional_output(output, command="assess fragility", owner=FRAGILITY, wanted=wanted)
+    with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
+        with process_pool(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = run_fragility(study, jobs=jobs or available_cores(), progress=shown.count)
+        if stage is not None:
+            from reports.assessment import fragility_report
+            from reports.writing import write_document
+
+            (stage / FRAGILITY).write_bytes(dumps_fragility(results).encode())
+            write_document(fragility_report(results), stage, name="fragility.pdf", jobs=jobs or 0, progress=shown.step)
+            files, left_out = export_curves(results, formats)
+            for name, text in files.items():
+                (stage / name).write_bytes(text.encode())
+            print_messages(left_out)
+    if as_json or as_csv:  # the table includes them
+        print_messages(results.warnings)
+    print(
+        dumps_fragility(results) if as_json else fragility_csv(results) if as_csv else fragility_table(results), end=""
+    )
+    if output is not None and not (as_json or as_csv):
+        print(output / "fragility.pdf")
+
+
+def complete_formats(incomplete: str) -> Sequence[str]:
+    """Complete the last of the formats of an export, which stand between commas."""
+    from assess.cli.analysis import FORMATS
+
+    before, comma, last = incomplete.rpartition(",")
+    return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]

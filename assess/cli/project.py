@@ -1,0 +1,130 @@
+"""The commands with which a project is begun and understood, without analysis: `new`, `check`, `parameters`,
+`schema`.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.options import ProjectPath, refuse_two_formats
+from assess.cli.stderr import progress
+
+
+def new(
+    folder: Annotated[
+        Path | None, typer.Argument(metavar="DIR", help="Folder to create; it must be empty or not exist yet.")
+    ] = None,
+    example: Annotated[
+        str,
+        typer.Option(
+            "--example",
+            metavar="NAME",
+            autocompletion=complete_examples,
+            help="Name of the example; --list shows them.",
+        ),
+    ] = "casa_grande",
+    list_examples: Annotated[bool, typer.Option("--list", help="List the examples and exit.")] = False,
+) -> None:
+    """Create a runnable example project to start from."""
+    from assess.examples import EXAMPLES, copy_example
+
+    if list_examples:
+        for name, each in EXAMPLES.items():
+            print(f"{name:20} {each.about}")
+        return
+    if folder is None:
+        raise typer.BadParameter("give the folder to create, or --list")
+    file = copy_example(example, folder)
+    print(file)
+    for table in EXAMPLES[example].tables():
+        print(f"assess batch {file.parent / table} --template {file}")
+
+
+def check(project: ProjectPath) -> None:
+    """Read and validate a project and describe each mechanism, without analysis.
+
+    Shows how the program understood the file: hinges, loads, interfaces and rocking parameters.
+    """
+    from assess.project.project_file import load
+
+    with progress() as shown:
+        loaded = load(project)
+        from assess.cli.tables.project import description, sensitivity_text
+        from assess.project.build import build
+        from assess.study.mechanism_results import parameters
+
+        shown.step("mechanisms")
+        study = build(loaded)
+    print(description(loaded, parameters(study), study.sweeps, study.messages), end="")
+    print(sensitivity_text(study.variables), end="")
+
+
+def parameters(
+    project: ProjectPath,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the mechanisms as in results.json.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
+) -> None:
+    """Print the rocking parameters of each mechanism and of each case of its sweeps, without analysis."""
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    from assess.project.project_file import load
+
+    loaded = load(project)
+    from assess.cli.stderr import print_messages
+    from assess.cli.tables.project import directions_text, parameters_csv, parameters_text
+    from assess.project.build import build
+    from assess.results.json import dumps_mechanisms
+    from assess.study.mechanism_results import case_parameters
+    from assess.study.mechanism_results import parameters as parameters_of_study
+
+    text = dumps_mechanisms if as_json else parameters_csv if as_csv else parameters_text
+    study = build(loaded)
+    print_messages(study.messages)
+    mechanisms = parameters_of_study(study)
+    print(text((*mechanisms, *case_parameters(study))), end="")
+    if text is parameters_text:
+        print(directions_text(mechanisms), end="")
+
+
+def schema(
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Write the schema to a file; an earlier one is replaced."),
+    ] = None,
+) -> None:
+    """Print the JSON Schema of the project file, or write it to a file.
+
+    Editors with TOML support check and complete a project file by it, units of quantities included. They find it by the
+    first line of the project file, `#:schema ./project.schema.json`; `assess new` writes both.
+    """
+    from assess.project.json_schema import schema_text
+
+    if output is None:
+        print(schema_text(), end="")
+        return
+    from assess.outputs.writing import replace_file
+
+    with replace_file(output, command="assess schema", is_replaceable=_is_schema) as made:
+        made.write_text(schema_text(), encoding="utf-8", newline="\n")
+    print(output)
+
+
+def _is_schema(path: Path) -> bool:
+    """Whether a file is a schema that this command wrote."""
+    from assess.project.json_schema import TITLE
+
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return False
+    return isinstance(content, dict) and content.get("title") == TITLE
+
+
+def complete_examples(incomplete: str) -> Sequence[str]:
+    """Complete the name of an example, by the folders that are shipped."""
+    folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
+    return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))

@@ -1,0 +1,199 @@
+"""The commands that read the results of earlier runs: `report`, `summary`, `diff`."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.options import Language, check_share, refuse_two_formats
+
+
+class Detail(StrEnum):
+    """How much of a report is written."""
+
+    MAIN = "main"
+    FULL = "full"
+
+
+def report(
+    results: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RESULTS.json",
+            help="results.json of an earlier run, or its folder; or envelopes.json or fragility.json.",
+        ),
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="DIR", help="Output folder (default: that of RESULTS.json)."),
+    ] = None,
+    png: Annotated[bool, typer.Option("--png", help="Also write the figures as PNG files at 200 dpi.")] = False,
+    language: Annotated[
+        Language | None, typer.Option("--language", help="Language of the report (default: that of the project).")
+    ] = None,
+    detail: Annotated[
+        Detail | None,
+        typer.Option("--detail", help="The main part, or the full report with its annexes (default: as the project)."),
+    ] = None,
+) -> None:
+    """Rewrite the report from the results of `assess run`, `envelope` or `fragility`, without analysis.
+
+    Replaces the PDF, the HTML page, tables and figures in the folder of the results, or writes them to another.
+    """
+    from assess.cli.stderr import print_message
+    from assess.outputs.manifest import FRAGILITY
+
+    if results.name == FRAGILITY:
+        rewrite_fragility(results, output or results.parent, png=png, language=language)
+        return
+    from assess.outputs.found_results import open_results
+
+    read = open_results(results, tell=print_message)
+    found = read.results
+    from assess.cli.stderr import on_interruption, progress
+    from assess.outputs.manifest import ENVELOPES, RESULTS
+    from assess.outputs.writing import output_folder
+    from reports.assessment import envelope_report, locale_of
+    from reports.project_values import project_text
+    from reports.writing import Form, write_all, write_document
+
+    chosen = language or _language_of(project_text(found, "report.language"), source=results)
+    folder = output or read.path.parent
+    alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
+    name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
+    copied = (name,) if folder.resolve() != read.path.parent.resolve() else ()
+    wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
+    figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
+    with (
+        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+        read.blame_changes(),
+    ):
+        if alone:
+            envelopes = replace(envelope_report(found), locale=locale_of(found, chosen))
+            pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=shown.step)
+        else:
+            pdf = write_all(
+                found,
+                stage,
+                language=chosen,
+                detail=detail.value if detail else None,
+                figures=figures,
+                progress=shown.step,
+            )
+        for copy in copied:
+            (stage / copy).write_bytes(read.path.read_bytes())
+    print(folder / pdf.relative_to(stage))
+
+
+def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
+    """Rewrite the report of `assess fragility` from its results at `path`."""
+    from assess.cli.stderr import on_interruption, print_message, progress
+    from assess.outputs.found_results import open_fragility
+    from assess.outputs.manifest import FRAGILITY
+    from assess.outputs.writing import output_folder
+    from reports.assessment import fragility_report, locale_of, results_without_mechanisms
+    from reports.project_values import project_text
+    from reports.writing import Form, write_document
+
+    found = open_fragility(path, tell=print_message)
+    plain = results_without_mechanisms(found)
+    chosen = language or _language_of(project_text(plain, "report.language"), source=path)
+    copied = (FRAGILITY,) if folder.resolve() != path.parent.resolve() else ()
+    wanted = ("fragility.pdf", "fragility.html", "tables.xlsx", *copied)
+    figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
+    with (
+        output_folder(folder, command="assess report", owner=FRAGILITY, wanted=wanted, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+    ):
+        document = replace(fragility_report(found), locale=locale_of(plain, chosen))
+        pdf = write_document(document, stage, name="fragility.pdf", figures=figures, progress=shown.step)
+        for copy in copied:
+            (stage / copy).write_bytes(path.read_bytes())
+    print(folder / pdf.relative_to(stage))
+
+
+def _language_of(language: str, *, source: Path) -> str:
+    """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
+    from assess.errors import ResultsError
+    from reports.language.catalogue import ENGLISH, languages
+
+    if language in ("", *languages()):
+        return language or ENGLISH
+    known, said = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
+    raise ResultsError(
+        f"{source}: project.report.language: {said}: no such language; write {known}, or give --language"
+    )
+
+
+def summary(
+    runs: Annotated[
+        list[Path], typer.Argument(metavar="RUN…", help="results.json of each run, or its folder, or its project's.")
+    ],
+    as_json: Annotated[bool, typer.Option("--json", help="Print the rows as JSON.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the rows as CSV at full precision.")] = False,
+) -> None:
+    """Print one row for each mechanism of one or several runs, with the answer that decides it.
+
+    A mechanism with several limit states shows the one that fails, else one that is not answered, else that with the
+    largest ratio of demand to capacity. p and lambda are those of the side that rocks first.
+    """
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    from assess.cli.stderr import print_message
+    from assess.cli.tables.results import (
+        MechanismRow,
+        mechanism_rows,
+        mechanisms_csv,
+        mechanisms_json,
+        mechanisms_table,
+    )
+    from assess.outputs.found_results import open_results
+
+    rows: list[MechanismRow] = []
+    for run in runs:
+        found = open_results(run, tell=print_message)
+        with found.blame_changes():
+            rows += mechanism_rows(str(run), found.results)
+    print((mechanisms_json if as_json else mechanisms_csv if as_csv else mechanisms_table)(rows), end="")
+
+
+def diff(
+    before: Annotated[Path, typer.Argument(metavar="A", help="results.json of the earlier run, or its folder.")],
+    after: Annotated[Path, typer.Argument(metavar="B", help="results.json of the later run, or its folder.")],
+    tolerance: Annotated[
+        float,
+        typer.Option(
+            metavar="SHARE",
+            help="Relative difference, 0 to 1, up to which numbers count as equal.",
+            callback=check_share,
+        ),
+    ] = 1e-6,
+    exit_code: Annotated[bool, typer.Option("--exit-code", help="Exit with code 1 if anything differs.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the changes as JSON.")] = False,
+    as_csv: Annotated[
+        bool, typer.Option("--csv", help="Print the changes as one CSV table at full precision.")
+    ] = False,
+) -> None:
+    """List the changes between two runs, such as before and after a retrofit, verdicts first.
+
+    Compares results of `assess run` or `assess envelope`, or the folders of projects that have been run.
+    """
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    from assess.cli.stderr import print_message
+    from assess.cli.tables.results import changes_csv, changes_json, changes_text
+    from assess.outputs.found_results import open_results
+    from assess.results.diff import differences
+
+    first, second = (open_results(each, tell=print_message) for each in (before, after))
+    with first.blame_changes(), second.blame_changes():
+        found = differences(first.results, second.results, tolerance=tolerance)
+        text = (changes_json if as_json else changes_csv if as_csv else changes_text)(found)
+    print(text, end="")
+    raise typer.Exit(1 if exit_code and found else 0)

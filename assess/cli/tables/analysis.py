@@ -1,0 +1,361 @@
+"""What `assess run`, `assess envelope` and `assess fragility` print.
+
+A run prints the deciding answer for each mechanism, the verdict with its conditions, and how likely each answer fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from textwrap import wrap
+
+from assess.cli.tables.text_table import messages_text, on_one_line, text_table
+from assess.codes.histories import interval_figures, margin_figures
+from assess.codes.question import toml_lines
+from assess.codes.verdict import (
+    Answer,
+    Decision,
+    MechanismVerdict,
+    Verdict,
+    action_text,
+    building_index_text,
+    index_text,
+    number_text,
+    outcome_text,
+    relevant_warnings,
+    target_text,
+)
+from assess.messages.message import UNITS, Message, count_noun, escape_text, locate
+from assess.results import CriticalResult, EnvelopeResult, ReportMatter, Results
+from assess.results.fragility import (
+    CurveName,
+    FragilityCurve,
+    FragilityResults,
+    LognormalResult,
+    MeasureResult,
+    MechanismFragility,
+    RiskResult,
+    StateResult,
+)
+from assess.results.json import dumps_envelopes
+from assess.results.variations import UncertainAnswer, UncertaintyResult
+from reports.render.csv import csv_lines
+
+EXIT_CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
+"""Exit codes of `assess run`."""
+PROVISIONAL = "with all of this given, and with safe values where they exist, the verdict would be: "
+VERDICT_HEADER = ("verdict", "state", "decided by", "index", "holds up to")
+LINE_WIDTH, LEAST_NAME = 100, 16  # characters of a line, and of the name of a mechanism
+
+
+def exit_code(results: Results) -> int:
+    """Return the exit code of a run; a run without a verdict counts as incomplete."""
+    return EXIT_CODES[Decision.INCOMPLETE if results.verdict is None else results.verdict.outcome]
+
+
+def run_text(results: Results) -> str:
+    """Write a line for each mechanism and limit state, why they do not pass, and the verdict with its conditions."""
+    found = results.verdict
+    if found is None:
+        return "no verdict\n"
+    pairs = [(one, answer) for one in found.mechanisms for answer in one.answers]
+    told = relevant_warnings(results.warnings)
+    notes = [each for each in results.warnings if each not in told]
+    lines = [
+        *_reasons(found),
+        *(f"note: {each.where}: {each.text}" for each in notes),
+        "",
+        *_verdict(found, results.report),
+        *(f"condition: {each.text}" for each in found.conditions),
+        *(f"warning: {each.where}: {each.text}" for each in told),
+        *dict.fromkeys(_remarks(results)),
+        *uncertainty_lines(results.uncertainty),
+        *_missing(found),
+    ]
+    return (
+        _answers_table(found, pairs)
+        + "".join(map(_wrap, lines))
+        + "".join(f"{line}\n" for line in _toml(found, results))
+    )
+
+
+def _remarks(results: Results) -> Iterator[str]:
+    """Yield what is remarked on the checks that decide, such as a failure at a lower level than the site's."""
+    for one in results.mechanisms:
+        for check in one.checks:
+            if check.role == "deciding":
+                yield from (f"warning: mechanisms.{one.name}: {each.text}" for each in check.remarks)
+
+
+def _answers_table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
+    """Write the deciding answers within the line width; names get the width that the numbers leave."""
+    rows = [_answer_row(one, answer, found) for one, answer in pairs]
+    taken = sum(max(len(row[place]) for row in (VERDICT_HEADER, *rows)) + 2 for place in range(len(VERDICT_HEADER)))
+    room = max(LEAST_NAME, LINE_WIDTH - taken)
+    names = [on_one_line(escape_text(one.mechanism), room) for one, _ in pairs]
+    return text_table(["mechanism", *VERDICT_HEADER], [[name, *row] for name, row in zip(names, rows, strict=True)])
+
+
+def _answer_row(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, ...]:
+    holds = "" if one.margin is None else _holds(one.margin, one.margin_most, found.action.pga_g)
+    outcome = answer.outcome if len(one.answers) > 1 else one.outcome
+    said = _emphasise(outcome_text(outcome, near=answer.at_the_limit))
+    return (said, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), holds)
+
+
+def _holds(margin: float, most: float | None, pga_g: float) -> str:
+    """Write up to which PGA a mechanism holds: of histories whose numerical spread leaves a range, both ends."""
+    if most is None:
+        shown = margin_figures(margin, None)
+        return f"{number_text(margin * pga_g, shown)} g = {number_text(margin, shown)} x"
+    shown = interval_figures(margin * pga_g, most * pga_g, limit=pga_g)
+    return f"{number_text(margin * pga_g, shown)} to {number_text(most * pga_g, shown)} g"
+
+
+def _emphasise(outcome: str) -> str:
+    """Return an outcome with its failure in capitals."""
+    return outcome.replace("fail", "FAIL")
+
+
+def _reasons(found: Verdict) -> Iterator[str]:
+    """Yield why mechanisms do not pass, each reason once with its mechanisms."""
+    names: dict[str, dict[str, None]] = {}
+    for one in found.mechanisms:
+        for answer in one.answers:
+            if answer.outcome != Decision.PASS:
+                names.setdefault(answer.reason.text, {})[on_one_line(one.mechanism, 40)] = None
+    yield from (f"{', '.join(of)}: {text}" for text, of in names.items())
+
+
+def _verdict(found: Verdict, report: ReportMatter) -> Iterator[str]:
+    states = ", ".join(found.limit_states) or "no limit state"
+    said = _emphasise(outcome_text(found.outcome, near=found.at_the_limit))
+    yield f"verdict: {said}"
+    yield f"basis: {found.edition or 'none'}; {states}; site's own action: {action_text(found.action)}"
+    if index := building_index_text(found):
+        yield f"index: {index}, target {target_text(found) or 'not known'}; local mechanisms only{_unexamined(report)}"
+
+
+def _unexamined(report: ReportMatter) -> str:
+    """Say what else bounds the index: how many mechanisms the building can have that were not examined."""
+    if not report.building_type:
+        return "; possible mechanisms not listed (report.building_type)"
+    number = len(report.not_examined)
+    return f"; {number} possible mechanism{'' if number == 1 else 's'} not examined" if number else ""
+
+
+def _missing(found: Verdict) -> Iterator[str]:
+    """Yield what would complete the verdict, and the verdict that the safe values would give."""
+    if found.outcome != Decision.INCOMPLETE:
+        return
+    yield from (f"missing: {each.key}: {each.text}" for each in found.missing)
+    if found.provisional in (Decision.PASS, Decision.FAIL):
+        yield f"{PROVISIONAL}{_emphasise(found.provisional.value)}"
+
+
+def _toml(found: Verdict, results: Results) -> list[str]:
+    """Return the TOML lines that complete the verdict."""
+    given = [key for key, each in results.project.items() if each.given]
+    lines = toml_lines(found.missing, given) if found.outcome == Decision.INCOMPLETE else ()
+    return (
+        ["to complete it, add the following to the project file with your own values:", *map(escape_text, lines)]
+        if lines
+        else []
+    )
+
+
+def _wrap(line: str) -> str:
+    """Wrap a line to the width of the terminal."""
+    return "\n".join(wrap(escape_text(line), LINE_WIDTH, subsequent_indent="  ") or [""]) + "\n"
+
+
+def uncertainty_lines(found: UncertaintyResult | None) -> Iterator[str]:
+    """Yield the number of samples, a line for each answer that decides, and the notes; nothing without samples."""
+    if found is None:
+        return
+    groups = count_noun(len({each.group for each in found.inputs}), "group")
+    numbers = count_noun(len(found.inputs), "uncertain number")
+    yield f"uncertainty: {found.samples} samples of {numbers} in {groups}"
+    yield from (_uncertain_answer(each) for each in found.answers if each.role == "deciding")
+    yield from (f"note: {each.where or 'uncertainty'}: {each.text}" for each in found.notes)
+
+
+def _uncertain_answer(answer: UncertainAnswer) -> str:
+    name = on_one_line(escape_text(answer.mechanism), 40)
+    of = f"{name}: {answer.procedure} {answer.limit_state}".strip()
+    if answer.probability is None or answer.interval is None:
+        return f"{of}: not answered in any sample"
+    low, high = (f"{100.0 * each:.3g}" for each in answer.interval)
+    without = f", {answer.unanswered} not answered" if answer.unanswered else ""
+    share = f"{of}: fails in {100.0 * answer.probability:.3g} % of samples ({low} to {high} %)"
+    return f"{share}{without}{_main_influence(answer)}"
+
+
+def _main_influence(answer: UncertainAnswer) -> str:
+    """Name the group that explains most of the ratio; empty where none explains any."""
+    known = [(each.share, each.group) for each in answer.influences if each.share is not None]
+    if not known:
+        return ""
+    share, group = max(known)
+    return f"; most by {on_one_line(escape_text(group), 40)} (share {share:.2g})"
+
+
+SHOWN_FREQUENCIES = 8  # frequencies in the table for reading
+
+
+def envelopes_table(results: Results) -> str:
+    """Write the critical mechanism by frequency band, and the lower bounds of all mechanisms at some frequencies."""
+    if results.critical is None:
+        return "the project has no mechanisms\n"
+    bands = text_table(["critical mechanism", "from [Hz]", "to [Hz]"], _bands(results.critical))
+    return f"{bands}\n{_bounds(results)}{messages_text(results.warnings)}"
+
+
+def _bands(critical: CriticalResult) -> list[list[str]]:
+    return [[band.mechanism or "none overturns", f"{band.from_hz:.3g}", f"{band.to_hz:.3g}"] for band in critical.bands]
+
+
+def _bounds(results: Results) -> str:
+    mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
+    frequency = mapped[0][1].frequency_hz
+    places = sorted({round(k * (len(frequency) - 1) / (SHOWN_FREQUENCIES - 1)) for k in range(SHOWN_FREQUENCIES)})
+    header = ["least pulse [g] at", *(f"{frequency[place]:.3g} Hz" for place in places)]
+    return text_table(header, [[name, *(_bound(one, place) for place in places)] for name, one in mapped])
+
+
+def _bound(one: EnvelopeResult, place: int) -> str:
+    bound = one.lower_bound_g[place]
+    return f"> {one.amplitude_g[-1]:.3g}" if bound is None else f"{bound:.3g}"
+
+
+def envelopes_csv(results: Results) -> str:
+    """Write a line for each frequency: the critical mechanism, then the least pulse of each [g], empty if none."""
+    mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
+    rows: list[list[str | float | None]] = [
+        ["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]
+    ]
+    if results.critical is not None:
+        for k, frequency in enumerate(results.critical.frequency_hz):
+            head = [frequency, results.critical.mechanism[k], results.critical.lower_bound_g[k]]
+            rows.append([*head, *(one.lower_bound_g[k] for _, one in mapped)])
+    return csv_lines(rows)
+
+
+def envelopes_json(results: Results) -> str:
+    """Write the envelopes by mechanism and the critical mechanisms as in results.json."""
+    return dumps_envelopes(results)
+
+
+CURVE_HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
+
+RISK_HEADER = [
+    "mechanism",
+    "state",
+    "curve",
+    "rate [1/year]",
+    "at most",
+    "in 50 years",
+    "with epistemic",
+    "target",
+    "outcome",
+]
+RISK_OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
+
+
+def fragility_table(results: FragilityResults) -> str:
+    """Write median and dispersion of each curve, the rates where the hazard is known, and the messages."""
+    rows = [_curve_row(each, curve) for each in results.mechanisms for curve in each.curves]
+    risks = [_risk_row(each, risk) for each in results.mechanisms for risk in each.risks]
+    tables = [text_table(CURVE_HEADER, rows)] if rows else ["no mechanism has a fragility curve\n"]
+    if risks:
+        tables.append(text_table(RISK_HEADER, risks))
+    notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
+    said = (note for each in results.mechanisms for note in _fragility_notes(each))
+    return "\n".join(tables) + messages_text((*results.warnings, *notes, *said))
+
+
+def _fragility_notes(mechanism: MechanismFragility) -> Iterator[Message]:
+    """Yield what is told of the curves and of the rates, once for all measures that it is told of."""
+    told: list[tuple[StateResult, Message, list[str]]] = []
+    found: tuple[FragilityCurve | RiskResult, ...] = (*mechanism.curves, *mechanism.risks)
+    for one in found:
+        for note in one.notes:
+            measures = next((each[2] for each in told if each[:2] == (one.state, note)), None)
+            if measures is None:
+                told.append((one.state, note, measures := []))
+            measures.append(measure_name(one.measure))
+    for state, note, measures in told:
+        yield from locate([note], f"mechanisms.{mechanism.name}, {state_name(state)} by {', '.join(measures)}")
+
+
+def _curve_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:
+    fitted, unit = curve.lognormal, UNITS[curve.measure.dimension]
+    head = [mechanism.name, state_name(curve.state), measure_name(curve.measure)]
+    if fitted is None:
+        return [*head, "none", *[""] * 3]
+    median = f"{fitted.median:.3g}" + ("" if unit == "-" else f" {unit}")
+    return [
+        *head,
+        median,
+        _interval(fitted.median_interval),
+        f"{fitted.dispersion:.2f}",
+        _interval(fitted.dispersion_interval),
+    ]
+
+
+def _interval(found: tuple[float, float] | None) -> str:
+    return "" if found is None else f"{found[0]:.3g} to {found[1]:.3g}"
+
+
+def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
+    target = "" if risk.target_rate is None else f"{risk.target_rate:.3g}"
+    rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
+    most = "no bound" if risk.at_most is None else f"{risk.at_most:.2g}"
+    wide = "not given" if risk.with_epistemic is None else f"{risk.with_epistemic:.2g}"
+    head = [mechanism.name, state_name(risk.state), risk.curve, rate, most, probability, wide]
+    return [*head, target, RISK_OUTCOMES[risk.outcome]]
+
+
+def state_name(state: StateResult) -> str:
+    """Return a state in words of the project file."""
+    return state.name if state.share is None else f"{state.share:g} of overturning"
+
+
+def measure_name(measure: MeasureResult) -> str:
+    """Return a measure as the project names it, with the place where that is not the ground."""
+    periods = f"({measure.periods_s[0]:g} s)" if measure.key == "sa" else ""
+    return f"{measure.key}{periods}" + (" at the base" if measure.at == "base" else "")
+
+
+def fragility_csv(results: FragilityResults) -> str:
+    """Write a line for each curve, at full precision: its lognormals with their intervals, and its rates."""
+    header: list[str | float | None] = ["mechanism", "state", "share", "measure", "at", "period [s]", "unit"]
+    header += ["records", "events", "censored", "median", "median low", "median high", "dispersion"]
+    header += ["dispersion low", "dispersion high", "first median", "first dispersion"]
+    kinds = ("rate", "lognormal rate", "first rate")
+    header += [f"{kind}{which} [1/year]" for which in ("", " with epistemic") for kind in kinds]
+    rows = [_curve_csv_row(each, curve) for each in results.mechanisms for curve in each.curves]
+    return csv_lines([header, *rows])
+
+
+def _curve_csv_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str | float | None]:
+    measure = curve.measure
+    period = measure.periods_s[0] if measure.key == "sa" else None
+    risks = [_risk(mechanism, curve, name) for name in ("empirical", "lognormal", "first")]
+    rates = [None if each is None else each.annual_rate for each in risks]
+    rates += [None if each is None else each.with_epistemic for each in risks]
+    first = (None, None) if curve.first is None else (curve.first.median, curve.first.dispersion)
+    head = [mechanism.name, curve.state.name, curve.state.share, measure.key, measure.at, period]
+    counts = [curve.records, curve.events, curve.censored]
+    return [*head, UNITS[measure.dimension], *counts, *_lognormal_cells(curve.lognormal), *first, *rates]
+
+
+def _lognormal_cells(fitted: LognormalResult | None) -> list[float | None]:
+    if fitted is None:
+        return [None] * 6
+    median, dispersion = fitted.median_interval or (None, None), fitted.dispersion_interval or (None, None)
+    return [fitted.median, *median, fitted.dispersion, *dispersion]
+
+
+def _risk(mechanism: MechanismFragility, curve: FragilityCurve, name: CurveName) -> RiskResult | None:
+    same = (curve.measure, curve.state, name)
+    return next((each for each in mechanism.risks if (each.measure, each.state, each.curve) == same), None)

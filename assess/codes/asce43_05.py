@@ -1,0 +1,782 @@
+"""ASCE/SEI 43-05: rocking of an unanchored rigid body, by the spectrum method of Appendix A.2 and by histories.
+
+The spectrum method, an equivalent linear oscillator, stands in two readings: the clause's, and the thesis' that
+reproduces its Tables 8.5-8.6. Above the ground the clause's reading uses the floor's own spectrum where there is one.
+The formulas are written for any rocking oscillator: E(phi) is the work stored, B0 and I0 are excitation and inertia at
+rest. For a block of half-width b and centroid height h, a = b/h, these give the clause's own quantities: h = B0/M,
+C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
+
+Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The clause's
+limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half, the limit
+of the response-history method of the same standard, is shown beside it. One function for each formula.
+
+The response-history method takes the mean of the largest rotations of at least five records as the best estimate of the
+demand; a factor of 2 on instability makes half the rotation that overturns the allowable one (thesis 3.3.2 and 8.4.2,
+Table 8.10). Each maximum is divided by the rotation that really overturns the mechanism in the branch where it
+happened, joints included. A record that overturns the body fails the level. A pass needs the rule to hold in 84 % of
+the draws among the runs of each record, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from scipy.constants import g
+from scipy.optimize import brentq
+
+from assess.codes.calculation_sheet import Given, instability_step, integral_step, moment_column, multiplier_step
+from assess.codes.check import (
+    BranchName,
+    Check,
+    InputAt,
+    NumericalSpread,
+    Outcome,
+    PgaCurve,
+    Reason,
+    Step,
+    branch_of,
+    caveats_of,
+    check_worst_branch,
+    reason_message,
+    step,
+)
+from assess.codes.check import Reading as Kind
+from assess.codes.context import Context
+from assess.codes.histories import (
+    Capacities,
+    SuiteResponse,
+    capacities,
+    draw_values,
+    fails_below,
+    numerical_spread,
+    pga_curve,
+    scan_conditions,
+    spread_steps,
+    uplift_multiplier,
+    with_spread,
+)
+from assess.codes.pga_rotation import (
+    PgaOf,
+    PgaRotation,
+    RotationOutcome,
+    floor_pga_rotation,
+    pga_capacity,
+    pga_rotation,
+    rotation_demand,
+    rotation_verdict,
+    to_equivalent_blocks,
+    to_pga_curve,
+)
+from assess.messages.message import Message, Severity, Term, message, whole_number
+from assess.oscillator import (
+    Branch,
+    Oscillator,
+    RockingBlock,
+    block_at,
+    energy,
+    equivalent_block,
+    linear_multiplier,
+    multiplier,
+    threshold,
+)
+from spectra.arrays import BoolArray, FloatArray
+from spectra.spectrum import Spectrum
+
+
+def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+    """Return the checks of A.2 with the demand at f_e and beta_e from uplift on, one for each level."""
+
+    def reading(branch: Branch, f_v: float) -> SpectrumReading:
+        return clause_reading(branch, context, f_v=f_v)
+
+    return _spectrum_checks(oscillator, context, reading, own=oscillator)
+
+
+def assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+    """Return the checks of the thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no uplift."""
+
+    def reading(branch: Branch, f_v: float) -> SpectrumReading:
+        return thesis_reading(branch, context, f_v=f_v, mass=oscillator.mass)
+
+    like = to_equivalent_blocks(oscillator, lambda branch: thesis_limit(branch, mass=oscillator.mass))
+    return _spectrum_checks(like, context, reading, own=oscillator)
+
+
+def assess_history(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+    """Return one check for each level that has a suite of time histories."""
+
+    def passes(suite: SuiteResponse) -> bool:
+        share = mean_share(suite, oscillator)
+        return share is not None and share <= HALF
+
+    def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
+        ratio = draw_values(run_shares(suite, oscillator)).mean(axis=1) / HALF
+        return ratio, ratio <= 1.0
+
+    lifts = uplift_multiplier(oscillator, linearised=context.linearised)
+    scanned = ScanResult(
+        pga_curve(context.incremental),
+        capacities(context.incremental, measure, passes, least_records=LEAST_RECORDS),
+        None if lifts is None else lifts / context.amplification,
+    )
+    checks = (
+        _history_check(oscillator, suite, context, scanned, numerical_spread(suite, measure, scanned.holds_to))
+        for suite in context.suites
+    )
+    return warn_at_height(tuple(checks), context=context)
+
+
+Where = Literal["demand", "limit", "end"]
+
+ROTATION: Mapping[Where, str] = {
+    "demand": "rotation at the demand",
+    "limit": "the allowable rotation",
+    "end": "rotation where the curve ends, as the spectrum does",
+}
+
+PGA_THERE: Mapping[Where, str] = {
+    "demand": "PGA that takes the body to θ, at the demand",
+    "limit": "PGA that takes the body to θ, at the allowable rotation",
+    "end": "PGA that takes the body to θ, where the curve ends",
+}
+
+
+@dataclass(frozen=True)
+class SpectrumReading:
+    """How the clause is read for one branch.
+
+    damping : of the demand [-]; damping_steps : where it comes from
+    spectrum : of the motion at the base, which has these ordinates at `pga` of the ground [m/s2]; input_at : where
+    curve : PGA over rotation; limit : the allowable rotation [rad]; limit_steps : where it comes from
+    in_range : whether the limit holds for such a body
+    """
+
+    procedure: str
+    kind: Kind
+    damping: float
+    damping_steps: tuple[Step, ...]
+    spectrum: Spectrum
+    pga: float
+    input_at: InputAt
+    curve: PgaRotation
+    limit: float
+    limit_steps: tuple[Step, ...]
+    in_range: bool = True
+
+
+ReadingOf = Callable[[Branch, float], SpectrumReading]
+
+
+def _spectrum_checks(
+    oscillator: Oscillator, context: Context, reading_of: ReadingOf, *, own: Oscillator
+) -> tuple[Check, ...]:
+    """Return the checks of an oscillator as it is read; `own` is the mechanism's, whose threshold of uplift counts."""
+
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        lifts = threshold(branch_of(own, name))
+        f_v = vertical_factor(linear_multiplier(branch), context.vertical_ratio)
+        return _spectrum_check(oscillator, branch, name, context, reading_of(branch, f_v), level, f_v=f_v, lifts=lifts)
+
+    return warn_at_height(check_worst_branch(oscillator, context.levels, one), context=context)
+
+
+def _spectrum_check(
+    oscillator: Oscillator,
+    branch: Branch,
+    name: BranchName,
+    context: Context,
+    reading: SpectrumReading,
+    level: float,
+    *,
+    f_v: float,
+    lifts: float | None,
+) -> Check:
+    curve, allowable, spectrum = reading.curve, reading.limit, reading.spectrum
+    rotation = rotation_demand(curve, level)
+    uplift = None if lifts is None else lifts * reading.pga / spectrum.pga
+    answer = rotation_verdict(rotation, allowable, curve=curve, level=level, uplift=uplift, context=context)
+    if not reading.in_range:
+        answer = RotationOutcome(Outcome.NOT_APPLICABLE, reason_message(Reason.LIMIT_BEYOND_OVERTURNING), None)
+    return Check(
+        procedure=reading.procedure,
+        edition=EDITION,
+        reading=reading.kind,
+        branch=name,
+        limit_state="no overturning",
+        level_pga_g=level / g,
+        input_at=reading.input_at,
+        damping=reading.damping,
+        damping_rule=spectrum.damping_rule if reading.damping != spectrum.damping else "",
+        quantity="rotation",
+        unit="rad",
+        demand=rotation,
+        capacity=allowable,
+        ratio=None if rotation is None else rotation / allowable,
+        verdict=answer.verdict,
+        reason=answer.reason,
+        capacity_pga_g=answer.capacity_pga_g,
+        uplift_pga_g=uplift,
+        capacity_rotation_ratio=allowable / branch.overturning,
+        rotation_ratio=None if rotation is None else rotation / branch.overturning,
+        pga_curve=to_pga_curve(curve, branch),
+        steps=_spectrum_steps(oscillator, branch, context, reading, level=level, f_v=f_v, rotation=rotation),
+        **caveats_of(CAVEAT),
+    )
+
+
+def _spectrum_steps(
+    oscillator: Oscillator,
+    branch: Branch,
+    context: Context,
+    reading: SpectrumReading,
+    *,
+    level: float,
+    f_v: float,
+    rotation: float | None,
+) -> tuple[Step, ...]:
+    """Write the sheet, with spectral values at the demand, or at the allowable rotation where nothing rocks.
+
+    Where the spectrum ends before that, they are taken where it ends; a sheet without a known ordinate ends with theta.
+    """
+    body, curve = _body_steps(oscillator, branch, context, f_v=f_v), reading.curve
+    block = (*body, *reading.damping_steps, *reading.limit_steps)
+    if not curve.rotation.size:
+        return block
+    at = rotation if rotation else min(reading.limit, float(curve.rotation[-1]))
+    where: Where = "demand" if rotation else "limit" if at == reading.limit else "end"
+    worked = _rotation_steps(oscillator, branch, reading, at=at, where=where, level=level, f_v=f_v)
+    return (*block, *(_resting_steps(curve, level) if rotation == 0.0 else ()), *worked)
+
+
+def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v: float) -> tuple[Step, ...]:
+    """Write what the clause asks of the body."""
+    mass, I0, B0, a = oscillator.mass, float(branch.inertia[0]), float(branch.excitation[0]), linear_multiplier(branch)
+    h = B0 / mass
+    meant = "tan α, multiplier at rest; uplift at a g" if a == multiplier(branch)[0] else "largest multiplier"
+    moved = {"B0": (B0, "kg m"), "M": (mass, "kg")}
+    turned = {"I_O": (I0, "kg m2"), "M": (mass, "kg"), "h": (h, "m")}
+    vertical = {"a": a, "S_aV/S_aH": context.vertical_ratio}
+    return (
+        step("h", "height of the centroid", A2, "B0 / M", h, "m", given=moved),
+        multiplier_step("a", meant, A2, branch),
+        step("C1", "inertia ratio", A2, "I_O / (M h²)", I0 / (mass * h**2), given=turned),
+        step("F_V", "vertical ground motion", "Eq. A-5(b)", "√(1 + (a S_aV/S_aH)²)", f_v, given=vertical),
+        step("F_H", "inertia beyond the body's mass", "Eq. A-5(c)", "counted in B0", 1.0),
+    )
+
+
+def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
+    """Write why the demand is no rotation: the PGA is less than takes the body to any."""
+    words = "no rotation: the PGA does not exceed the least that gives a lasting θ"
+    at = {"PGA": (level / g, "g"), "least PGA(θ)": (float(curve.least[0]) / g, "g")}
+    return (step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", 0.0, "rad", at=at),)
+
+
+def _rotation_steps(
+    oscillator: Oscillator,
+    branch: Branch,
+    reading: SpectrumReading,
+    *,
+    at: float,
+    where: Where,
+    level: float,
+    f_v: float,
+) -> tuple[Step, ...]:
+    """Write the way from a rotation to the PGA that takes the body there."""
+    theta, B0 = np.array([at]), float(branch.excitation[0])
+    f1, stored = float(stored_work(branch, theta)[0]), float(energy(branch, theta)[0])
+    cap = float(capacity_acceleration(branch, theta, f_v=f_v)[0])
+    f_e = float(effective_frequency(branch, theta)[0])
+    ordinate = float(reading.spectrum.acceleration(1 / f_e, damping=reading.damping)) / reading.pga
+    h = B0 / oscillator.mass
+    turned, C1 = {"θ": (at, "rad"), "h": (h, "m")}, float(branch.inertia[0]) / (oscillator.mass * h**2)
+    solved: Given = {"PGA": (level / g, "g")}
+    formula, given = (
+        ("SA_H,DEM(θ) = SA_H,CAP(θ)", solved) if where == "demand" else ("θ_lim, or where the curve ends", {})
+    )
+    ordinate_at: Given = {"f_e": (f_e, "Hz"), "T": (1 / f_e, "s"), "β_e": reading.damping}
+    work = {"E": (stored, "J"), "B0": (B0, "kg m")}
+    capable = {"f1": (f1, "-"), "F_V": (f_v, "-"), "F_H": (1.0, "-"), "θ": (at, "rad")}
+    demanded = {"SA_H,CAP": (cap, "m/s2"), "S_a/PGA": (ordinate, "-")}
+    rocking = "work stored over M g h; rigid block: cos θ + a sin θ − 1"
+    words = "work stored up to θ: the restoring moment over rotation"
+    return (
+        step("θ", ROTATION[where], A2, formula, at, "rad", at=given),
+        integral_step("E", words, A2, moment_column(branch), at, "J", upper="θ"),
+        step("f1", rocking, "Eq. A-5(a)", "E / (g B0)", f1, given=work),
+        step("SA_H,CAP", "spectral acceleration capacity", "Eq. A-5", "2 g f1 / (F_V F_H θ)", cap, "m/s2",
+             given=capable),
+        step("f_e", "effective frequency", A2, "√(2 f1 g / (C1 h θ²)) / 2π", f_e, "Hz",
+             given={"f1": (f1, "-"), "C1": (C1, "-"), **turned}),
+        step("S_a/PGA", "spectrum at f_e, β_e over PGA", reading.spectrum.clause, "S_a(1/f_e, β_e) / PGA", ordinate,
+             at=ordinate_at),
+        step("PGA(θ)", PGA_THERE[where], A2, "SA_H,CAP / (S_a/PGA)", cap / ordinate, "m/s2", given=demanded),
+    )  # fmt: skip
+
+
+THESIS_DAMPING = 0.05
+A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "thesis 8.3.2"
+
+
+def clause_reading(branch: Branch, context: Context, *, f_v: float) -> SpectrumReading:
+    """Read the clause to the letter: demand at f_e and beta_e from uplift on, a third of overturning allowed.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : the site, and the floor's spectrum where the mechanism is above the ground
+    f_v : factor of vertical motion [-]
+
+    Returns
+    -------
+    Reading
+    """
+    damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
+    floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
+    if floor is None:
+        curve = spectral_pga_rotation(branch, context.spectrum, damping=damping, f_v=f_v, uplift=uplift)
+    else:
+        curve = floor_spectral_pga_rotation(branch, floor, damping=damping, f_v=f_v, uplift=uplift, pga=pga)
+    return SpectrumReading(
+        procedure="asce43-05-spectrum",
+        kind="letter",
+        damping=damping,
+        damping_steps=_effective_damping_steps(branch.restitution, damping),
+        spectrum=floor or context.spectrum,
+        pga=pga,
+        input_at="ground" if floor is None else "mechanism base",
+        curve=curve,
+        limit=THIRD * branch.unstable,
+        limit_steps=_limit_steps(branch, curve),
+    )
+
+
+def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float) -> SpectrumReading:
+    """Read the clause as the thesis does (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : the site
+    f_v : factor of vertical motion [-]
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    Reading
+    """
+    block = equivalent_block(branch, mass=mass)
+    ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
+    limit, words = ratio * branch.unstable, "empirical: fits the thesis' Table 8.5, no derivation known"
+    given = {"φ_ov": (branch.unstable, "rad"), "k": (k, "-"), "α": (alpha, "rad")}
+    parts = {"I_O": (block.inertia, "kg m2"), "M": (mass, "kg"), "R": (block.radius, "m")}
+    return SpectrumReading(
+        procedure="asce43-05-spectrum-thesis",
+        kind="thesis",
+        damping=THESIS_DAMPING,
+        damping_steps=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING),),
+        spectrum=context.spectrum,
+        pga=context.spectrum.pga,
+        input_at="ground",
+        curve=spectral_pga_rotation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
+        limit=limit,
+        limit_steps=(
+            step("k", "inertia ratio of the equivalent block", THESIS, "I_O / (M R²)", k, given=parts),
+            step("θ_lim", words, THESIS, "φ_ov k α / sin(2 α)", limit, "rad", given=given),
+        ),
+        in_range=ratio <= 1.0,
+    )
+
+
+def _effective_damping_steps(restitution: float, damping: float) -> tuple[Step, ...]:
+    if restitution == 0.0:
+        return (step("β_e", "effective damping", A2, "1", damping, remark="no rebound", at={"C_R": restitution}),)
+    gamma = -2.0 * float(np.log(min(restitution, 1.0)))
+    return (
+        step("γ", "of two impacts in a cycle", A2, "−2 ln(min(C_R, 1))", gamma, given={"C_R": restitution}),
+        step("β_e", "effective damping", A2, "γ / √(4π² + γ²)", damping, given={"γ": gamma}),
+    )
+
+
+def _limit_steps(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
+    """Write the allowable rotation and, beside it, half of what overturns, with the PGA that takes the body there."""
+    overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
+    third = "allowed: one third of the rotation that overturns"
+    beside = "one half, the limit of response histories, for comparison"
+    at_half = pga_capacity(curve, half)
+    return (
+        instability_step("φ_ov", "rotation that overturns the body, joints included", A2, branch),
+        step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
+        step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),
+        step("PGA(θ_1/2)", "PGA at capacity if one half were allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
+             None if at_half is None else at_half / g, "g", at={"θ_1/2": (half, "rad")},
+             remark="on the curve of PGA over rotation of this method"),
+    )  # fmt: skip
+
+
+HISTORY_CLAUSE = "ASCE 43-05, response-history method"
+HISTORY_CAVEAT = "the method was read in the thesis, not in the printed standard"
+LEAST_RECORDS = 5
+
+
+@dataclass(frozen=True)
+class ScanResult:
+    """What suites at rising PGA give: their curve, the PGA up to which the rule holds, and that at uplift [g]."""
+
+    curve: PgaCurve
+    holds_to: Capacities
+    uplift: float | None
+
+
+def run_shares(suite: SuiteResponse, oscillator: Oscillator) -> FloatArray:
+    """Return the shares of every run of each record [runs, records] [-]; inf where it overturned."""
+    runs = suite.runs
+    scale = [each.overturning / each.unstable for each in oscillator.branches]
+    return runs.ratio * np.where(runs.negative, scale[-1], scale[0])
+
+
+def rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[float | None, ...]:
+    """Return the largest rotation of each record over what overturns the mechanism in its branch [-].
+
+    Parameters
+    ----------
+    suite : the maxima of the records
+    oscillator : the mechanism
+
+    Returns
+    -------
+    tuple of float or None
+        None for a record that overturned the mechanism.
+    """
+    names = suite.branches or (suite.branch,) * len(suite.ratio)
+    branches = [branch_of(oscillator, name) for name in names]
+    return tuple(
+        None if ratio is None else ratio * branch.overturning / branch.unstable
+        for ratio, branch in zip(suite.ratio, branches, strict=True)
+    )
+
+
+def mean_share(suite: SuiteResponse, oscillator: Oscillator) -> float | None:
+    """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
+    found = rotation_shares(suite, oscillator)
+    standing = [share for share in found if share is not None]
+    return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
+
+
+def _history_check(
+    oscillator: Oscillator, suite: SuiteResponse, context: Context, scanned: ScanResult, spread: NumericalSpread | None
+) -> Check:
+    """Make the check; demand and capacity are rotations of the branch of the worst record."""
+    branch, share = branch_of(oscillator, suite.branch), mean_share(suite, oscillator)
+    verdict, reason, remarks = with_spread(*_history_outcome(suite, share), spread)
+    at_collapse = scanned.holds_to.sure
+    demand, capacity = None if share is None else share * branch.unstable, HALF * branch.unstable
+    return Check(
+        procedure="asce43-05-history",
+        edition=EDITION,
+        branch=suite.branch,
+        limit_state="no overturning",
+        level_pga_g=suite.pga / g,
+        input_at=context.histories_at,
+        damping=None,
+        quantity="mean rotation",
+        unit="rad",
+        demand=demand,
+        capacity=capacity,
+        ratio=None if share is None else share / HALF,
+        verdict=verdict,
+        reason=reason,
+        remarks=fails_below(at_collapse, suite.pga / g) if verdict == Outcome.PASS else remarks,
+        conditions=scan_conditions(context.incremental),
+        capacity_pga_g=at_collapse,
+        uplift_pga_g=scanned.uplift,
+        capacity_rotation_ratio=capacity / branch.overturning,
+        rotation_ratio=None if demand is None else demand / branch.overturning,
+        pga_curve=scanned.curve,
+        steps=(
+            *_history_steps(suite, rotation_shares(suite, oscillator), share, branch),
+            *spread_steps(spread, at_collapse),
+        ),
+        numerical=spread,
+        **caveats_of(HISTORY_CAVEAT),
+    )
+
+
+def _history_outcome(suite: SuiteResponse, share: float | None) -> tuple[Outcome, Message]:
+    n, fallen = len(suite.ratio), suite.overturned
+    if n < LEAST_RECORDS:
+        few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
+        return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=Term("the method"), **few)
+    if share is None:
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
+    if share == 0.0:
+        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
+    if share <= HALF:
+        return Outcome.PASS, reason_message(Reason.WITHIN, capacity=Term("the allowable mean of the maxima"))
+    return Outcome.FAIL, reason_message(Reason.BEYOND, capacity=Term("the allowable mean of the maxima"))
+
+
+def _history_steps(
+    suite: SuiteResponse, found: tuple[float | None, ...], share: float | None, branch: Branch
+) -> tuple[Step, ...]:
+    n = len(found)
+    at_least = "records run, both polarities; at least 5"
+    overturns = {"φ_u": (branch.unstable, "rad")}
+    lines = [
+        step("n", at_least, HISTORY_CLAUSE, "count", float(n)),
+        step("n_ov", "records that overturn the body; none is allowed", HISTORY_CLAUSE, "count",
+             float(suite.overturned)),
+        instability_step("φ_u", "rotation that overturns it, joints included", HISTORY_CLAUSE, branch),
+        _largest_step(found),
+        _mean_step(found, share),
+        step("φ_all", "allowable: a factor of 2 on instability", HISTORY_CLAUSE, "φ_u / 2", HALF * branch.unstable,
+             "rad", given=overturns),
+    ]  # fmt: skip
+    if share is not None:
+        lines.append(step("D/C", "ratio", HISTORY_CLAUSE, "φ/φ_u / 0.5", share / HALF, given={"φ/φ_u": share}))
+    return tuple(lines)
+
+
+def _shares_without_overturning(found: tuple[float | None, ...]) -> dict[str, float]:
+    """Return the maxima of the records that left the body standing, by number."""
+    return {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}
+
+
+def _largest_step(found: tuple[float | None, ...]) -> Step:
+    symbol, words, each = (
+        "max φ/φ_u",
+        "largest without overturning, each by its branch",
+        _shares_without_overturning(found),
+    )
+    if not each:
+        return step(symbol, words, HISTORY_CLAUSE, "max |φ(t)| / φ_u", None, remark="every record overturns")
+    return step(symbol, words, HISTORY_CLAUSE, f"max({', '.join(each)})", max(each.values()), given=each)
+
+
+def _mean_step(found: tuple[float | None, ...], share: float | None) -> Step:
+    """Write the line of the mean, from the maxima of all records."""
+    symbol, words, n = "φ/φ_u", "mean of the maxima, each by its branch", len(found)
+    if share is None:
+        return step(symbol, words, HISTORY_CLAUSE, "Σ max |φ(t)| / φ_u / n", None, remark="a record overturned")
+    each = _shares_without_overturning(found)
+    return step(symbol, words, HISTORY_CLAUSE, f"({' + '.join(each)}) / {n}", share, given=each)
+
+
+EDITION = "ASCE/SEI 43-05"
+HALF = 0.5  # of the rotation that overturns: allowed to the mean of the maxima of response histories
+THIRD = 1.0 / 3.0  # of the same: allowed by A.2
+CAVEAT = "Appendix A.2 was not checked against the printed standard: its equations were re-derived from energy"
+
+
+@dataclass(frozen=True)
+class Asce43Options:
+    """Options of ASCE 43-05.
+
+    allowable_sliding : of a rigid body on its base [m]; None: sliding is given for information
+    """
+
+    allowable_sliding: float | None = None
+
+
+def vertical_factor(a: float, ratio: float) -> float:
+    """Return F_V = sqrt(1 + (a S_aV/S_aH)^2), the probabilistic combination with vertical motion (Eq. A-5(b)).
+
+    Parameters
+    ----------
+    a : multiplier at uplift, tan(alpha) of a block [-]
+    ratio : S_aV / S_aH [-]
+
+    Returns
+    -------
+    float
+        F_V, at least 1 [-].
+    """
+    return float(np.hypot(1.0, a * ratio))
+
+
+def stored_work(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """Return f1(theta) = E(theta) / (g B0); cos(theta) + a sin(theta) - 1 of a block (Eq. A-5(a)).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta [n] [rad]
+
+    Returns
+    -------
+    array [n] [-]
+    """
+    return energy(branch, rotation) / float(g * branch.excitation[0])
+
+
+def capacity_acceleration(branch: Branch, rotation: FloatArray, *, f_v: float) -> FloatArray:
+    """Return SA_H,CAP = 2 g f1 / (F_V F_H theta) (Eq. A-5); F_H = 1, because B0 counts every mass that shakes.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta > 0 [n] [rad]
+    f_v : factor of vertical motion [-]
+
+    Returns
+    -------
+    array [n] [m/s2]
+    """
+    return 2 * g * stored_work(branch, rotation) / (f_v * rotation)
+
+
+def effective_frequency(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """Return f_e of the linear oscillator that stores the same work: omega_e^2 = 2 E / (I0 theta^2) (A.2, step 2).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta > 0 [n] [rad]
+
+    Returns
+    -------
+    array [n] [Hz]
+    """
+    omega = np.sqrt(2 * energy(branch, rotation) / float(branch.inertia[0])) / rotation
+    return np.asarray(omega / (2 * np.pi))
+
+
+def effective_damping(restitution: float) -> float:
+    """Return beta_e = gamma / sqrt(4 pi^2 + gamma^2), gamma = -2 ln C_R, of two impacts in a cycle (A.2, step 2).
+
+    An impact onto a nearer hinge may leave more velocity, though never more energy: C_R >= 1 then gives no damping.
+
+    Parameters
+    ----------
+    restitution : C_R, velocity after over velocity before an impact [-]
+
+    Returns
+    -------
+    float
+        beta_e, 1 without rebound [-].
+    """
+    if restitution == 0.0:
+        return 1.0
+    gamma = -2 * np.log(min(restitution, 1.0))
+    return float(gamma / np.hypot(2 * np.pi, gamma))
+
+
+def thesis_limit_ratio(block: RockingBlock) -> float:
+    """Return theta_lim / alpha = k alpha / sin(2 alpha) [-], the limit of rotation in the thesis (8.3.2).
+
+    Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
+    """
+    return float(inertia_ratio(block) * block.slenderness / np.sin(2 * block.slenderness))
+
+
+def inertia_ratio(block: RockingBlock) -> float:
+    """Return k = I_O / (M R^2) = g / (p^2 R) [-]."""
+    return block.inertia / (block.mass * block.radius**2)
+
+
+def thesis_limit(branch: Branch, *, mass: float) -> float:
+    """Return the limit of rotation theta_lim on a flexible joint.
+
+    It is where theta equals the ratio of `thesis_limit_ratio` times alpha, both of the equivalent block at theta.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    float
+        theta_lim [rad]; the overturning rotation where no such theta exists, because the formula is out of its range.
+    """
+
+    def excess(rotation: float) -> float:
+        block = block_at(branch, rotation, mass=mass)
+        return rotation - thesis_limit_ratio(block) * block.slenderness
+
+    low, high = 1e-3 * branch.unstable, branch.unstable
+    return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
+
+
+def spectral_pga_rotation(
+    branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float
+) -> PgaRotation:
+    """Return PGA(theta), at which SA_H,CAP equals the spectrum's ordinate at f_e, the spectrum scaled with its PGA.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    spectrum : of the ground
+    damping : of the demand [-]
+    f_v : factor of vertical motion [-]
+    uplift : PGA below which nothing rocks [m/s2]
+
+    Returns
+    -------
+    PgaRotation
+    """
+    return pga_rotation(
+        _pga_of(branch, spectrum, damping=damping, f_v=f_v, pga=spectrum.pga),
+        overturning=branch.unstable,
+        uplift=uplift,
+        period_of=_period_of(branch),
+        longest_period=spectrum.longest_period,
+    )
+
+
+def floor_spectral_pga_rotation(
+    branch: Branch, floor: Spectrum, *, damping: float, f_v: float, uplift: float, pga: float
+) -> PgaRotation:
+    """Return PGA(theta) of the ground where the demand is the spectrum of a floor.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    floor : spectrum of the floor
+    damping : of the demand [-]
+    f_v : factor of vertical motion [-]
+    uplift : peak acceleration of the floor below which nothing rocks [m/s2]
+    pga : peak acceleration of the ground that belongs to `floor` [m/s2]
+
+    Returns
+    -------
+    PgaRotation
+    """
+    return floor_pga_rotation(
+        _pga_of(branch, floor, damping=damping, f_v=f_v, pga=pga),
+        overturning=branch.unstable,
+        uplift=uplift * pga / floor.pga,
+        period_of=_period_of(branch),
+        longest_period=floor.longest_period,
+    )
+
+
+def _period_of(branch: Branch) -> PgaOf:
+    return lambda rotation: 1 / effective_frequency(branch, rotation)
+
+
+def _pga_of(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, pga: float) -> PgaOf:
+    period_of = _period_of(branch)
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        amplified = spectrum.acceleration(period_of(rotation), damping=damping) / pga
+        return capacity_acceleration(branch, rotation, f_v=f_v) / amplified
+
+    return pga_of
+
+
+def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
+    """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
+    return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
+
+
+def _with_height(check: Check, height: float) -> Check:
+    if check.input_at != "ground":
+        return check
+    words = "height of what holds the mechanism; the motion is that of the ground, not amplified"
+    line = step("z", words, "geometry", "z_base − z_ground", height, "m")
+    remark = message("ground-motion", severity=Severity.WARNING)
+    return replace(check, remarks=(*check.remarks, remark), steps=(line, *check.steps))

@@ -1,0 +1,249 @@
+"""The bases of a verdict: which limit states of each code decide, by which methods, on which premises.
+
+They are data; the rules of a verdict are in `assess.codes.verdict`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class LimitStateRole(StrEnum):
+    """When a limit state decides: as the one chosen for the building, or besides it in some classes of use."""
+
+    CHOSEN = "chosen"
+    BESIDES = "besides"
+
+
+class Premise(StrEnum):
+    """What a pass depends on besides its numbers."""
+
+    SOUND_MASONRY = "sound-masonry"
+    ANCHORAGE = "anchorage"
+    COLLAR_JOINTS = "collar-joints"
+    NO_FLOORS = "no-floors"
+
+
+class IndexKind(StrEnum):
+    """The measure in which a code gives its answer."""
+
+    ZETA_E = "zeta_E"
+    NBS = "%NBS"
+    DEMAND_CAPACITY = "D/C"
+
+
+class Acceptance(StrEnum):
+    """Whether a method decides of itself, or only where the project names it in `[verdict] procedures`."""
+
+    ACCEPTED = "accepted"
+    IF_NAMED = "if-named"
+
+
+@dataclass(frozen=True)
+class Method:
+    """One procedure that may decide a limit state.
+
+    procedure : its name
+    acceptance : whether it must be named
+    yields_to : procedures that are never stood in for: where one of them is asked, this one is not
+    """
+
+    procedure: str
+    acceptance: Acceptance = Acceptance.ACCEPTED
+    yields_to: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class LimitState:
+    """One limit state of a basis.
+
+    name : as `[verdict] limit_state` writes it
+    checked_as : the limit state of the checks of its methods
+    actions : what `[site] limit_state` may call the action that belongs to it
+    ranks : methods in order of refinement, the most refined first; those of one rank must all pass
+    role : whether it is one that may be chosen
+    classes : classes of use in which it decides besides the chosen one
+    """
+
+    name: str
+    checked_as: str
+    actions: tuple[str, ...]
+    ranks: tuple[tuple[Method, ...], ...]
+    role: LimitStateRole = LimitStateRole.CHOSEN
+    classes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Basis:
+    """The rules of one code for a verdict.
+
+    edition : how it is cited; index : the measure of the answer; states : its limit states, the default one first
+    default : the limit state where none is chosen; empty where the site's own action decides it
+    premises : what a pass depends on; clauses : (rule, clause) pairs for the report
+    uncompared : what could not be compared with any text of the standard
+    """
+
+    name: str
+    edition: str
+    index: IndexKind
+    states: tuple[LimitState, ...]
+    default: str
+    premises: tuple[Premise, ...]
+    clauses: tuple[tuple[str, str], ...]
+    uncompared: tuple[str, ...] = ()
+
+    @property
+    def chosen(self) -> tuple[LimitState, ...]:
+        """The limit states of which one is chosen."""
+        return tuple(state for state in self.states if state.role == LimitStateRole.CHOSEN)
+
+    @property
+    def methods(self) -> tuple[str, ...]:
+        """Every procedure that the basis accepts, in order of refinement."""
+        return tuple(
+            dict.fromkeys(method.procedure for state in self.states for rank in state.ranks for method in rank)
+        )
+
+
+NTC2018_HISTORY = Method("ntc2018-history", Acceptance.IF_NAMED)
+NTC2018_NONLINEAR = Method("ntc2018-nonlinear")
+NTC2018_LINEAR = Method("ntc2018-linear", Acceptance.IF_NAMED, yields_to=("ntc2018-nonlinear",))
+
+NTC2018 = Basis(
+    name="ntc2018",
+    edition="NTC 2018 (DM 17.1.2018) with Circolare 7/2019",
+    index=IndexKind.ZETA_E,
+    states=(
+        LimitState("SLV", "SLV", ("SLV",), ((NTC2018_HISTORY,), (NTC2018_NONLINEAR,), (NTC2018_LINEAR,))),
+        LimitState("SLC", "SLC", ("SLC",), ((NTC2018_HISTORY,), (NTC2018_NONLINEAR,))),
+        LimitState("SLD", "SLD", ("SLD",), ((Method("ntc2018-linear"),),), LimitStateRole.BESIDES, classes=("IV",)),
+    ),
+    default="SLV",
+    premises=(Premise.SOUND_MASONRY,),
+    clauses=(
+        ("SLV, or alternatively SLC, chosen once for the building", "NTC 8.3, C8.7.1.2.1.6"),
+        ("for use class IV also SLD", "NTC 8.3, 7.3.6"),
+        ("non-linear kinematic analysis decides", "C8.7.1.2.1.6, C8.7.1.2.1.8"),
+        ("linear with q = 2 where no capacity curve is worked out, for SLV only", "C8.7.1.2.1.7"),
+        ("time histories where the project declares them", "C8.7.1.2.1.9, 7.3.5, 3.2.3.6"),
+        ("FC of LC1 where crushing is not modelled", "C8.5.4, C8.7.1.2.1.3"),
+        ("rigid chain credible only for masonry that does not disintegrate", "C8.7.1.2"),
+    ),
+    uncompared=("clauses by a public transcription of the decree and the circular, not by the printed texts",),
+)
+DMI2008_KINEMATIC = (Method("dmi2008-linear"), Method("dmi2008-nonlinear"))
+
+DMI2008 = Basis(
+    name="dmi2008",
+    edition="NTC 2008 (DM 14.1.2008) with Circolare 617/2009, superseded in 2018",
+    index=IndexKind.ZETA_E,
+    states=(
+        LimitState("SLV", "SLV", ("SLV",), (DMI2008_KINEMATIC,)),
+        LimitState("SLD", "SLD", ("SLD",), ((Method("dmi2008-linear"),),), LimitStateRole.BESIDES, classes=("IV",)),
+    ),
+    default="SLV",
+    premises=(Premise.SOUND_MASONRY,),
+    clauses=(
+        ("linear with q = 2, or the capacity spectrum: the one named, both where none is", "C8A.4.2.3"),
+        ("above the ground both the ground's and the floor's demand", "C8A.4.2.3"),
+        ("FC of LC1 where crushing is not modelled", "C8A.4.1"),
+    ),
+    uncompared=("all clauses are from memory of the circular",),
+)
+
+NZSEE2017 = Basis(
+    name="nzsee2017",
+    edition="NZSEE/MBIE Guidelines 2017, C8",
+    index=IndexKind.NBS,
+    states=(LimitState("ULS", "ULS", ("ULS",), ((Method("nzsee2017-face-loaded"),),)),),
+    default="ULS",
+    premises=(Premise.ANCHORAGE,),
+    clauses=(("usable rotation of a face-loaded wall against the demand on a part", "C8.8.5, NZS 1170.5 section 8"),),
+    uncompared=("the chapter was not compared with its print; its formulas were derived anew",),
+)
+SLENDERNESS_TABLE = ((Method("asce41-13-ht"),),)
+
+ASCE41_13 = Basis(
+    name="asce41-13",
+    edition="ASCE/SEI 41-13",
+    index=IndexKind.DEMAND_CAPACITY,
+    states=(
+        LimitState("LS", "life safety, collapse prevention", ("BSE-1E", "LS"), SLENDERNESS_TABLE),
+        LimitState("CP", "life safety, collapse prevention", ("BSE-2E", "CP"), SLENDERNESS_TABLE),
+    ),
+    default="",
+    premises=(Premise.ANCHORAGE, Premise.COLLAR_JOINTS),
+    clauses=(("permissible h/t at S_X1 of the declared hazard level", "Table 11-5"),),
+    uncompared=("the table is from memory of the standard",),
+)
+
+ASCE43_05 = Basis(
+    name="asce43-05",
+    edition="ASCE/SEI 43-05",
+    index=IndexKind.DEMAND_CAPACITY,
+    states=(
+        LimitState(
+            "DBE",
+            "no overturning",
+            ("DBE",),
+            ((Method("asce43-05-history"),), (Method("asce43-05-spectrum", Acceptance.IF_NAMED),)),
+        ),
+    ),
+    default="DBE",
+    premises=(),
+    clauses=(
+        (
+            "mean of the maxima of at least five records within half of the rotation that overturns",
+            "response histories",
+        ),
+        ("the approximate method only where it is named, against one third", "Appendix A.2"),
+    ),
+    uncompared=(
+        "the methods were read in the thesis and in an excerpt of Appendix A, not in the printed standard",
+        "the limit of clause 7.1 for A.2 could not be read: one third of the rotation that overturns is taken",
+    ),
+)
+
+EC8 = Basis(
+    name="ec8",
+    edition="EN 1998-1:2004, 4.3.5",
+    index=IndexKind.DEMAND_CAPACITY,
+    states=(LimitState("ULS", "element", ("ULS", "NCR"), ((Method("ec8-element"),),)),),
+    default="ULS",
+    premises=(Premise.NO_FLOORS,),
+    clauses=(("static force on a non-structural element", "4.3.5.2 (4.24), (4.25)"),),
+    uncompared=("q_a and gamma_a of the element are from memory; national annexes may change them",),
+)
+BASES: Mapping[str, Basis] = {each.name: each for each in (NTC2018, DMI2008, NZSEE2017, ASCE41_13, ASCE43_05, EC8)}
+
+BY_SITE: Mapping[str, str] = {"ntc2018": "ntc2018", "ntc2008": "dmi2008", "nzs1170.5": "nzsee2017", "ec8": "ec8"}
+"""The basis of a site by the code of its spectrum; on others it must be named."""
+
+
+def stated_basis(procedures: Sequence[str], *, rule: str, statement: str) -> Basis:
+    """Return the basis of these procedures.
+
+    Parameters
+    ----------
+    procedures : names, the most refined first
+    rule : "all" makes them equals; with "any" the first that is answered decides
+    statement : the engineer's, for the report
+
+    Returns
+    -------
+    Basis
+    """
+    methods = tuple(Method(name) for name in procedures)
+    ranks = (methods,) if rule == "all" else tuple((method,) for method in methods)
+    return Basis(
+        name="own",
+        edition="basis stated by the engineer",
+        index=IndexKind.DEMAND_CAPACITY,
+        states=(LimitState("own", "*", (), ranks),),
+        default="own",
+        premises=(),
+        clauses=((statement, ""),),
+        uncompared=(),
+    )

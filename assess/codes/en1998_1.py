@@ -1,0 +1,259 @@
+"""EN 1998-1:2004, 4.3.5: a non-structural element under a static force at its centre of mass.
+
+    F_a = S_a W_a gamma_a / q_a                                                              (4.24)
+    S_a = alpha S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least alpha S              (4.25)
+
+alpha S is the peak acceleration of the surface over g, the PGA of the level. Formulas and Table 4.4 are from memory,
+not checked against the printed standard. The force is compared with what the weight resists, at each level. One
+function for each formula.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from scipy.constants import g
+
+from assess.codes.calculation_sheet import multiplier_step
+from assess.codes.check import (
+    BranchName,
+    Check,
+    Outcome,
+    Reason,
+    Step,
+    caveats_of,
+    check_worst_branch,
+    missing_ordinate,
+    reason_message,
+    step,
+)
+from assess.codes.context import Context, Support
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum
+from assess.messages.message import Term
+from assess.oscillator import Branch, Oscillator, elastic_frequency, linear_multiplier, threshold
+from spectra.floor import ec8_floor_factor
+
+ELEMENT = "ec8-element"
+CLAUSE, FORCE, TABLE = "EN 1998-1, 4.3.5.2 (4.25)", "EN 1998-1, 4.3.5.2 (4.24)", "EN 1998-1, 4.3.5.4, Table 4.4"
+
+
+@dataclass(frozen=True)
+class ElementDemand:
+    """The force of the clause: alpha S [g], T_a / T_1, S_a / (alpha S), q_a, gamma_a, F_a / W_a, all [-].
+
+    surface : alpha S over PGA [-]
+    """
+
+    alpha_s: float
+    surface: float
+    ratio: float
+    amplified: float
+    q_a: float
+    gamma_a: float
+    force: float
+
+
+def assess_element(oscillator: Oscillator, context: Context, *, options: Ec8Options) -> tuple[Check, ...]:
+    """Check F_a / W_a against the multiplier that the mechanism resists, on the worse branch (4.3.5)."""
+
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        check = _check(branch, name, context, options, level)
+        if context.spectrum.code != TABLE_SPECTRUM or options.alpha_s is not None:
+            return check
+        why = missing_ordinate(CLAUSE, "alpha S", "procedures.ec8.alpha_s")
+        return replace(check, verdict=Outcome.NOT_ANSWERED, reason=why)
+
+    return check_worst_branch(oscillator, context.levels, one)
+
+
+def element_demand(branch: Branch, context: Context, options: Ec8Options, level: float) -> ElementDemand:
+    """Return the force of the clause on one branch.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : site and building
+    options : q_a, gamma_a and alpha S, where they are given
+    level : PGA [m/s2]
+
+    Returns
+    -------
+    Demand
+    """
+    ratio = period_ratio(branch, context)
+    amplified = amplification(ratio, context)
+    q_a = BEHAVIOUR[context.support] if options.behaviour_factor is None else options.behaviour_factor
+    gamma_a = options.importance_factor
+    surface = 1.0 if options.alpha_s is None else options.alpha_s * g / context.spectrum.pga
+    alpha_s = surface * level / g
+    force = force_over_weight(alpha_s * amplified, behaviour_factor=q_a, importance_factor=gamma_a)
+    return ElementDemand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)
+
+
+def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Options, level: float) -> Check:
+    found, resistance = element_demand(branch, context, options, level), linear_multiplier(branch)
+    lifts, ratio = uplift_pga(branch, found.surface * found.amplified), found.force / resistance
+    verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
+    return Check(
+        procedure=ELEMENT,
+        edition=EDITION,
+        branch=name,
+        limit_state="element",
+        level_pga_g=level / g,
+        input_at="mechanism base" if context.above_ground else "ground",
+        damping=None,
+        quantity="force over weight",
+        unit="-",
+        demand=found.force,
+        capacity=resistance,
+        ratio=ratio,
+        verdict=verdict,
+        reason=reason_message(
+            Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("what the weight resists")
+        ),
+        capacity_pga_g=level * resistance / found.force / g,
+        uplift_pga_g=None if lifts is None else lifts / g,
+        steps=_steps(branch, context, found),
+        **caveats_of(CAVEAT, *other_spectrum(ELEMENT, context.spectrum.code)),
+    )
+
+
+def _steps(branch: Branch, context: Context, found: ElementDemand) -> tuple[Step, ...]:
+    resistance, raised = linear_multiplier(branch), height_ratio(context)
+    S_a = found.alpha_s * found.amplified
+    shaken = {"α S": found.alpha_s, "z/H": raised, "T_a/T_1": found.ratio}
+    forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}
+    held = {"F_a/W_a": found.force, "λ": resistance}
+    return (
+        _period_step(branch, context, found.ratio),
+        _height_step(context),
+        step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
+             given=shaken),
+        step("q_a", "behaviour factor", TABLE, "given", found.q_a, remark=ELEMENTS[context.support]),
+        step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", found.gamma_a),
+        step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", found.force, given=forced),
+        multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),
+        step("D/C", "ratio", FORCE, "F_a/W_a / λ", found.force / resistance, given=held),
+    )  # fmt: skip
+
+
+def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
+    words, T_a = "period of the element over the building's", element_period(branch)
+    if context.building is None:
+        remark = (
+            "the worst case, as the building is not known"
+            if ratio
+            else "an element that does not move before uplift has no period"
+        )
+        return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
+    given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
+    return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)
+
+
+def _height_step(context: Context) -> Step:
+    words, z = "height of the supports", context.support_height
+    if context.building is None:
+        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, at={"z": (z, "m")})
+    given = {"z": (z, "m"), "H": (context.building.height, "m")}
+    return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)
+
+
+EDITION = "EN 1998-1:2004"
+
+CAVEAT = (
+    "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause covers "
+    "non-structural elements, and its force check has no reserve beyond uplift but q_a"
+)
+BEHAVIOUR: dict[Support, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
+
+ELEMENTS: dict[Support, str] = {
+    "free": "stands free, as cantilever parapets",
+    "spanning": "held at base and top, as walls and facades",
+    "hinged": "chain of hinges, not in Table 4.4: the smallest value",
+}
+RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
+
+
+@dataclass(frozen=True)
+class Ec8Options:
+    """Options of EN 1998-1, 4.3.5.
+
+    behaviour_factor : q_a [-], None for that of Table 4.4; importance_factor : gamma_a [-] of the element
+    alpha_s : alpha S at the site's own PGA [g]; None where the spectrum is of a code, and begins with it
+    """
+
+    behaviour_factor: float | None = None
+    importance_factor: float = 1.0
+    alpha_s: float | None = None
+
+
+def element_period(branch: Branch) -> float:
+    """Return T_a [s]: 0 for an element that does not move before uplift, else of small motions on its joints."""
+    frequency = elastic_frequency(branch)
+    return 1.0 / frequency if frequency else 0.0
+
+
+def period_ratio(branch: Branch, context: Context) -> float:
+    """Return T_a / T_1 [-]; 1, the worst, for an element that vibrates where the building is not known."""
+    T_a = element_period(branch)
+    if T_a == 0.0 or context.building is None:
+        return RESONANCE if T_a > 0.0 else 0.0
+    return T_a / context.building.period
+
+
+def height_ratio(context: Context) -> float:
+    """Return z / H of the supports [-]: 0 where the building is not known, and at most 1.
+
+    At the ground H plays no part; above the building the check may only fail.
+    """
+    if context.building is None:
+        return 0.0
+    return min(context.support_height / context.building.height, 1.0)
+
+
+def amplification(ratio: float, context: Context) -> float:
+    """Return S_a / (alpha S) = 3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5, at least 1 (4.25).
+
+    Parameters
+    ----------
+    ratio : T_a / T_1 [-]
+    context : height of the supports and of the building
+
+    Returns
+    -------
+    float [-]
+    """
+    return ec8_floor_factor(height_ratio(context), building_height=1.0, period_ratio=ratio)
+
+
+def force_over_weight(S_a: float, *, behaviour_factor: float, importance_factor: float) -> float:
+    """Return F_a / W_a = S_a gamma_a / q_a (4.24).
+
+    Parameters
+    ----------
+    S_a : seismic coefficient [-]
+    behaviour_factor : q_a [-]
+    importance_factor : gamma_a [-]
+
+    Returns
+    -------
+    float [-]
+    """
+    return S_a * importance_factor / behaviour_factor
+
+
+def uplift_pga(branch: Branch, amplified: float) -> float | None:
+    """Return the PGA at which S_a reaches the multiplier at rest.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    amplified : S_a over PGA [-]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None without a threshold.
+    """
+    at_rest = threshold(branch)
+    return None if at_rest is None else at_rest * g / amplified

@@ -1,0 +1,566 @@
+"""Kinematic analysis by either Italian edition: its linear and non-linear check, and the curve both are read from.
+
+The equivalent oscillator is the same in both circulars: a* = alpha g / (e* FC) over d*. alpha(d) is the curve of
+lambda = restoring / (g B) of the mechanism; displacements are those of the control point over e*. The linear check
+compares a0* with the accelerations of ground and floor, the non-linear one the displacement capacity with the spectral
+demand at a secant period. A capacity d_LS is a share of d0*, or less where a tie breaks or a seat is lost before. A
+break limits where it takes more than half of the largest acceleration that the mechanism has; after a smaller loss the
+curve goes on without the element. Rotations of both become spectral displacements by C8.7.1.4.
+Source: Circolare 617/2009, C8A.4.1-2; 7/2019, C8.7.1.1-C8.7.1.5, C8.7.1.2.1.6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import isclose, pi
+
+import numpy as np
+from scipy.constants import g
+from scipy.optimize import brentq
+
+from assess.codes.calculation_sheet import (
+    Given,
+    excitation_column,
+    instability_step,
+    integral_step,
+    moment_column,
+    multiplier_step,
+    reading_step,
+)
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
+from assess.codes.context import Context, LocalLimit
+from assess.codes.italian_limit_states import (
+    BranchCurves,
+    Demands,
+    ItalianEdition,
+    LimitStateCase,
+    confidence_step,
+    floor_of,
+    outcome_of,
+)
+from assess.codes.pga_rotation import pga_rotation, to_pga_curve
+from assess.messages.message import Message, Quantity, Severity, Term, Value, list_values, message
+from assess.oscillator import Branch, displacement, linear_multiplier, multiplier, participation_ratio, threshold
+from spectra.arrays import FloatArray
+
+
+def acceleration_check(
+    case: LimitStateCase,
+    edition: ItalianEdition,
+    *,
+    procedure: str,
+    capacity: float,
+    demands: Demands | None,
+    needs: Term,
+    uplift: float | None,
+    damping: float,
+    steps: tuple[Step, ...],
+) -> Check:
+    """Make the check of a0* against the larger of the demands.
+
+    Parameters
+    ----------
+    case : branch, limit state and level
+    edition : how it is cited
+    procedure : its name
+    capacity : a0* [m/s2]
+    demands : [m/s2]; None where the spectrum ends before a period that it `needs`
+    uplift : PGA at uplift [m/s2]
+    damping : of the demand [-]
+    steps : the calculation sheet
+
+    Returns
+    -------
+    Check
+    """
+    demanded = None if demands is None else demands.largest
+    verdict, reason = _acceleration_outcome(case, demanded, capacity, needs=needs)
+    return Check(
+        procedure=procedure,
+        edition=edition.name,
+        branch=case.curves.name,
+        limit_state=case.state,
+        level_pga_g=case.level / g,
+        input_at="ground" if floor_of(case.context) is None else "mechanism base",
+        damping=damping,
+        quantity="acceleration",
+        unit="m/s2",
+        demand=demanded,
+        capacity=capacity,
+        ratio=None if demanded is None else demanded / capacity,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=None if demanded is None else case.pga * capacity / demanded / g,
+        uplift_pga_g=None if uplift is None else uplift / g,
+        steps=steps,
+        **caveats_of(edition.caveat),
+        conditions=_acceleration_conditions(case) if verdict == Outcome.PASS else (),
+    )
+
+
+def _acceleration_conditions(case: LimitStateCase) -> tuple[Message, ...]:
+    """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
+    shown = case.curves.lasting
+    if linear_multiplier(case.curves.starting) <= linear_multiplier(shown) * (1.0 + 1e-9):
+        return ()
+    return (message("counts-at-rest", severity=Severity.WARNING),)
+
+
+def _acceleration_outcome(
+    case: LimitStateCase, demanded: float | None, capacity: float, *, needs: Term
+) -> tuple[Outcome, Message]:
+    if demanded is None:
+        end = Quantity(case.context.spectrum.longest_period, "time")
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=needs, end=end)
+    verdict = outcome_of(demanded / capacity)
+    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
+
+
+def acceleration_ratio_steps(clause: str, demands: Demands | None, *, capacity: float) -> tuple[Step, ...]:
+    """Write the last line of the sheet."""
+    if demands is None:
+        return ()
+    given = {"D": (demands.largest, "m/s2"), "a0*": (capacity, "m/s2")}
+    return (step("D / a0*", "ratio", clause, "D / a0*", demands.largest / capacity, given=given),)
+
+
+@dataclass(frozen=True)
+class DisplacementAnalysis:
+    """What an edition finds of one case.
+
+    ultimate : displacement capacity d* [m], written `symbol`; collapse : d0* [m]; e : e* [-]
+    wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends too early for it
+    needs : longest period at which the spectrum is read
+    conditions : what a pass rests on
+    starts : PGA [m/s2] up to which the mechanism does not rock, and its displacement there for each m/s2 of PGA [s2]
+    uplift : PGA at uplift [m/s2], None on joints without a threshold
+    """
+
+    ultimate: float
+    symbol: str
+    collapse: float
+    e: float
+    needs: Message
+    wanted: Demands | None
+    starts: float
+    still: float
+    uplift: float | None
+    conditions: tuple[Message, ...] = ()
+
+    @property
+    def before(self) -> float:
+        """Displacement d* at which the mechanism begins to rock [m]."""
+        return self.starts * self.still
+
+    def demand(self, pga: float) -> float | None:
+        """Return d* [m] at `pga` [m/s2], rocking no less than before; None where the spectrum ends too early."""
+        if self.wanted is None:
+            return None
+        return pga * self.still if pga <= self.starts else max(pga * self.wanted.largest, self.before)
+
+
+def displacement_check(
+    case: LimitStateCase,
+    answer: DisplacementAnalysis,
+    edition: ItalianEdition,
+    *,
+    procedure: str,
+    damping: float,
+    rule: str,
+    steps: tuple[Step, ...],
+) -> Check:
+    """Make the check of one case; damping [-] of the demand, by the spectrum's `rule`."""
+    branch, mass, demanded = case.curves.lasting, case.curves.mass, answer.demand(case.pga)
+    rotation = None
+    if demanded is not None and demanded < answer.collapse:
+        rotation = rotation_at(branch, demanded * answer.e, mass=mass)
+    allowable = rotation_at(branch, answer.ultimate * answer.e, mass=mass)
+    verdict, reason = _displacement_outcome(case, answer, demanded)
+    wanted = answer.wanted
+    return Check(
+        procedure=procedure,
+        edition=edition.name,
+        branch=case.curves.name,
+        limit_state=case.state,
+        level_pga_g=case.level / g,
+        input_at="ground" if wanted is None else wanted.at,
+        damping=damping,
+        damping_rule=rule,
+        quantity="d*",
+        unit="m",
+        demand=demanded,
+        capacity=answer.ultimate,
+        ratio=None if demanded is None else demanded / answer.ultimate,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=None if wanted is None else max(answer.ultimate / wanted.largest, answer.starts) / g,
+        uplift_pga_g=None if answer.uplift is None else answer.uplift / g,
+        capacity_rotation_ratio=allowable / branch.overturning,
+        rotation_ratio=None if rotation is None else rotation / branch.overturning,
+        pga_curve=_displacement_pga_curve(case, answer),
+        steps=steps,
+        conditions=answer.conditions,
+        **caveats_of(edition.caveat),
+    )
+
+
+def ground_step(
+    case: LimitStateCase, clause: str, symbol: str, period: float, *, ordinate: float, moved: float
+) -> Step:
+    """Write S_De at a period [s] named `symbol`, from S_e [m/s2] or from the code's own displacements beyond T_E."""
+    words, name, spectral = "demand at the ground", f"S_De({symbol})", f"S_e({symbol})"
+    if isclose(moved, ordinate * (period / (2 * pi)) ** 2, rel_tol=1e-9):
+        given = {spectral: (ordinate, "m/s2"), symbol: (period, "s")}
+        return step(name, words, clause, f"{spectral} · ({symbol} / (2 · π))²", moved, "m", given=given)
+    at = {symbol: (period, "s"), "PGA": (case.pga, "m/s2")}
+    return step(name, words, case.context.spectrum.clause, "displacement spectrum, T > T_E", moved, "m", at=at)
+
+
+def displacement_ratio_step(answer: DisplacementAnalysis, clause: str, *, demanded: float) -> Step:
+    """Write the last line of the sheet."""
+    held = "no less than as it begins to rock" if demanded == answer.before else ""
+    remark = held if demanded else "no motion below uplift"
+    symbol, given = f"D / {answer.symbol}", {"D": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
+    return step(symbol, "ratio", clause, symbol, demanded / answer.ultimate, given=given, remark=remark)
+
+
+def _displacement_pga_curve(case: LimitStateCase, answer: DisplacementAnalysis) -> PgaCurve:
+    """Return PGA over rotation: the demand is proportional to PGA, as the period does not change with it."""
+    wanted, branch = answer.wanted, case.curves.lasting
+    if wanted is None:
+        return PgaCurve((), ())
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        return displacement(branch, rotation, mass=case.curves.mass) / (answer.e * wanted.largest)
+
+    return to_pga_curve(pga_rotation(pga_of, overturning=branch.unstable, uplift=answer.starts), branch)
+
+
+def _displacement_outcome(
+    case: LimitStateCase, answer: DisplacementAnalysis, demanded: float | None
+) -> tuple[Outcome, Message]:
+    if demanded is None:
+        end = Quantity(case.context.spectrum.longest_period, "time")
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=answer.needs, end=end)
+    if demanded == 0.0:
+        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
+    verdict = outcome_of(demanded / answer.ultimate)
+    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=answer.symbol)
+
+
+LOSS = 0.5  # of the largest acceleration capacity
+
+
+@dataclass(frozen=True)
+class DisplacementLimit:
+    """What a limit state allows: its share of d0* [-], whether breaks limit it besides seats, and the clause."""
+
+    share: float
+    breaks: bool
+    clause: str
+
+
+@dataclass(frozen=True)
+class LocalDisplacement:
+    """A local limit that counts: its displacement [m], and for a break lambda just after and the largest lambda [-]."""
+
+    limit: LocalLimit
+    moved: float
+    after: float = 0.0
+    largest: float = 0.0
+
+
+@dataclass(frozen=True)
+class DisplacementCapacity:
+    """d_LS and d0* [m], and the local limits that count."""
+
+    moved: float
+    collapse: float
+    locals: tuple[LocalDisplacement, ...]
+
+
+def displacement_capacity(curves: BranchCurves, rule: DisplacementLimit) -> DisplacementCapacity:
+    """Return the displacement capacity of one branch: the least of the share of d0*, the breaks and the seats.
+
+    Parameters
+    ----------
+    curves : the branch by the actions in it, with its local limits
+    rule : of the limit state
+
+    Returns
+    -------
+    Threshold
+    """
+    collapse = displacement_at_collapse(curves.lasting, mass=curves.mass)
+    found = tuple(_local_displacements(curves, rule))
+    return DisplacementCapacity(min([rule.share * collapse, *(each.moved for each in found)]), collapse, found)
+
+
+def _local_displacements(curves: BranchCurves, rule: DisplacementLimit) -> Iterator[LocalDisplacement]:
+    for limit in curves.limits:
+        moved = displacement_at(curves.lasting, limit.rotation, mass=curves.mass)
+        if limit.kind == "seat":
+            yield LocalDisplacement(limit, moved)
+        elif rule.breaks:
+            after, largest = _multipliers_at_break(curves.breaking, limit.rotation)
+            if after < LOSS * largest:
+                yield LocalDisplacement(limit, moved, after, largest)
+
+
+def _multipliers_at_break(branch: Branch, rotation: float) -> tuple[float, float]:
+    """Return lambda just after a rotation [rad], 0 beyond the end of the table, and the largest of the curve [-]."""
+    standing = branch.rotation <= branch.unstable
+    beyond = rotation * (1.0 + BEFORE_BREAK)
+    after = 0.0 if beyond > branch.rotation[-1] else multiplier_at(branch, beyond)
+    return after, float(multiplier(branch)[standing].max())
+
+
+def displacement_capacity_steps(
+    curves: BranchCurves, threshold: DisplacementCapacity, rule: DisplacementLimit, symbol: str, words: str
+) -> tuple[Step, ...]:
+    """Write d0*, the local limits that count, and d_LS named `symbol`."""
+    steps = [*collapse_steps(curves.lasting, rule.clause, mass=curves.mass)]
+    terms, given = [f"{rule.share:g} · d0*"], {"d0*": (threshold.collapse, "m")}
+    for number, each in enumerate(threshold.locals, 1):
+        name = f"d_{each.limit.kind}{number}"
+        steps += _local_steps(curves, each, name, rule.clause)
+        terms.append(name)
+        given[name] = (each.moved, "m")
+    formula = terms[0] if len(terms) == 1 else f"min({', '.join(terms)})"
+    return *steps, step(symbol, words, rule.clause, formula, threshold.moved, "m", given=given)
+
+
+def _local_steps(curves: BranchCurves, each: LocalDisplacement, name: str, clause: str) -> Iterator[Step]:
+    seat, what, upper = each.limit.kind == "seat", each.limit.what, f"φ_{name[2:]}"
+    words = "displacement at which the seat is lost" if seat else "displacement at which the action ends"
+    yield from displacement_steps(
+        name, words, clause, curves.lasting, mass=curves.mass, rotation=each.limit.rotation, upper=upper, subject=what
+    )
+    if seat:
+        return
+    words = "acceleration just after the action ends over the largest; it limits below one half"
+    given = {"λ": each.after, "λ_max": each.largest}
+    yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given, subject=what)
+
+
+def break_conditions(curves: BranchCurves) -> tuple[Message, ...]:
+    """Return the condition of a pass where a tie or force is counted up to a displacement: that it lasts until then."""
+    what = ", ".join(dict.fromkeys(each.what for each in curves.limits if each.kind == "break"))
+    return (message("holds-to-its-end", {"what": what}, severity=Severity.WARNING),) if what else ()
+
+
+def seat_conditions(context: Context, curves: BranchCurves, state: str, moved: float) -> tuple[Message, ...]:
+    """Return the condition of a pass where floors or beams rest on the mechanism and their seats are not given.
+
+    A point above the centre of the masses moves more than it, so that each seat has a movement of its own; of two
+    branches the larger at the same rotation counts.
+
+    Parameters
+    ----------
+    context : of the mechanism
+    curves : of the branch
+    state : limit state
+    moved : displacement capacity d* [m]
+    """
+    e = participation_ratio(curves.lasting, mass=curves.mass)
+    rotation = rotation_at(curves.lasting, moved * e, mass=curves.mass)
+    travels: dict[str, float] = {}
+    for seat in context.open_seats:
+        travel = float(np.interp(rotation, seat.rotation, seat.travel))
+        travels[seat.what] = max(travel, travels.get(seat.what, 0.0))
+    if not travels:
+        return ()
+    seats = [message("seat-travel", {"what": what, "moved": Quantity(far, "length")}) for what, far in travels.items()]
+    values: dict[str, Value] = {"state": state, "seats": list_values(*seats)}
+    return (message("seats-hold", values, severity=Severity.WARNING),)
+
+
+BEFORE_BREAK = 1e-9
+"""Of a rotation at which an action ends: just before it, where the curve has a jump."""
+
+
+def activation(branch: Branch, *, mass: float, confidence_factor: float) -> float:
+    """Return the acceleration of activation a0* = alpha0 g / (e* FC) (C8.7.1.3).
+
+    Parameters
+    ----------
+    branch : with every action at rest
+    mass : total moved mass [kg]
+    confidence_factor : FC [-]
+
+    Returns
+    -------
+    float [m/s2]
+    """
+    return linear_multiplier(branch) * g / (participation_ratio(branch, mass=mass) * confidence_factor)
+
+
+def displacement_at_collapse(branch: Branch, *, mass: float) -> float:
+    """Return d0* [m], where the multiplier of the model's own curve falls to zero."""
+    return displacement_at(branch, branch.unstable, mass=mass)
+
+
+def displacement_at(branch: Branch, rotation: float, *, mass: float) -> float:
+    """Return the spectral displacement d* at a rotation (C8.7.1.4).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : phi [rad]
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    float [m]
+    """
+    moved = float(displacement(branch, np.array(rotation), mass=mass))
+    return moved / participation_ratio(branch, mass=mass)
+
+
+def rotation_at(branch: Branch, moved: float, *, mass: float) -> float:
+    """Return the rotation at which the control point has moved by a displacement, up to the overturning rotation.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    moved : displacement of the control point, e* d* [m]
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    float [rad]
+    """
+    integral = branch.excitation_integral
+    return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.unstable, xtol=1e-15))
+
+
+def multiplier_at(branch: Branch, rotation: float) -> float:
+    """Return lambda [-] of the model's own curve at a rotation [rad]."""
+    return float(branch.restoring_spline(rotation)) / float(branch.excitation_spline(rotation)) / g
+
+
+def acceleration_at(branch: Branch, moved: float, *, mass: float, confidence_factor: float) -> float:
+    """Return a* at a displacement d*, on the model's own curve, just before an action that ends there (C8.7.1.3).
+
+    Parameters
+    ----------
+    branch : with the actions that have not ended
+    moved : d* [m]
+    mass : total moved mass [kg]
+    confidence_factor : FC [-]
+
+    Returns
+    -------
+    float [m/s2]
+    """
+    e = participation_ratio(branch, mass=mass)
+    rotation = rotation_at(branch, moved * e, mass=mass) * (1.0 - BEFORE_BREAK)
+    return multiplier_at(branch, rotation) * g / (e * confidence_factor)
+
+
+def uplift_pga(branch: Branch, *, confidence_factor: float, amplified: float) -> float | None:
+    """Return the PGA at uplift: lambda g / FC over the amplification of the ground by the floor.
+
+    Parameters
+    ----------
+    branch : with every action at rest
+    confidence_factor : FC [-]
+    amplified : floor over ground [-]; counts from 1 on
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None on joints without a threshold of uplift.
+    """
+    at_rest = threshold(branch)
+    return None if at_rest is None else at_rest * g / confidence_factor / max(1.0, amplified)
+
+
+def activation_steps(case: LimitStateCase, edition: ItalianEdition) -> tuple[Step, ...]:
+    """Write the PGA, alpha0, e*, FC and a0*."""
+    branch, mass, FC = case.curves.starting, case.curves.mass, case.confidence.factor
+    e, moved = participation_ratio(branch, mass=mass), "(Σ m δx)² / (M · Σ m δx²)"
+    shares: Given = {
+        "Σ m δx": (float(branch.excitation[0]), "kg m"),
+        "M": (mass, "kg"),
+        "Σ m δx²": (float(branch.participation[0]), "kg m2"),
+    }
+    a0, given = (
+        activation(branch, mass=mass, confidence_factor=FC),
+        {"α0": linear_multiplier(branch), "e*": e, "FC": FC},
+    )
+    return (
+        case.pga_step,
+        multiplier_step("α0", "multiplier that starts the mechanism", edition.multiplier, branch),
+        step("e*", "fraction of participating mass", edition.oscillator, moved, e, given=shares),
+        confidence_step(case.confidence, edition),
+        step("a0*", "acceleration of activation", edition.oscillator, "α0 · g / (e* · FC)", a0, "m/s2", given=given),
+    )
+
+
+def collapse_steps(branch: Branch, clause: str, *, mass: float) -> tuple[Step, ...]:
+    """Write phi_ov, the integral of B up to there, and d0*."""
+    falls = "rotation where the restoring moment falls to zero, with only actions shown to last"
+    words, end = "displacement where a* = 0, with only actions shown to last", branch.unstable
+    return (
+        instability_step("φ_ov", falls, clause, branch),
+        *displacement_steps("d0*", words, clause, branch, mass=mass, rotation=end, upper="φ_ov"),
+    )
+
+
+def displacement_steps(
+    symbol: str,
+    words: str,
+    clause: str,
+    branch: Branch,
+    *,
+    mass: float,
+    rotation: float,
+    upper: str = "φ",
+    subject: str = "",
+) -> tuple[Step, ...]:
+    """Write the spectral displacement d* at a rotation, with the integral of B up to there.
+
+    Parameters
+    ----------
+    symbol, words, clause : of d*
+    branch : the direction of rocking
+    mass : total moved mass [kg]
+    rotation : [rad], written `upper`
+    subject : the load that ends there
+    """
+    e, moved = participation_ratio(branch, mass=mass), displacement_at(branch, rotation, mass=mass)
+    integral = moved * e * mass
+    given: Given = {"∫ B dφ": (integral, "kg m"), "M": (mass, "kg"), "e*": e}
+    along = integral_step(
+        "∫ B dφ", "excitation over rotation", clause, excitation_column(branch), rotation, "kg m", upper=upper
+    )
+    return (
+        replace(along, value=integral, subject=subject),
+        step(symbol, words, clause, "∫ B dφ / (M · e*)", moved, "m", given=given, subject=subject),
+    )
+
+
+def curve_steps(
+    case: LimitStateCase, clause: str, symbol: str, words: str, *, moved: float, argument: str
+) -> tuple[Step, ...]:
+    """Write a* at the displacement d* = `moved` [m], named `argument`, with phi and lambda where the curve is read."""
+    branch, mass, FC = case.curves.breaking, case.curves.mass, case.confidence.factor
+    e = participation_ratio(branch, mass=mass)
+    rotation = rotation_at(branch, moved * e, mass=mass)
+    a = acceleration_at(branch, moved, mass=mass, confidence_factor=FC)
+    phi, lam = f"φ({argument})", a * e * FC / g
+    at: Given = {argument: (moved, "m"), "M": (mass, "kg"), "e*": e}
+    before = rotation * (1.0 - BEFORE_BREAK)
+    moment = reading_step("R", "restoring moment there", clause, moment_column(branch), before, argument=phi)
+    shaken = reading_step("B", "excitation there", clause, excitation_column(branch), before, argument=phi)
+    ratio: Given = {"R": (moment.value or 0.0, "N m"), "B": (shaken.value or 0.0, "kg m")}
+    given = {"λ": lam, "e*": e, "FC": FC}
+    return (
+        step(phi, "rotation at which d* is reached", clause, "∫ B dφ = d* M e*", rotation, "rad", at=at),
+        moment,
+        shaken,
+        step("λ", "multiplier there", clause, "R / (g · B)", lam, given=ratio),
+        step(symbol, words, clause, "λ · g / (e* · FC)", a, "m/s2", given=given),
+    )

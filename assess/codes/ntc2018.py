@@ -1,0 +1,445 @@
+"""NTC 2018 with Circolare 7/2019, C8.7.1.2: the linear, non-linear and dynamic checks of local mechanisms.
+
+Linear: activation at SLD (C8.7.1.2.1.5), and at SLV with q (C8.7.1.2.1.7). Non-linear kinematic: displacement capacity
+at SLV or SLC (C8.7.1.2.1.6, .8). Non-linear dynamic: no record beyond d0*, the mean within d_SLV or d_SLC
+(C8.7.1.2.1.9).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from assess.codes import italian_histories
+from assess.codes.calculation_sheet import Given
+from assess.codes.check import Check, Step, step
+from assess.codes.context import Context
+from assess.codes.italian_kinematic import (
+    DisplacementAnalysis,
+    acceleration_check,
+    acceleration_ratio_steps,
+    activation,
+    activation_steps,
+    break_conditions,
+    curve_steps,
+    displacement_capacity_steps,
+    displacement_check,
+    displacement_ratio_step,
+    ground_step,
+    seat_conditions,
+)
+from assess.codes.italian_limit_states import (
+    Demands,
+    ItalianOptions,
+    LimitStateCase,
+    add_safety_index,
+    check_each_limit_state,
+)
+from assess.codes.ntc2018_clauses import (
+    COMPARISON_DAMPING,
+    EDITION,
+    ELASTIC_DAMPING,
+    ULTIMATE,
+    FirstModes,
+    FloorDemand,
+    Ntc2018Capacity,
+    acceleration_demands,
+    activation_pga,
+    capacity_of,
+    displacement_demands,
+    elastic_modes,
+    floor_acceleration,
+    floor_demand,
+    floor_ordinate,
+    ground_period,
+    longest_period_used,
+    peak_acceleration,
+    period_before_uplift,
+    ultimate_modes,
+    uplift_on_floor,
+)
+from assess.messages.message import Quantity, Term, message
+from assess.oscillator import Oscillator
+from spectra.damping import ec8_eta
+from spectra.floor import PLATEAU
+
+
+def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Check a0* against the accelerations of ground and floor, S_eZ(T0) of free elements; a_g,SLV = q a_g,SLD."""
+    checks = check_each_limit_state(
+        oscillator, context, EDITION, options, known=LINEAR_STATES, one=lambda case: _linear_check(case, options)
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
+
+
+def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
+    checks = check_each_limit_state(
+        oscillator,
+        context,
+        EDITION,
+        options,
+        known=NONLINEAR_STATES,
+        one=lambda case: _nonlinear_check(case.at_ultimate),
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
+
+
+def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
+    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
+    return tuple(add_safety_index(check, context) for check in checks)
+
+
+LINEAR = "ntc2018-linear"
+LINEAR_CLAUSES = {"SLD": "C8.7.1.2.1.5", "SLV": "C8.7.1.2.1.7"}
+LINEAR_STATES = tuple(LINEAR_CLAUSES)
+
+
+def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
+    FC, q = case.confidence.factor, options.behaviour_factor if case.state == "SLV" else 1.0
+    context, branch, modes = case.context, case.curves.starting, elastic_modes(case.context)
+    T0 = period_before_uplift(branch, context)
+    over_pga = acceleration_demands(context, modes, T0=T0)
+    demands = None if over_pga is None else over_pga.scale(case.pga / q)
+    a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
+    return acceleration_check(
+        case,
+        EDITION,
+        procedure=LINEAR,
+        capacity=a0,
+        demands=demands,
+        needs=Term("T0 or T1 of the building"),
+        uplift=uplift_on_floor(branch, context, confidence_factor=FC),
+        damping=ELASTIC_DAMPING,
+        steps=(
+            *activation_steps(case, EDITION),
+            *period_steps(case, T0=T0),
+            *share_steps(case, modes),
+            *acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
+            *_linear_capacity_steps(case, over_pga, a0=a0, q=q),
+            *acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
+        ),
+    )
+
+
+def acceleration_demand_steps(
+    case: LimitStateCase,
+    modes: FirstModes | None,
+    over_pga: Demands | None,
+    *,
+    T0: float,
+    a0: float,
+    symbol: str = "T1",
+) -> tuple[Step, ...]:
+    """Write the accelerations of ground and floor, and the PGA a_g,SLD S at which the larger one reaches a0*.
+
+    symbol : of the most demanding first mode
+    """
+    if over_pga is None:
+        return ()
+    spectrum, free = case.context.spectrum, T0 > 0.0
+    ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else peak_symbol(symbol))
+    given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
+    steps: list[Step] = []
+    if free:
+        at: Given = {"T0": (T0, "s"), "ξ": ELASTIC_DAMPING, "PGA": (case.pga, "m/s2")}
+        words, value = "elastic spectrum of the ground", over_pga.ground * case.pga
+        steps.append(step(ground, words, spectrum.clause, "S_e(T, ξ)", value, "m/s2", at=at))
+    most = ground
+    if modes is not None:
+        steps += floor_acceleration_steps(case, modes, T0=T0, symbol=symbol)
+        given[floor], most = (over_pga.floor * case.pga, "m/s2"), f"max({ground}, {floor})"
+    words, value = "PGA of activation, by the larger of ground and floor", activation_pga(a0, over_pga)
+    clause, formula = "C8.7.1.9" if free else "C8.7.1.8", f"a0* · PGA / {most}"
+    return *steps, step("a_g,SLD S", words, clause, formula, value, "m/s2", given=given)
+
+
+def floor_acceleration_steps(case: LimitStateCase, modes: FirstModes, *, T0: float, symbol: str) -> tuple[Step, ...]:
+    """Write the floor's acceleration under the most demanding first mode."""
+    first, _ = floor_acceleration(case.context, modes, T0)
+    why = "first mode, softened by 1.5 to 2.0: that of the largest acceleration"
+    at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=ELASTIC_DAMPING) if T0 > 0.0 else ()
+    return (
+        *first_mode_steps(modes, first, symbol, ("T0", T0), why),
+        *peak_steps(case, modes, first, symbol),
+        *at,
+    )
+
+
+def _linear_capacity_steps(case: LimitStateCase, over_pga: Demands | None, *, a0: float, q: float) -> tuple[Step, ...]:
+    if over_pga is None:
+        return ()
+    clause, largest = LINEAR_CLAUSES[case.state], over_pga.largest * case.pga
+    demanded = step(
+        "a_max / q",
+        "demand: the larger of ground and floor",
+        clause,
+        "a_max / q",
+        largest / q,
+        "m/s2",
+        given={"a_max": (largest, "m/s2"), "q": q},
+    )
+    if case.state == "SLD":
+        return (demanded,)
+    activated = activation_pga(a0, over_pga)
+    given: Given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
+    return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded
+
+
+NONLINEAR = "ntc2018-nonlinear"
+NONLINEAR_CLAUSE = "C8.7.1.2.1.8"
+NONLINEAR_STATES = tuple(ULTIMATE)
+SOFTENED_WORST = "first mode, softened by 1.5 to 2.0: that of the largest displacement"
+FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
+
+
+@dataclass(frozen=True)
+class CapacityAndDemands:
+    """What a case is worked out from: capacity, first modes, demands over PGA of acceleration and displacement."""
+
+    capacity: Ntc2018Capacity
+    modes: FirstModes | None
+    over_pga: Demands | None
+    wanted: Demands | None
+
+
+def _nonlinear_check(case: LimitStateCase) -> Check:
+    worked = _capacity_and_demands(case)
+    cap, answer = worked.capacity, _displacement_analysis(case, worked)
+    steps = (
+        *activation_steps(case, EDITION),
+        *period_steps(case, T0=cap.T0),
+        *share_steps(case, worked.modes),
+        *acceleration_demand_steps(case, worked.modes, worked.over_pga, T0=cap.T0, a0=cap.a0, symbol=AT_ACTIVATION),
+        *_nonlinear_capacity_steps(case, cap),
+        *_displacement_steps(case, worked, answer),
+    )
+    damping, rule = ULTIMATE[case.state].damping, case.context.spectrum.damping_rule
+    return displacement_check(case, answer, EDITION, procedure=NONLINEAR, damping=damping, rule=rule, steps=steps)
+
+
+def _capacity_and_demands(case: LimitStateCase) -> CapacityAndDemands:
+    context, T0 = case.context, period_before_uplift(case.curves.starting, case.context)
+    modes, damping = ultimate_modes(context, case.state), ULTIMATE[case.state].damping
+    cap = capacity_of(case.curves, state=case.state, confidence_factor=case.confidence.factor, T0=T0)
+    wanted = displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
+    return CapacityAndDemands(cap, modes, acceleration_demands(context, modes, T0=T0), wanted)
+
+
+def _displacement_analysis(case: LimitStateCase, worked: CapacityAndDemands) -> DisplacementAnalysis:
+    """Make the answer: below a_g,SLD the element moves elastically with T0, or, if rigid, not at all."""
+    cap, over_pga = worked.capacity, worked.over_pga
+    if over_pga is None:
+        activated = elastic = 0.0
+    else:
+        activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
+    symbol, longest = f"T_{case.state}", longest_period_used(worked.modes, cap.T)
+    at = Quantity(longest, "time")
+    return DisplacementAnalysis(
+        ultimate=cap.d,
+        symbol=f"d_{case.state}",
+        collapse=cap.d0,
+        e=cap.e,
+        needs=message("period-of" if longest == cap.T else "period-or-floor", {"symbol": symbol, "period": at}),
+        wanted=worked.wanted,
+        starts=activated if elastic * activated <= cap.d else 0.0,
+        still=elastic,
+        uplift=uplift_on_floor(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
+        conditions=(
+            *break_conditions(case.curves),
+            *(seat_conditions(case.context, case.curves, case.state, cap.d) if case.state == "SLV" else ()),
+        ),
+    )
+
+
+def _nonlinear_capacity_steps(case: LimitStateCase, cap: Ntc2018Capacity) -> tuple[Step, ...]:
+    state, ultimate = case.state, ULTIMATE[case.state]
+    d, a = f"d_{state}", f"a(d_{state})"
+    curve = curve_steps(case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d, argument=d)
+    if cap.T0 > 0.0 and cap.a < curve[-1].value:  # type: ignore[operator]
+        given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
+        words, formula = "acceleration on the elastic branch", f"{d} · (2 · π / T0)²"
+        curve = (step(a, words, "C8.7.1.6", formula, cap.a, "m/s2", given=given),)
+    formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
+    return (
+        *displacement_capacity_steps(case.curves, cap.threshold, ultimate.rule, d, "displacement capacity"),
+        *curve,
+        step(f"T_{state}", "secant period", ultimate.clause, formula, cap.T, "s", given=given),
+    )
+
+
+def _displacement_steps(
+    case: LimitStateCase, worked: CapacityAndDemands, answer: DisplacementAnalysis
+) -> tuple[Step, ...]:
+    wanted, demanded, spectrum = answer.wanted, answer.demand(case.pga), case.context.spectrum
+    if wanted is None or demanded is None:
+        return ()
+    cap, damping, symbol = worked.capacity, ULTIMATE[case.state].damping, f"T_{case.state}"
+    T = ground_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
+    spectral = float(spectrum.acceleration(T, damping=damping)) * case.pga / spectrum.pga
+    said = "elastic spectrum, damped as the mechanism"
+    at: Given = {"T": (T, "s"), "ξ": damping, "PGA": (case.pga, "m/s2")}
+    asked = "period from T0 to the secant one of the largest S_De"
+    between: Given = {"T0": (cap.T0, "s"), symbol: (cap.T, "s")}
+    steps = [
+        step("T", asked, NONLINEAR_CLAUSE, "T0 ≤ T ≤ T_LS", T, "s", at=between),
+        step("S_e(T)", said, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", at=at),
+        ground_step(case, NONLINEAR_CLAUSE, "T", T, ordinate=spectral, moved=wanted.ground * case.pga),
+        *_floor_displacement_steps(case, worked, symbol, damping=damping),
+    ]
+    return (*steps, displacement_ratio_step(answer, NONLINEAR_CLAUSE, demanded=demanded))
+
+
+def _floor_displacement_steps(
+    case: LimitStateCase, worked: CapacityAndDemands, symbol: str, *, damping: float
+) -> tuple[Step, ...]:
+    """Write the floor's demand under the worst first mode, with its lower bound, and at 20 %; nothing at the ground."""
+    modes, cap = worked.modes, worked.capacity
+    if modes is None:
+        return ()
+    asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    T = (symbol, asked.period) if asked.period == cap.T else ("T_d", asked.period)
+    first = (FIRST, asked.first)
+    return (
+        *first_mode_steps(modes, asked.first, FIRST, T, SOFTENED_WORST),
+        *peak_steps(case, modes, asked.first, FIRST),
+        *ordinate_steps(case, modes, first, T, damping=damping),
+        *_floor_demand_steps(case, modes, asked, T, damping=damping),
+        *_comparison_damping_steps(case, worked, damping=damping),
+    )
+
+
+def _floor_demand_steps(
+    case: LimitStateCase, modes: FirstModes, asked: FloorDemand, T: tuple[str, float], *, damping: float
+) -> tuple[Step, ...]:
+    scale, (symbol, period), clause = case.pga / case.context.spectrum.pga, T, "C8.7.1.12"
+    spectral = floor_ordinate(case.context, modes, asked.first, period, damping=damping) * scale
+    given = {f"S_eZ({symbol})": (spectral, "m/s2"), symbol: (period, "s")}
+    formula, name = f"S_eZ({symbol}) · ({symbol} / (2 · π))²", f"d({symbol}, Z)"
+    line = step(name, "demand of the floor", clause, formula, asked.moved * scale, "m", given=given)
+    if asked.least == 0.0:
+        return (line,)
+    resonant, b = floor_ordinate(case.context, modes, asked.first, asked.first, damping=damping) * scale, PLATEAU[1]
+    beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (asked.first, "s")}
+    words, formula = "no less than this, as the period exceeds b T1'", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
+    return line, step(f"d(b {FIRST}, Z)", words, clause, formula, asked.least * scale, "m", given=beside)
+
+
+def _comparison_damping_steps(case: LimitStateCase, worked: CapacityAndDemands, *, damping: float) -> tuple[Step, ...]:
+    """Write the floor's demand with 20 % of damping of the building, for comparison."""
+    modes, cap = ultimate_modes(case.context, case.state, damping=COMPARISON_DAMPING), worked.capacity
+    if modes is None or modes.reason:
+        return ()
+    asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    moved = asked.largest * case.pga / case.context.spectrum.pga
+    at: Given = {FIRST: (asked.first, "s"), "ξ1": COMPARISON_DAMPING, "PGA": (case.pga, "m/s2")}
+    words = "demand of the floor with ξ1 = 20 %, for comparison"
+    return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", at=at),)
+
+
+HISTORY_RULE = italian_histories.HistoryRule(
+    procedure="ntc2018-history",
+    edition=EDITION,
+    clause="C8.7.1.2.1.9",
+    limits={state: ultimate.rule for state, ultimate in ULTIMATE.items()},
+)
+HISTORY_STATES = tuple(HISTORY_RULE.limits)
+
+
+def period_steps(case: LimitStateCase, *, T0: float) -> tuple[Step, ...]:
+    """Write T0 of an element that vibrates before it lifts off."""
+    if T0 == 0.0:
+        return ()
+    given, words = case.context.free_period, "period before uplift"
+    if given is not None:
+        return (step("T0", words, "C8.7.1.7", given.formula, T0, "s", given=given.inputs, remark=given.remark),)
+    return (step("T0", words, "C8.7.1.6", "1 / f", T0, "s", given={"f": (1.0 / T0, "Hz")}),)
+
+
+def share_steps(case: LimitStateCase, modes: FirstModes | None) -> tuple[Step, ...]:
+    """Write gamma psi of the floor and the elastic first mode; nothing at the ground."""
+    building = case.context.building
+    if modes is None or building is None:
+        return ()
+    Z, H = (modes.floor.psi * building.height, "m"), (building.height, "m")
+    given: Given = {"N": float(building.storeys or 0), "Z": Z, "H": H}
+    words = "share of the first mode at Z, N storeys"
+    mode = "first mode of the building, elastic"
+    return (
+        step("γψ", words, "C7.2.10", "3 · N · Z / ((2 · N + 1) · H)", modes.share, given=given),
+        step("T1", mode, "C7.2.3", "[building] period", modes.floor.T1, "s", remark="given, or 0.05 H^0.75"),
+    )
+
+
+def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str, float], why: str) -> tuple[Step, ...]:
+    """Write the most demanding T_1' [s], named `symbol`, for a mechanism of period T, (symbol, value) [s]."""
+    if modes.reason:
+        stated = "first mode at this limit state"
+        return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", subject=modes.reason),)
+    if modes.shortest == modes.longest:
+        return ()
+    name, value = T
+    for letter, factor in zip("ab", PLATEAU, strict=True):
+        if np.isclose(first, value / factor, rtol=1e-12, atol=0.0):
+            peak: Given = {name: (value, "s"), letter: factor}
+            return (step(symbol, why, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
+    k: Given = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
+    return (step(symbol, why, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
+
+
+def peak_steps(case: LimitStateCase, modes: FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
+    """Write S_e(T1, xi1) and a_Z of the floor under the first mode of period `first` [s], named `symbol`."""
+    spectrum = case.context.spectrum
+    scale, xi = case.pga / spectrum.pga, modes.damping
+    spectral = float(spectrum.acceleration(first, damping=xi)) * scale
+    peak, name = peak_acceleration(case.context, modes, first) * scale, f"S_e({symbol})"
+    at: Given = {symbol: (first, "s"), "ξ1": xi, "PGA": (case.pga, "m/s2")}
+    given: Given = {name: (spectral, "m/s2"), "γψ": modes.share, "ξ1": xi}
+    words = "peak acceleration of the floor, first mode; ξ1 as ratio"
+    return (
+        step(name, "elastic spectrum at the first mode", spectrum.clause, "S_e(T, ξ1)", spectral, "m/s2", at=at),
+        step(
+            peak_symbol(symbol), words, "C7.2.7, C7.2.8", f"{name} · γψ · √(1 + (2 · ξ1)²)", peak, "m/s2", given=given
+        ),
+    )
+
+
+def peak_symbol(first: str) -> str:
+    """Return the symbol of a_Z under the first mode named `first`."""
+    return f"a_Z({first})"
+
+
+def ordinate_steps(
+    case: LimitStateCase, modes: FirstModes, first: tuple[str, float], T: tuple[str, float], *, damping: float
+) -> tuple[Step, ...]:
+    """Write A and the ordinate of the floor spectrum at T under T_1', both (symbol, value) [s]."""
+    spectrum, (symbol, period), (name, building) = case.context.spectrum, T, first
+    scale, eta = case.pga / spectrum.pga, ec8_eta(damping)
+    peak = peak_acceleration(case.context, modes, building) * scale
+    A = max(1.1 / np.sqrt(modes.damping) * eta, 1.0)
+    value = floor_ordinate(case.context, modes, building, period, damping=damping) * scale
+    formula, given = _ordinate_formula(symbol, period, name, building)
+    given = {"A": A, peak_symbol(name): (peak, "m/s2"), **given}
+    if period > building:
+        ground = float(spectrum.acceleration(period, damping=damping)) * scale
+        formula, given = f"max({formula}, S_e({symbol}))", {**given, f"S_e({symbol})": (ground, "m/s2")}
+    words, of_A = "floor spectrum, damped as the mechanism", {"η": eta, "ξ1": modes.damping}
+    return (
+        step("A", "resonance; ξ1 as ratio", "C7.2.6", "max(1.1 · η / √(ξ1), 1)", float(A), given=of_A),
+        step(f"S_eZ({symbol})", words, "C7.2.5, C7.2.6", formula, value, "m/s2", given=given),
+    )
+
+
+def _ordinate_formula(
+    symbol: str, period: float, name: str, first: float
+) -> tuple[str, dict[str, float | tuple[float, str]]]:
+    """Return the formula of C7.2.6 on the stretch where a period lies, and its inputs besides A and a_Z."""
+    (a, b), peak = PLATEAU, peak_symbol(name)
+    given: dict[str, float | tuple[float, str]] = {symbol: (period, "s"), name: (first, "s")}
+    if period < a * first:
+        return f"A · {peak} / (1 + (A − 1) · (1 − {symbol} / (a · {name}))^1.6)", {**given, "a": a}
+    if period <= b * first * (1.0 + 1e-12):
+        return f"A · {peak}", {}
+    return f"A · {peak} / (1 + (A − 1) · ({symbol} / (b · {name}) − 1)^1.2)", {**given, "b": b}

@@ -1,1 +1,0 @@
-"""Italian procedure of NTC 2018 with Circolare 7/2019."""

@@ -1,0 +1,591 @@
+"""NZSEE/MBIE Guidelines 2017, C8.8.5 and Appendix C8B: a cracked wall loaded on its face, by displacement.
+
+The usable rotation of the wall is compared with the demand of NZS 1170.5, section 8, and gives its %NBS. The Guidelines
+write the equation of motion of the leading block, J phi'' + b - a phi = ..., with displacements at mid-height; here it
+is that of the oscillator, in rotations, for any mechanism of walls:
+
+    b, a    the straight line of the restoring moment: at rest, and its slope down to phi_i, where it is zero
+    phi_m = usable phi_i                               the largest usable rotation
+    T_p = 4.07 sqrt(J / a)                             J = I at rest; four times the way back from 0.6 phi_m
+    phi_D = (B / J) (T_p / 2 pi)^2 C_p(T_p) g R_p      gamma = B h / (2 J) of the Guidelines is that of mid-height
+    %NBS = 100 phi_m / phi_D
+
+A wall that spans counts with its effective thickness, t_eff = k t, k = 0.975 - 0.025 P/W: the corners of its joints
+are not sharp. The arms of b are shares of t, and the wall's weight W goes with t, while the load P stays; so
+
+    b = k^2 b_W + k b_P        a = k a_W + a_P        J = k J_W + k^2 J_P        B = k B_W + B_P        phi_i = b / a
+
+with W what is the wall's own and P what presses on it; moments of ties and of horizontal forces, whose arms are
+heights, stay. (The wall's share of J is W h^2 / 12 g but for terms of (t/h)^2, that of P an arm in t squared.) Of the
+uniform walls of C8B, case 0 has b_W = W t/2, b_P = P t, a_W = W h/2, a_P = P h: Delta_i = k t/2; T_p hardly moves.
+
+The factor of T_p is 4 arcosh(1 / (1 - r)), r the rotation let go over phi_i: r = 0.6 x 0.6 gives 4.07. The period that
+the Guidelines print for walls that stand free, sqrt(0.65 h (1 + (t/h)^2)), is 3.10 sqrt(J / a), which is r = 0.8 x 0.3:
+so it belongs to a usable 0.3. Formulas are from memory and re-derived; numbers of clauses are unsure. One function for
+each.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.calculation_sheet import instability_step, integral_step, moment_column
+from assess.codes.check import (
+    BranchName,
+    Check,
+    Outcome,
+    PgaCurve,
+    Reason,
+    Step,
+    caveats_of,
+    check_worst_branch,
+    missing_ordinate,
+    reason_message,
+    step,
+)
+from assess.codes.context import Context, Gravity, Support
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum
+from assess.codes.pga_rotation import pga_rotation, to_pga_curve
+from assess.messages.message import Message, Quantity, Term, message
+from assess.oscillator import Branch, Oscillator, energy, threshold
+from spectra.arrays import FloatArray
+from spectra.floor import NZS_LOW, NZS_SHARE, nzs1170_5_height_coefficient, part_shape
+
+FACE_LOADED, SCORE = "nzsee2017-face-loaded", "%NBS"
+DAMPING = 0.05
+
+
+def assess_face_loaded(oscillator: Oscillator, context: Context, *, options: Nzsee2017Options) -> tuple[Check, ...]:
+    """Check phi_m against phi_D at C(0) = the level, on the worse branch of each level, with its %NBS (C8.8.5).
+
+    Where a larger usable rotation than the Guidelines' is given, the checks by theirs come first, and those by the
+    given one are for comparison.
+    """
+    most = USABLE.get(context.support)
+    if most is None or options.usable is None or options.usable <= most:
+        return _checks(oscillator, context, options)
+    values = {"given": Quantity(options.usable), "deciding": Quantity(most)}
+    beyond = message("larger-usable-rotation", values)
+    shown = _checks(oscillator, context, options)
+    return (
+        *_checks(oscillator, context, replace(options, usable=None)),
+        *(replace(check, informs=True, remarks=(*check.remarks, beyond)) for check in shown),
+    )
+
+
+def _checks(oscillator: Oscillator, context: Context, options: Nzsee2017Options) -> tuple[Check, ...]:
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        empty = _check(name, context, level)
+        if context.support == "hinged":
+            return empty
+        if context.spectrum.code == TABLE_SPECTRUM and options.c_0 is None:
+            why = missing_ordinate(CLAUSE, "C(0)", "procedures.nzsee2017.c_0")
+            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
+        if is_overloaded(name, context):
+            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=reason_message(Reason.OVERLOADED, clause=CLAUSE))
+        return _answered(empty, branch, context, wall_response(branch, name, context, options), level)
+
+    return tuple(_scored(check) for check in check_worst_branch(oscillator, context.levels, one))
+
+
+def _check(name: BranchName, context: Context, level: float) -> Check:
+    return Check(
+        procedure=FACE_LOADED,
+        edition=EDITION,
+        branch=name,
+        limit_state="ULS",
+        level_pga_g=level / g,
+        input_at="mechanism base" if context.above_ground else "ground",
+        damping=DAMPING,
+        quantity="rotation",
+        unit="rad",
+        verdict=Outcome.NOT_APPLICABLE,
+        reason=reason_message(Reason.NOT_A_WALL, clause=CLAUSE),
+        **caveats_of(
+            CAVEAT,
+            *([CAVEAT_FREE] if context.support == "free" else []),
+            *other_spectrum(FACE_LOADED, context.spectrum.code),
+        ),
+    )
+
+
+def _answered(check: Check, branch: Branch, context: Context, found: WallResponse, level: float) -> Check:
+    demanded = 0.0 if level <= (found.uplift or 0.0) else found.per_pga * level
+    ratio = demanded / found.usable_rotation
+    verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
+    stands = demanded < found.instability
+    return replace(
+        check,
+        demand=demanded,
+        capacity=found.usable_rotation,
+        ratio=ratio,
+        verdict=verdict,
+        reason=_reason(demanded, verdict),
+        capacity_pga_g=found.capacity / g,
+        uplift_pga_g=None if found.uplift is None else found.uplift / g,
+        capacity_rotation_ratio=found.usable_rotation / branch.overturning,
+        rotation_ratio=demanded / branch.overturning if stands else None,
+        pga_curve=_curve(branch, found),
+        steps=sheet_steps(branch, context, found, level=level),
+    )
+
+
+def _reason(demanded: float, verdict: Outcome) -> Message:
+    if demanded == 0.0:
+        return reason_message(Reason.NO_ROCKING)
+    return reason_message(
+        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("the usable rotation")
+    )
+
+
+def _curve(branch: Branch, found: WallResponse) -> PgaCurve:
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        return rotation / found.per_pga
+
+    return to_pga_curve(pga_rotation(pga_of, overturning=found.instability, uplift=found.uplift or 0.0), branch)
+
+
+def _scored(check: Check) -> Check:
+    """Return the check with its %NBS: PGA at capacity over the PGA of the level, no ratio of rotations below uplift."""
+    if check.capacity_pga_g is None:
+        return check
+    score = 100.0 * check.capacity_pga_g / check.level_pga_g
+    given = {"PGA_100": (check.capacity_pga_g, "g"), "PGA": (check.level_pga_g, "g")}
+    line = step(SCORE, "share of the new building standard", CLAUSE, "100 PGA_100 / PGA", score, "%", given=given)
+    return replace(check, score={SCORE: score}, steps=(*check.steps, line))
+
+
+@dataclass(frozen=True)
+class WallResponse:
+    """One branch by the clause.
+
+    whole, part : with its own and with its effective thickness; gravity : None where they are the same
+    Tp : period [s]; usable : phi_m / phi_i [-]; floor : C_Hi [-]; risk_factor : R_p [-]
+    surface : C(0) over the PGA of the spectrum [-]
+    per_pga : phi_D over PGA [rad s2/m]; multiplier : at rest [-], uplift : PGA below which nothing rocks [m/s2]; both
+    None on joints without a threshold
+    """
+
+    whole: FaceLoadedWall
+    part: FaceLoadedWall
+    gravity: Gravity | None
+    Tp: float
+    usable: float
+    floor: float
+    risk_factor: float
+    surface: float
+    per_pga: float
+    multiplier: float | None
+    uplift: float | None
+
+    @property
+    def thickness(self) -> float:
+        """t_eff / t [-]."""
+        return 1.0 if self.gravity is None else thickness_factor(self.gravity.overburden_ratio)
+
+    @property
+    def instability(self) -> float:
+        """phi_i [rad]."""
+        return self.part.line.instability
+
+    @property
+    def usable_rotation(self) -> float:
+        """phi_m [rad]."""
+        return self.usable * self.instability
+
+    @property
+    def capacity(self) -> float:
+        """PGA at 100 %NBS [m/s2]."""
+        return max(self.usable_rotation / self.per_pga, self.uplift or 0.0)
+
+
+def wall_response(branch: Branch, name: BranchName, context: Context, options: Nzsee2017Options) -> WallResponse:
+    """Return line, period and demand of one branch.
+
+    Parameters
+    ----------
+    branch, name : the direction of rocking
+    context : site, building and size of the wall
+    options : usable rotation, R_p and C(0), where they are given
+
+    Returns
+    -------
+    Response
+    """
+    whole, floor = nominal(branch), floor_factor(context)
+    gravity = gravity_of(whole, name, context)
+    part = whole if gravity is None else with_effective_thickness(whole, gravity)
+    Tp, R_p, at_rest = part_period(part, support=context.support), options.risk_factor, threshold(branch)
+    multiplier = None if at_rest is None else at_rest * (part.line.b / part.B) / (whole.line.b / whole.B)
+    surface = 1.0 if options.c_0 is None else options.c_0 * g / context.spectrum.pga
+    return WallResponse(
+        whole=whole,
+        part=part,
+        gravity=gravity,
+        Tp=Tp,
+        usable=USABLE[context.support] if options.usable is None else options.usable,
+        floor=floor,
+        risk_factor=R_p,
+        surface=surface,
+        per_pga=surface * demand_per_pga(part, Tp, floor=floor, risk_factor=R_p),
+        multiplier=multiplier,
+        uplift=uplift_pga(multiplier, floor=surface * floor, risk_factor=R_p),
+    )
+
+
+def is_overloaded(name: BranchName, context: Context) -> bool:
+    """Return whether the load on the wall leaves it no effective thickness."""
+    gravity = {} if context.wall is None else context.wall.gravity
+    return name in gravity and thickness_factor(gravity[name].overburden_ratio) == 0.0
+
+
+def gravity_of(whole: FaceLoadedWall, name: BranchName, context: Context) -> Gravity | None:
+    """Return what the effective thickness acts on; None for a wall that stands free.
+
+    Where the wall's weight and load are not known apart, all of it counts as the wall's own.
+    """
+    if context.support != "spanning":
+        return None
+    known = {} if context.wall is None else context.wall.gravity
+    return known.get(name, Gravity(0.0, whole.line.b, 0.0, whole.line.a, whole.J, 0.0, whole.B))
+
+
+EDITION = "NZSEE/MBIE Guidelines 2017, C8"
+CAVEAT = "formulas from memory, re-derived, not checked against the printed Guidelines; numbers of clauses unsure"
+
+CAVEAT_FREE = (
+    "the usable 0.3 of walls that stand free is unsure (0.6 in 2006); whether this is a wall, the engineer must judge"
+)
+USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i
+THICKNESS = (0.975, 0.025)  # t_eff / t without overburden, and what each P/W takes off
+LET_GO: dict[Support, float] = {"spanning": 0.6, "free": 0.8}  # rotation from which T_p is counted, over phi_m
+LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
+
+
+@dataclass(frozen=True)
+class Nzsee2017Options:
+    """Options of face-loaded walls.
+
+    usable : phi_m / phi_i [-], None for 0.6 (spanning) and 0.3 (free); risk_factor : R_p, NZS 1170.5 Table 8.1 [-]
+    c_0 : C(0) at the site's own PGA [g]; None where the spectrum is that of NZS 1170.5, which begins with it
+    """
+
+    usable: float | None = None
+    risk_factor: float = 1.0
+    c_0: float | None = None
+
+
+@dataclass(frozen=True)
+class MomentLine:
+    """The restoring moment as a straight line: b at rest [N m], slope a [N m/rad], b = a phi_i."""
+
+    b: float
+    a: float
+
+    @property
+    def instability(self) -> float:
+        """phi_i [rad]."""
+        return self.b / self.a
+
+
+@dataclass(frozen=True)
+class FaceLoadedWall:
+    """One branch as the clause sees it: its line, J [kg m2] and B [kg m] at rest."""
+
+    line: MomentLine
+    J: float
+    B: float
+
+
+def thickness_factor(overburden_ratio: float) -> float:
+    """Return k = t_eff / t = 0.975 - 0.025 P/W [-]; 0 from P = 39 W on, where no effective thickness is left."""
+    whole, taken = THICKNESS
+    return max(whole - taken * max(overburden_ratio, 0.0), 0.0)
+
+
+def nominal(branch: Branch) -> FaceLoadedWall:
+    """Return the branch with its own thickness."""
+    return FaceLoadedWall(straight_line(branch), float(branch.inertia[0]), float(branch.excitation[0]))
+
+
+def with_effective_thickness(part: FaceLoadedWall, gravity: Gravity) -> FaceLoadedWall:
+    """Return the wall with its effective thickness, by the formulas at the top of this file.
+
+    Parameters
+    ----------
+    part : the wall with its own thickness
+    gravity : what its own weight and the overburden give to it
+
+    Returns
+    -------
+    Part
+    """
+    k = thickness_factor(gravity.overburden_ratio)
+    b = part.line.b - (1.0 - k**2) * gravity.own_moment - (1.0 - k) * gravity.moment
+    a = part.line.a - (1.0 - k) * gravity.own_slope
+    J = part.J - (1.0 - k) * gravity.own_inertia - (1.0 - k**2) * gravity.inertia
+    return FaceLoadedWall(MomentLine(b, a), J, part.B - (1.0 - k) * gravity.own_excitation)
+
+
+def straight_line(branch: Branch) -> MomentLine:
+    """Return the line from the restoring moment at rest down to phi_i.
+
+    On flexible joints the moment at rest is zero: there the line does the same work up to phi_i as the curve.
+    """
+    phi_i = branch.unstable
+    if branch.overturning_flexible is None:
+        b = float(branch.restoring[0])
+    else:
+        b = 2.0 * float(energy(branch, np.array(phi_i))) / phi_i
+    return MomentLine(b, b / phi_i)
+
+
+def period_factor(support: Support) -> float:
+    """Return 4 arcosh(1 / (1 - r)) [-]: 4.07 for a wall that spans, 3.10 for one that stands free."""
+    r = USABLE[support] * LET_GO[support]
+    return float(4.0 * np.arccosh(1.0 / (1.0 - r)))
+
+
+def part_period(part: FaceLoadedWall, *, support: Support) -> float:
+    """Return T_p = factor sqrt(J / a).
+
+    Parameters
+    ----------
+    part : the wall
+    support : how it is held
+
+    Returns
+    -------
+    float [s]
+    """
+    return period_factor(support) * float(np.sqrt(part.J / part.line.a))
+
+
+def floor_factor(context: Context) -> float:
+    """Return C_Hi at the height of the supports [-] (NZS 1170.5, 8.3).
+
+    Without a building it is the largest that this height can have; supports above the building count as at its top.
+    """
+    height = context.support_height
+    if height <= 0.0:
+        return 1.0
+    if context.building is not None:
+        return nzs1170_5_height_coefficient(
+            min(height, context.building.height), building_height=context.building.height
+        )
+    return min(1.0 + height / 6.0, LARGEST_FLOOR_FACTOR) if height < NZS_LOW else LARGEST_FLOOR_FACTOR
+
+
+def part_coefficient(Tp: float, *, floor: float) -> float:
+    """Return C_p(T_p) / C(0) = C_Hi C_i(T_p) (NZS 1170.5, 8.2).
+
+    Parameters
+    ----------
+    Tp : period of the part [s]
+    floor : C_Hi [-]
+
+    Returns
+    -------
+    float [-]
+    """
+    return floor * float(part_shape(Tp))
+
+
+def demand_per_pga(part: FaceLoadedWall, Tp: float, *, floor: float, risk_factor: float) -> float:
+    """Return phi_D over C(0) g: (B / J) (T_p / 2 pi)^2 C_Hi C_i(T_p) R_p.
+
+    Parameters
+    ----------
+    part : the wall
+    Tp : its period [s]
+    floor : C_Hi [-]
+    risk_factor : R_p [-]
+
+    Returns
+    -------
+    float [rad s2/m]
+    """
+    return part.B / part.J * (Tp / (2.0 * np.pi)) ** 2 * part_coefficient(Tp, floor=floor) * risk_factor
+
+
+def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) -> float | None:
+    """Return the PGA at which the part coefficient of a rigid body, C_p(0) R_p, reaches the multiplier at rest.
+
+    C_i(0) = 2 is that of parts stiffer than 0.75 s, so this is half of what lifts a rigid wall off a rigid floor.
+
+    Parameters
+    ----------
+    multiplier : at rest [-]; None on joints without a threshold
+    floor : C_Hi [-]
+    risk_factor : R_p [-]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None without a threshold.
+    """
+    return None if multiplier is None else multiplier * g / (part_coefficient(0.0, floor=floor) * risk_factor)
+
+
+CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
+AT_REST = "table of the mechanism, at rest"
+
+
+def sheet_steps(branch: Branch, context: Context, found: WallResponse, *, level: float) -> tuple[Step, ...]:
+    """Write all lines of the sheet but the score; level: PGA [m/s2]."""
+    return (
+        *_wall_steps(branch, found),
+        *_thickness_steps(found),
+        *_capacity_steps(context, found),
+        *_part_steps(context, found, level),
+        *_displacement_steps(context, found, found.per_pga * level),
+        *_end_steps(found, level),
+    )
+
+
+def _wall_steps(branch: Branch, found: WallResponse) -> tuple[Step, ...]:
+    """Write the wall with its own thickness."""
+    line, at_rest = found.whole.line, branch.overturning_flexible is None
+    phi_i, mark = line.instability, "" if found.gravity is None else "0"
+    slope = {f"b{mark}": (line.b, "N m"), f"φ_i{mark}": (phi_i, "rad")}
+    return (
+        instability_step(f"φ_i{mark}", "rotation at instability", CLAUSE, branch),
+        *_moment_steps(branch, f"b{mark}", f"φ_i{mark}", line.b, at_rest=at_rest),
+        step(f"a{mark}", "slope of the straight line", CLAUSE, f"b{mark} / φ_i{mark}", line.a, "N m/rad", given=slope),
+        step(f"J{mark}", "inertia at rest, about the hinges", CLAUSE, "Σ m (x'² + z'²) + J_G θ'²", found.whole.J,
+             "kg m2", remark=AT_REST),
+        step(f"B{mark}", "excitation at rest", CLAUSE, "Σ m x'", found.whole.B, "kg m", remark=AT_REST),
+    )  # fmt: skip
+
+
+def _moment_steps(branch: Branch, symbol: str, end: str, moment: float, *, at_rest: bool) -> tuple[Step, ...]:
+    """Write b: at rest, or of the straight line that stores the work of the curve up to instability."""
+    if at_rest:
+        return (step(symbol, "resisting moment", CLAUSE, "V'(0) − M", moment, "N m", remark=AT_REST),)
+    stored = "work stored up to instability"
+    work = integral_step("E", stored, CLAUSE, moment_column(branch), branch.unstable, "J", upper=end)
+    given = {"E": (work.value or 0.0, "J"), end: (branch.unstable, "rad")}
+    words = "resisting moment of the straight line that stores the work of the curve"
+    return work, step(symbol, words, CLAUSE, f"2 E / {end}", moment, "N m", given=given)
+
+
+def _thickness_steps(found: WallResponse) -> tuple[Step, ...]:
+    """Write the wall with its effective thickness."""
+    if found.gravity is None:
+        return ()
+    gravity, whole, part, k = found.gravity, found.whole, found.part, found.thickness
+    taken = {"k": (k, "-")}
+    moments = {"b0": (whole.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
+    slopes = {"a0": (whole.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
+    turned = {"J0": (whole.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
+    shaken = {"B0": (whole.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
+    unstable = {"b": (part.line.b, "N m"), "a": (part.line.a, "N m/rad")}
+    words = "effective thickness over thickness; P presses on the wall, W is its own weight"
+    return (
+        step("k", words, CLAUSE, "0.975 − 0.025 P/W", k, given={"P/W": gravity.overburden_ratio}),
+        step("b", "resisting moment, the wall's by k², of P by k", CLAUSE, "b0 − (1 − k²) b_W − (1 − k) b_P",
+             part.line.b, "N m", given={**moments, **taken}),
+        step("a", "slope, the wall's by k", CLAUSE, "a0 − (1 − k) a_W", part.line.a, "N m/rad",
+             given={**slopes, **taken}),
+        step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", part.J, "kg m2",
+             given={**turned, **taken}),
+        step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", part.B, "kg m", given={**shaken, **taken}),
+        step("φ_i", "rotation at instability", CLAUSE, "b / a", found.instability, "rad", given=unstable),
+    )  # fmt: skip
+
+
+def _capacity_steps(context: Context, found: WallResponse) -> tuple[Step, ...]:
+    factor, part = period_factor(context.support), found.part
+    usable = {"s": (found.usable, "-"), "φ_i": (found.instability, "rad")}
+    turned = {"c": (factor, "-"), "J": (part.J, "kg m2"), "a": (part.line.a, "N m/rad")}
+    return (
+        step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", found.usable_rotation, "rad",
+             given=usable),
+        step("T_p", "period of the part, c by its support", CLAUSE, "c √(J / a)", found.Tp, "s", given=turned),
+    )  # fmt: skip
+
+
+def _part_steps(context: Context, found: WallResponse, level: float) -> tuple[Step, ...]:
+    Ci = part_coefficient(found.Tp, floor=1.0)
+    C_0 = level / g * found.surface
+    Cp = C_0 * found.floor * Ci
+    coefficients = {"C(0)": (C_0, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
+    demanded = {
+        "B": (found.part.B, "kg m"),
+        "J": (found.part.J, "kg m2"),
+        "T_p": (found.Tp, "s"),
+        "C_p(T_p)": (Cp, "-"),
+        "R_p": (found.risk_factor, "-"),
+    }
+    return (
+        _floor_step(context, found.floor),
+        step("C_i(T_p)", "spectral shape of the part: 2 to 0.75 s, 0.5 from 1.5 s", PARTS,
+             "min(2, max(0.5, 2 (1.75 − T_p)))", Ci, given={"T_p": (found.Tp, "s")}),
+        step("C_p(T_p)", "part coefficient", PARTS, "C(0) C_Hi C_i(T_p)", Cp, given=coefficients),
+        step("φ_D", "demand", CLAUSE, "B / J (T_p / 2π)² C_p(T_p) g R_p", found.per_pga * level, "rad", given=demanded),
+    )  # fmt: skip
+
+
+def _floor_step(context: Context, floor: float) -> Step:
+    """Write C_Hi: the least of the rules that apply at the height of the supports."""
+    symbol, words = "C_Hi", "floor height coefficient: h_i the mean height of the supports, h_n of the building"
+    h_n = None if context.building is None else context.building.height
+    h = context.support_height if h_n is None else min(context.support_height, h_n)
+    low = h < NZS_LOW
+    if h <= 0.0 or (h_n is None and not low):
+        return step(symbol, words, PARTS, "1 at the ground, 3 at most", floor, at={"h_i": (h, "m")})
+    rules, given = (["1 + h_i / 6"] if low else []), {"h_i": (h, "m")}
+    if h_n is not None and h < NZS_SHARE * h_n:
+        rules.append("1 + 10 h_i / h_n")
+        given["h_n"] = (h_n, "m")
+    return step(symbol, words, PARTS, f"min({', '.join([*rules, '3'])})", floor, given=given)
+
+
+def _displacement_steps(context: Context, found: WallResponse, phi_d: float) -> tuple[Step, ...]:
+    """Write the displacements of the Guidelines: at mid-height of a wall that spans, at the top of a free one."""
+    if context.wall is None:
+        return ()
+    h, spanning = context.wall.height, context.support == "spanning"
+    arm, over, place = (h / 2.0, " / 2", "at mid-height") if spanning else (h, "", "at the top")
+
+    def line(name: str, angle: str, words: str, rotation: float) -> Step:
+        given = {angle: (rotation, "rad"), "h": (h, "m")}
+        return step(name, words, CLAUSE, f"{angle} h{over}", rotation * arm, "m", given=given, remark=place)
+
+    return (
+        line("Δ_i", "φ_i", "displacement at instability", found.instability),
+        line("Δ_m", "φ_m", "usable displacement", found.usable_rotation),
+        line("D_ph", "φ_D", "displacement demand", phi_d),
+    )
+
+
+def _end_steps(found: WallResponse, level: float) -> tuple[Step, ...]:
+    phi_d, uplift = found.per_pga * level, found.uplift
+    rocks = uplift is None or level > uplift
+    capable = {
+        "φ_m": (found.usable_rotation, "rad"),
+        "PGA": (level / g, "g"),
+        "φ_D": (phi_d, "rad"),
+        "PGA_u": ((uplift or 0.0) / g, "g"),
+    }
+    held = {"φ_D": (phi_d, "rad"), "φ_m": (found.usable_rotation, "rad")}
+    ratio = phi_d / found.usable_rotation
+    return (
+        _uplift_step(found),
+        step("PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", found.capacity / g, "g", given=capable),
+        step("D/C", "ratio", CLAUSE, "φ_D / φ_m", ratio, given=held)
+        if rocks
+        else step("D/C", "ratio", CLAUSE, "0", 0.0, remark="no motion below uplift"),
+    )
+
+
+def _uplift_step(found: WallResponse) -> Step:
+    if found.uplift is None or found.multiplier is None:
+        return step("PGA_u", "PGA at uplift: none on joints without a threshold", PARTS, "C_p(0) R_p = λ", None, "g")
+    stiff = part_coefficient(0.0, floor=1.0)
+    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor, "s": found.surface}
+    words = "PGA at uplift, λ = b / (g B) the multiplier at rest, s = C(0)/PGA"
+    return step("PGA_u", words, PARTS, "λ / (s C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)

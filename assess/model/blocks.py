@@ -1,0 +1,220 @@
+"""The blocks of a mechanism: cut from the bodies of a building, seen in the plane of motion, and the gaps among
+them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations, pairwise, product
+from math import cos, sin
+
+import numpy as np
+
+from assess.errors import GeometryError
+from assess.geometry.boolean import shortest_distance
+from assess.geometry.contact import CONTACT_TOLERANCE
+from assess.geometry.cut import Division, Piece, Plane, Scene, divide, inclined_plane, level_plane
+from assess.geometry.planar import (
+    PlanarBody,
+    base_of_section,
+    join_planar,
+    lowest_corners,
+    planar_body,
+    slope_across,
+    turns_about_a_corner,
+)
+from assess.geometry.solid import Solid
+from assess.geometry.surface import connected_groups
+from assess.messages.message import Message, Quantity, Value, warning
+from assess.model.body import Bodies
+from assess.model.definitions import BlockMechanism, CutAngle, CutPlane, Definition
+
+ROTATES_ABOUT_CORNER = "askew"
+LEVEL = 0.01  # m: an extreme line that rises by less is level
+UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
+
+
+def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Piece, ...]:
+    """Return the blocks of a mechanism, base first, each above the cut if there is one.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : the mechanism as stated
+    bodies : of the building, by name
+
+    Raises
+    ------
+    GeometryError : the cut misses all of them, or crosses a body without geometry
+    """
+    plane = cut_of(definition, where=f'mechanism "{name}"')
+    if plane is None:
+        return tuple(uncut_block(block, definition.towards, bodies) for block in definition.blocks)
+    crossed = [crosses(block, plane, bodies) for block in definition.blocks]
+    if len(definition.blocks) == 1 or not any(crossed):
+        crossed = [True, *crossed[1:]]  # one must be: `divide` says why it is not
+    return tuple(
+        block_above_cut(name, block, plane, definition.towards, bodies)
+        if cut
+        else uncut_block(block, definition.towards, bodies)
+        for block, cut in zip(definition.blocks, crossed, strict=True)
+    )
+
+
+def uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
+    """Return the bodies of a block uncut."""
+    standing = tuple(solid for body in block if (solid := bodies[body].solid) is not None)
+    seen = [bodies[body].in_plane(direction) for body in block]
+    return Piece(join_bodies(seen), standing, lowest_corners(standing) if standing else None)
+
+
+def block_above_cut(name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies) -> Piece:
+    """Return the part of a block above a cut."""
+    parts = divide(solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
+    return replace(piece_above_cut(parts, direction), fixed=parts.below)
+
+
+def piece_above_cut(parts: Division, direction: Sequence[float]) -> Piece:
+    """Return the upper side of a cut as a block."""
+    body = join_bodies([planar_body(solid, direction=direction) for solid in parts.above])
+    body = replace(body, base=base_of_section(parts.foot, direction=direction))
+    return Piece(body, parts.above, parts.foot, True, parts.section)
+
+
+def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | None:
+    """Return the blocks of a mechanism in space; None if none of them has geometry."""
+    if not any(piece.solids for piece in pieces):
+        return None
+    return Scene(
+        members=tuple(piece.solids for piece in pieces),
+        fixed=tuple(solid for piece in pieces for solid in piece.fixed),
+        sections=tuple(ring for piece in pieces for ring in piece.section),
+        direction=np.array(direction) / np.linalg.norm(direction),
+    )
+
+
+def crosses(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
+    """Return whether a body of the block reaches below the plane."""
+    corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
+    return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
+
+
+def join_bodies(bodies: Sequence[PlanarBody]) -> PlanarBody:
+    """Join bodies in the plane of motion; one body is returned unchanged."""
+    return bodies[0] if len(bodies) == 1 else join_planar(bodies, name=" + ".join(body.name for body in bodies))
+
+
+def cut_of(definition: BlockMechanism, *, where: str) -> Plane | None:
+    """Return the plane of the cut; raise GeometryError if its normal does not point up.
+
+    A crack inclined by a positive angle falls towards the direction.
+    """
+    cut = definition.cut
+    if isinstance(cut, CutPlane):
+        return inclined_plane(cut.point, cut.normal, where=where)
+    if isinstance(cut, CutAngle):
+        x, y, _ = np.asarray(definition.towards) / np.linalg.norm(definition.towards)
+        return inclined_plane(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
+    return None if cut is None else level_plane(cut)
+
+
+def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
+    """Return the solids of a block; raise GeometryError for a body without geometry."""
+    found = []
+    for body in block:
+        solid = bodies[body].solid
+        if solid is None:
+            raise GeometryError(
+                f'mechanism "{name}": body "{body}" has no geometry to cut; give it a mesh, box or profile, or remove '
+                "the cut and give the values of what lies above"
+            )
+        found.append(solid)
+    return found
+
+
+def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message]:
+    """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
+    if piece.foot is None:
+        return
+    if turns_about_a_corner(piece.foot, direction=direction):
+        yield warning(ROTATES_ABOUT_CORNER)
+    rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
+    if rise > LEVEL:
+        yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
+    if not piece.cut:
+        yield from uneven_base_warnings(piece.solids, direction)
+
+
+def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:
+    """Warn of an uneven base: its lowest face is much narrower than the body just above."""
+    faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL))
+    ends = [base_of_section(face, direction=direction) for face in faces]
+    width, wide = (high[0] - low[0] for low, high in ends)
+    if width < (1.0 - UNEVEN) * wide:
+        narrow, whole_width = (Quantity(each, "length", 3) for each in (width, wide))
+        yield warning("uneven-base", width=narrow, wide=whole_width, above=Quantity(LEVEL, "short length", 3))
+
+
+Gap = dict[str, Value]
+"""The values of a warning of two bodies that lie apart."""
+
+
+def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
+    """Warn of each gap in a block of several bodies, and between blocks that a hinge joins.
+
+    Bodies are compared whole, even if a cut leaves their base behind.
+
+    Parameters
+    ----------
+    definitions : mechanisms by name
+    bodies : of the building, by name
+    """
+    for name, definition in definitions.items():
+        chained = definition.blocks if isinstance(definition, BlockMechanism) else ()
+        blocks = [block_solids(block, bodies) for block in chained]
+        where = f"mechanisms.{name}"
+        yield from (warning("gap", where, **each) for block in blocks for each in gaps_in_block(block))
+        pairs = pairwise(blocks)
+        yield from (
+            warning("gap-at-hinge", where, **each) for one, other in pairs for each in gaps_at_hinge(one, other)
+        )
+
+
+def block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
+    """Return the solids of a block; none if a body has no geometry, as its extent is not known."""
+    found = [solid for body in block if (solid := bodies[body].solid) is not None]
+    return found if len(found) == len(block) else []
+
+
+def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
+    """Find each gap that would have to be closed for the bodies of a block to touch one another."""
+    pairs = list(combinations(range(len(block)), 2))
+    joined = [(i, j) for i, j in pairs if in_contact(block[i], block[j])]
+    while len(block) > 1:
+        group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
+        across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
+        if not across:
+            return
+        distance, (i, j) = min(across)
+        joined.append((i, j))
+        yield gap_values(block[i], block[j], distance)
+
+
+def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
+    """Find the gap between two blocks with a hinge between them that touch nowhere."""
+    pairs = list(product(one, other))
+    if not pairs or any(in_contact(*pair) for pair in pairs):
+        return
+    distances = [shortest_distance(*pair) for pair in pairs]
+    yield gap_values(*pairs[int(np.argmin(distances))], min(distances))
+
+
+def in_contact(one: Solid, other: Solid) -> bool:
+    """Return whether two bodies are closer than the thickness of a joint."""
+    return shortest_distance(one, other, limit=CONTACT_TOLERANCE) < CONTACT_TOLERANCE
+
+
+def gap_values(one: Solid, other: Solid, distance: float) -> Gap:
+    """Return the values of a warning: which two bodies are apart, and by how much [m]."""
+    return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}

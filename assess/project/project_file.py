@@ -1,0 +1,363 @@
+"""The project file: read, checked against its schema, every quantity in SI, and what in it looks like a slip.
+
+    load(path) -> Project      raises ProjectError with one line: file: key: value: what is wrong; remedy
+    load_tree(tables, path)    the same of tables that no file holds, such as a template with the values of a row
+    resolve(project)           every key with its value and whether it was given or is a default
+
+The tables are the classes of `assess.project.sections`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import tomllib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+from scipy.constants import g
+
+from assess.errors import ProjectError
+from assess.messages.message import Message, Quantity, escape_text, note, warning
+from assess.project.keys import (
+    KeySweep,
+    UncertainValue,
+    covs_of,
+    is_number,
+    key_sweeps,
+    keyed_values,
+    take_means,
+    uncertain_values,
+)
+from assess.project.section import Key, ProjectSection, error_line, key_text, look_up, value_text
+from assess.project.sections.content import Content
+from assess.project.units import KINDS, USUAL, is_weight
+from assess.results import ResolvedValue
+from records.reading import relative_path
+
+T = TypeVar("T")
+FORMAT = 1
+FILE_NAME = "project.toml"
+_DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+,\d+)(?![.\d\]])")
+_UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from format n to n + 1; there is only one yet
+
+
+@dataclass(frozen=True, repr=False)
+class Project:
+    """A project file as read.
+
+    content : its tables, every quantity an SI float, every path absolute or below `folder`
+    path : the project file; sha256 : of its bytes
+    variations : its sweeps, each with the content of every case
+    messages : what looks like a slip in the file as it was written
+    raw : what the file says, in the newest format, as it was written, with the means of uncertain numbers
+    uncertain : numbers given as { mean, cov }
+    """
+
+    content: Content
+    path: Path
+    sha256: str
+    variations: tuple[KeySweep, ...]
+    messages: tuple[Message, ...]
+    raw: Mapping[str, Any]
+    uncertain: tuple[UncertainValue, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"Project({str(self.path)!r}, mechanisms: {', '.join(self.content.mechanisms)})"[:200]
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the project file; its paths are relative to this."""
+        return self.path.parent
+
+
+def load(path: Path | str) -> Project:
+    """Read the project in the file `path`, or in `project.toml` of the folder `path`.
+
+    Raises ProjectError for a file that is missing, is not TOML, or breaks the schema.
+    """
+    file = _project_file(Path(path))
+    data = _bytes(file)
+    try:
+        tables = _toml(_text(data))
+    except ProjectError as error:
+        raise ProjectError(f"{file}: {error}") from None
+    return load_tree(tables, file, sha256=hashlib.sha256(data).hexdigest())
+
+
+def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
+    """Read the project that parsed TOML says.
+
+    Parameters
+    ----------
+    tables : the parsed TOML
+    file : the project file, or that of the template; messages name it, and paths are relative to its folder
+    sha256 : of what the project is made of
+
+    Raises
+    ------
+    ProjectError : it breaks the schema
+    """
+    raw = tables
+    try:
+        raw, stated = take_means(_upgraded(tables), file.parent)
+        content = Content.model_validate(raw, context={"folder": file.parent})
+        uncertain = uncertain_values(content, stated)
+        varied = key_sweeps(content, raw, file.parent)
+    except ValidationError as error:
+        raise ProjectError(f"{file}: {error_line(error, raw=raw)}") from None
+    except ProjectError as error:
+        raise ProjectError(f"{file}: {error}") from None
+    messages = (*bare_number_messages(raw), *weight_density_messages(content, raw))
+    project = Project(content, file, sha256, varied, messages, raw, uncertain)
+    _check_sources(project)
+    return project
+
+
+def _check_sources(project: Project) -> None:
+    """Check that every key of [report.sources] is one of the file, or the beginning of one."""
+    if not project.content.report.sources:
+        return
+    every = _resolved("", project.content, True, project.folder)
+    keys = [key for key, _ in every if not key.startswith("report.sources.")]
+    starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
+    for key in project.content.report.sources:
+        if key not in starts:
+            near = get_close_matches(key, starts, n=1)
+            remedy = f"do you mean {value_text(near[0])}?" if near else 'write one like "materials.NAME.density"'
+            raise ProjectError(f"{project.path}: report.sources: {value_text(key)}: not a key of this file; {remedy}")
+
+
+def _project_file(path: Path) -> Path:
+    if "\0" in str(path):
+        raise ProjectError(f"{value_text(str(path))}: not a path; give a project file or its folder")
+    if not path.is_dir():
+        return path
+    if not (path / FILE_NAME).is_file():
+        raise ProjectError(f"{path}: a folder without {FILE_NAME}; give a project file, or make one with `assess new`")
+    return path / FILE_NAME
+
+
+def _bytes(file: Path) -> bytes:
+    if not file.exists():
+        raise ProjectError(f"{file}: no such file; give a project file or its folder, or make one with `assess new`")
+    if not file.is_file():
+        raise ProjectError(f"{file}: not a file; give a project file or its folder")
+    try:
+        data = file.read_bytes()
+    except OSError as error:
+        raise ProjectError(f"{file}: cannot be read ({error.strerror}); check its permissions") from None
+    if not data.strip():
+        raise ProjectError(f"{file}: empty; start from an example with `assess new`")
+    return data
+
+
+def _text(data: bytes) -> str:
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        reason = f"byte {error.start + 1} ({data[error.start]:#04x}) is not UTF-8"
+        raise ProjectError(f"{reason}; a project file is TOML text, save it as UTF-8") from None
+
+
+def _toml(text: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ProjectError("nested too deeply; a project file has tables and short lists") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ProjectError(_toml_reason(str(error), text)) from None
+    except ValueError:  # int() refuses thousands of digits
+        raise ProjectError("not valid TOML: a number of thousands of digits; correct it") from None
+
+
+def _toml_reason(message: str, text: str) -> str:
+    """Return what tomllib found in the text, with the line in front."""
+    match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)", message, re.DOTALL)
+    if match is None:
+        return f"not valid TOML: {escape_text(message)}"
+    where = "end of the file" if match[4] else f"line {match[2]}, column {match[3]}"
+    if match[1].startswith(("Cannot declare", "Cannot overwrite", "Cannot mutate", "Duplicate inline table key")):
+        lines = text.rstrip().split("\n")
+        name = _twice(match[1], lines[int(match[2]) - 1 if match[2] else -1])
+        return f"{where}: {escape_text(name) or 'this key'} stands there twice; give each its own name"
+    comma = match[2] and _DECIMAL_COMMA.search(text.split("\n")[int(match[2]) - 1])
+    if comma:
+        return f"{where}: {comma[1]}: a decimal comma; write {comma[1].replace(',', '.')}"
+    return f"{where}: not valid TOML: {escape_text(match[1])}; correct that line"
+
+
+def _twice(message: str, line: str) -> str:
+    """Return the key given twice, as tomllib names it or as the line begins; empty if neither shows it."""
+    named = ".".join(re.findall(r"'([^']*)'", message))
+    key = re.match(r"\s*([^=\[\]{}\"']+?)\s*=", line)
+    return named or (key[1][:60] if key else "")
+
+
+def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
+    """Convert the content to the newest format, one pure step at a time."""
+    given = raw.get("format", FORMAT)
+    if not isinstance(given, int) or isinstance(given, bool) or given < 1:
+        raise ProjectError(f"format: {value_text(given)}: not a format number; write format = {FORMAT}")
+    if given > FORMAT:
+        raise ProjectError(f"format: {given}: newer than this program, which reads up to {FORMAT}; update it")
+    for step in range(given, FORMAT):
+        raw = _UPGRADES[step](raw)
+    return raw
+
+
+def resolve(project: Project) -> dict[str, ResolvedValue]:
+    """Return every key, written with dots, with its value in SI and whether it was given or is a default.
+
+    Paths are written relative to the project file.
+    """
+    found = dict(_resolved("", project.content, True, project.folder))
+    kinds = {key: place.kind.name for key, place in keyed_values(project.content).items() if place.kind is not None}
+    covs = covs_of(project.uncertain)
+    return {key: replace(each, dimensions=_below(key, kinds), cov=_covs(key, covs)) for key, each in found.items()}
+
+
+def _covs(key: str, covs: Mapping[str, float]) -> dict[str, float]:
+    """Return the scatter of the numbers at and below a key; one number may stand for the keys of a table, above it."""
+    above = [cov for written, cov in covs.items() if key.startswith(f"{written}.")]
+    return {"": above[0]} if above else _below(key, covs)
+
+
+def _below(key: str, known: Mapping[str, T]) -> dict[str, T]:
+    """Return what is known of the numbers at and below a key, by the way to them."""
+    if key in known:
+        return {"": known[key]}
+    return {way[len(key) + 1 :]: each for way, each in known.items() if way.startswith(f"{key}.")}
+
+
+def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, ResolvedValue]]:
+    if isinstance(value, ProjectSection):
+        names = zip(type(value).model_fields, value.entries().items(), strict=True)
+        for name, (written, item) in names:
+            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.has_key(name), folder)
+    elif isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _resolved(f"{key}.{name}", item, given, folder)
+    else:
+        yield key, ResolvedValue(_plain(value, folder), given)
+
+
+def _plain(value: Any, folder: Path) -> Any:
+    """Return a value as JSON holds it."""
+    if isinstance(value, Path):
+        return relative_path(value, folder)
+    if isinstance(value, ProjectSection):
+        return {key: _plain(item, folder) for key, item in value.entries().items()}
+    return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
+
+
+HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit
+BUILT = {"thickness": (0.1, 6.0), "length": (0.2, HUGE), "height": (0.2, HUGE)}  # m, of what is assessed
+SHORTER = ("mm", "in", "cm", "ft")  # units that sizes are typed in, besides m
+WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
+SPECTRUM: Key = ("site", "spectrum")
+ACCELERATION_KEYS: tuple[Key, ...] = (
+    ("site", "pga"),
+    *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")),
+)
+
+MATERIALS: Mapping[str, tuple[str, tuple[tuple[float, float, str], ...]]] = {
+    "density": ("density", ((1.0, 4.0, "t/m^3"), (10.0, 35.0, "kN/m^3"), (60.0, 200.0, "lb/ft^3"))),
+    "young_modulus": ("stress", ((0.05, 100.0, "GPa"), (100.0, 1e5, "MPa"), (1e5, 2e7, "psi"))),
+    "compressive_strength": ("stress", ((0.1, 200.0, "MPa"), (200.0, 5e4, "psi"))),
+    "tensile_strength": ("stress", ((0.001, 10.0, "MPa"), (10.0, 2e3, "psi"))),
+}
+"""For each number of a material its dimension and the ranges in SI that no masonry has, each with the unit meant."""
+
+
+def bare_number_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Warn of each plain number of the file that is implausible for an earthquake, a wall or a masonry."""
+    yield from _acceleration_messages(raw)
+    for name, body in _tables(raw, "bodies"):
+        yield from _size_messages(("bodies", name), body)
+    for name, material in _tables(raw, "materials"):
+        yield from _material_messages(("materials", name), material)
+
+
+def _tables(raw: Mapping[str, Any], table: str) -> Iterable[tuple[str, Mapping[str, Any]]]:
+    named = look_up(raw, (table,))[1]
+    return [(name, each) for name, each in _entries_of(named) if isinstance(each, Mapping)]
+
+
+def _entries_of(table: object) -> Iterable[tuple[str, Any]]:
+    return table.items() if isinstance(table, Mapping) else ()
+
+
+def _size_messages(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Warn of each size of a box or profile if one of them is huge and all are written without a unit."""
+    sizes = {key: (words, size) for key, words, size in _sizes(raw) if is_number(size)}
+    if not any(size > HUGE for _, size in sizes.values()):
+        return
+    units = [unit for unit in SHORTER if all(_is_built(words, size, unit) for words, size in sizes.values())]
+    for key, (_, size) in sizes.items():
+        if size > HUGE or units:
+            likely = " / ".join(f'"{Quantity(size)} {unit}"' for unit in units or ("mm",))
+            yield warning("box-size", key_text((*body, *key)), given=Quantity(size, "length"), likely=likely)
+
+
+def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[Key, str, Any]]:
+    """Yield the sizes of a body with their keys and names."""
+    for name, size in _entries_of(raw.get("box")):
+        if name in BUILT:
+            yield ("box", name), name, size
+    corners = raw.get("profile")
+    if isinstance(corners, list) and corners:
+        yield ("length",), "length", raw.get("length")
+        for name, axis in (("thickness", 0), ("height", 1)):
+            yield ("profile",), name, _extent(corners, axis)
+
+
+def _extent(corners: Sequence[Any], axis: int) -> float | None:
+    """Return the extent along an axis of corners written without a unit."""
+    along = [corner[axis] for corner in corners if isinstance(corner, list) and len(corner) == 2]
+    return max(along) - min(along) if along and all(map(is_number, along)) else None
+
+
+def _is_built(words: str, size: float, unit: str) -> bool:
+    least, most = BUILT[words]
+    return least <= size * float(USUAL["length"][unit]) <= most
+
+
+def _material_messages(material: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Warn of each number of a material that no masonry has, with the unit that was likely meant."""
+    for name, (dimension, ranges) in MATERIALS.items():
+        value: Any = raw.get(name)
+        unit = next((unit for low, high, unit in ranges if is_number(value) and low <= value < high), "")
+        if unit:
+            given = Quantity(value, dimension)
+            yield warning(
+                "material-unit", key_text((*material, name)), given=given, likely=f'"{Quantity(value)} {unit}"'
+            )
+
+
+def _acceleration_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
+    levels = look_up(raw, ("analysis", "levels"))[1] or ()
+    rows = look_up(raw, (*SPECTRUM, "hazard"))[1] or ()
+    listed: list[Key] = [("analysis", "levels", place) for place in range(len(levels))]
+    listed += [(*SPECTRUM, "hazard", place, "a_g") for place in range(len(rows))]
+    for key in (*ACCELERATION_KEYS, *listed):
+        value = look_up(raw, key)[1]
+        if isinstance(value, int | float) and value < WEAK:
+            given, as_g = Quantity(value, "acceleration"), Quantity(value / g, "ground acceleration", 3)
+            yield warning("unit", key_text(key), given=given, as_g=as_g, number=Quantity(value))
+
+
+DENSITY = KINDS["density"]
+
+
+def weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Note each density of the `raw` file that is a weight per volume."""
+    for place in keyed_values(content).values():
+        typed = look_up(raw, place.path)[1] if place.kind == DENSITY else None
+        if isinstance(typed, str) and is_weight(typed, DENSITY):
+            density = Quantity(place.value, "density", 6)
+            yield note("weight-density", key_text(place.path), given=typed, density=density)

@@ -1,1 +1,0 @@
-"""Fragility curves in the formats of other programs."""

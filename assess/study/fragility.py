@@ -1,0 +1,479 @@
+"""The fragility of the mechanisms of a study, and with the hazard of its site their risk.
+
+Fragility is how likely a mechanism is to rock and to overturn, given the strength of the ground motion. Exports in the
+formats of other programs hold the curves of the motion of the ground; formats with one dispersion get that of the
+records alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import cycle
+from math import hypot
+
+import numpy as np
+
+from assess.amplification import base_motion
+from assess.errors import ProjectError
+from assess.mechanisms.mechanism import Mechanism
+from assess.messages.message import Message, Quantity, Term, first_names, note, warning, whole_number
+from assess.results.fragility import (
+    FRAGILITY_VERSION,
+    LARGE_SCALE,
+    FragilityCurve,
+    FragilityResults,
+    LognormalResult,
+    MechanismFragility,
+    RecordRuns,
+    StateResult,
+)
+from assess.results.inputs import describe_program, stamp
+from assess.risk.exports import (
+    Export,
+    ExportedCurve,
+    ExportedState,
+    LeftOut,
+    Reason,
+    Unit,
+    csv_text,
+    nrml_text,
+    pelicun_text,
+)
+from assess.risk.lognormal import Lognormal
+from assess.short_repr import ShortRepr
+from assess.study.envelopes import envelope_cases, envelope_messages
+from assess.study.fragility_curves import (
+    Origins,
+    compare_measure,
+    convert_curve,
+    factor_between,
+    fragility_curve,
+    origins_of,
+)
+from assess.study.fragility_risk import epistemic_messages, hazard_messages, measure_name, risks
+from assess.study.fragility_runs import (
+    FragilityRuns,
+    Intensities,
+    Rocker,
+    default_measures,
+    intensities,
+    islands,
+    measures_at_base,
+    run_levels,
+    run_once,
+)
+from assess.study.histories import RockingCase, vibrates
+from assess.study.record_set import motions_of
+from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages
+from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, report_nothing
+from assess.workers import available_cores
+from records.record import Record
+from records.scaling import Scaling
+
+
+@dataclass(frozen=True, repr=False)
+class MechanismRuns(ShortRepr):
+    """A mechanism with its histories.
+
+    by : every measure, the primary one first; at the ground, then at the base where the motion there differs
+    """
+
+    mechanism: Mechanism
+    case: RockingCase
+    rocker: Rocker
+    by: tuple[Intensities, ...]
+    runs: FragilityRuns
+
+
+def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = report_nothing) -> FragilityResults:
+    """Find the fragility of every mechanism of a study, and its risk where the hazard is known.
+
+    Values are those of the project, the means of those that are uncertain; no confidence factor enters. Sweeps are
+    left out. Records are taken as they are, whatever they are scaled to in histories.
+
+    Parameters
+    ----------
+    study : Study
+        The study; its question on fragility, or the default one.
+    jobs : int
+        Number of threads; 0 for all cores. The results do not depend on it.
+    progress : Progress
+        Called with the stage, the number of its parts done, and their total.
+
+    Returns
+    -------
+    FragilityResults
+        The tree that fragility.json holds.
+
+    Raises
+    ------
+    ProjectError
+        If the study has no records and no spectrum to make artificial ones for.
+    """
+    question = question_with_measures(study)
+    progress("ground motions", 0, 1)
+    records = unscaled_records(study, jobs=jobs)
+    shaken = []
+    for count, mechanism in enumerate(study.mechanisms):
+        progress("rocking histories", count, len(study.mechanisms))
+        if mechanism.variants.collapse is not None:
+            shaken.append(run_records(study, mechanism, records, question, jobs=jobs))
+    origins = origins_of(records)
+    with ThreadPoolExecutor(jobs or available_cores()) as pool:
+        found = list(pool.map(lambda one: mechanism_fragility(study, one, records, origins, question), shaken))
+    progress("fragility curves", len(found), len(found))
+    program = describe_program()
+    return FragilityResults(
+        schema_version=FRAGILITY_VERSION,
+        program=program,
+        inputs=study.inputs,
+        warnings=study_warnings(study, records, question),
+        title=str(study.resolved["title"].value) if "title" in study.resolved else "",
+        method=question.method,
+        seed=question.seed,
+        draws=question.draws,
+        mechanisms=tuple(found),
+        hazard=() if question.hazard is None else (question.hazard,),
+        stamp=stamp("fragility", program, study.inputs),
+        report=study.report,
+        project=study.resolved,
+    )
+
+
+def question_with_measures(study: Study) -> FragilityQuestion:
+    """Return what is asked of a study, with all measures that apply where none are named."""
+    if study.fragility.measures:
+        return study.fragility
+    period = None if study.building is None else study.building.period
+    return replace(study.fragility, measures=default_measures(period))
+
+
+def unscaled_records(study: Study, *, jobs: int) -> tuple[Record, ...]:
+    """Return the records of a study as they are, artificial ones last."""
+    if study.artificial is None:
+        records: tuple[Record, ...] = study.records
+    elif study.spectrum is None:
+        raise ProjectError("records: none, and no [site.spectrum] to make artificial ones for; give files")
+    else:
+        records = tuple(motion.record for motion in motions_of(study, study.spectrum, jobs=jobs))
+    if not records:
+        raise ProjectError("records: none; give files of recorded motions")
+    return records
+
+
+def run_records(
+    study: Study, mechanism: Mechanism, records: Sequence[Record], question: FragilityQuestion, *, jobs: int
+) -> MechanismRuns:
+    """Run all records on a mechanism.
+
+    Parameters
+    ----------
+    study : Study
+        Equation and amplification of the mechanism.
+    mechanism : Mechanism
+        What rocks.
+    records : sequence of Record
+        At the ground.
+    question : FragilityQuestion
+        Method, measures and levels.
+    jobs : int
+        Number of threads; 0 for all cores.
+
+    Returns
+    -------
+    Shaken
+    """
+    amplification = study.amplified[mechanism.name].amplification
+    base = tuple(base_motion(amplification, record) for record in records)
+    oscillator = mechanism.variants.deciding
+    case = RockingCase(mechanism.name, oscillator, study.equations[mechanism.name], base, mechanism.rebounds)
+    rocker = Rocker(oscillator.slenderness, oscillator.p)
+    above = any(one.record is not record for one, record in zip(base, records, strict=True))
+    places = [(each, tuple(records)) for each in question.measures]
+    places += [(each, tuple(one.record for one in base)) for each in measures_at_base(question.measures) if above]
+    units = [intensities(each, where, rocker) for each, where in places]
+    by = tuple(
+        Intensities(each, unit, primary=factor_between(units[0], unit) is not None)
+        for (each, _), unit in zip(places, units, strict=True)
+    )
+    if question.method == "cloud":
+        runs = run_once(case, study.record_factor, threads=jobs)
+    else:
+        runs = run_levels(case, by[0].unit, question, threads=jobs)
+    return MechanismRuns(mechanism, case, rocker, by, runs)
+
+
+def mechanism_fragility(
+    study: Study, shaken: MechanismRuns, records: Sequence[Record], origins: Origins, question: FragilityQuestion
+) -> MechanismFragility:
+    """Return the curves, comparison and risk of a mechanism that has been run."""
+    mechanism, runs = shaken.mechanism, shaken.runs
+    by = shaken.by[:1] if question.method == "stripes" else shaken.by
+    curves = [
+        each
+        for state in applicable_states(shaken.case, question)
+        for each in curves_of_state(runs, by, state, origins.event, question)
+    ]
+    epistemic = hypot(*question.epistemic.values()) if question.epistemic else None
+    return MechanismFragility(
+        name=mechanism.name,
+        label=mechanism.label,
+        slenderness_rad=shaken.rocker.slenderness,
+        p_eq_per_s=shaken.rocker.p,
+        above_ground=study.grounded[mechanism.name].above,
+        runs=tuple(record_runs(shaken, place, record, origins) for place, record in enumerate(records)),
+        curves=tuple(curves),
+        comparison=tuple(
+            compare_measure(runs, one, curve, origins) for one, curve in zip(cycle(by), curves, strict=False)
+        ),
+        risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=base_motion_known(study, mechanism))),
+        epistemic=epistemic,
+        epistemic_sources=dict(question.epistemic) or None,
+        measures=tuple(one.measure for one in shaken.by),
+        notes=mechanism_notes(study, mechanism, runs, question),
+    )
+
+
+def curves_of_state(
+    runs: FragilityRuns,
+    by: Sequence[Intensities],
+    state: StateResult,
+    events: Sequence[str],
+    question: FragilityQuestion,
+) -> list[FragilityCurve]:
+    """Return the curves of a mechanism in one state by every measure; proportional measures share theirs.
+
+    Parameters
+    ----------
+    runs : Runs
+        Of all records.
+    by : sequence of Intensities
+        The measures.
+    state : StateResult
+        To be reached.
+    events : sequence of str
+        Earthquake of each record.
+    question : FragilityQuestion
+        Method, seed and draws.
+    """
+    found: list[FragilityCurve] = []
+    for place, one in enumerate(by):
+        factors = ((at, factor_between(known.unit, one.unit)) for at, known in enumerate(by[:place]))
+        same = next(((at, factor) for at, factor in factors if factor is not None), None)
+        if same is None:
+            found.append(fragility_curve(runs, one, state, events, question))
+        else:
+            found.append(convert_curve(found[same[0]], one.measure, same[1]))
+    return found
+
+
+def applicable_states(case: RockingCase, question: FragilityQuestion) -> tuple[StateResult, ...]:
+    """Return the states asked that a mechanism has: on joints that deform at once there is no uplift."""
+    return tuple(state for state in question.states if state.name != "rocking" or not vibrates(case.oscillator))
+
+
+def record_runs(shaken: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRuns:
+    """Return the runs of one record.
+
+    Parameters
+    ----------
+    shaken : Shaken
+        The mechanism with all runs.
+    place : int
+        Of the record among them.
+    record : Record
+        At the ground.
+    origins : Origins
+        The earthquake of each record.
+    """
+    run = shaken.runs.run[place]
+    scale, ratio = shaken.runs.scale[place][run], shaken.runs.ratio[place][run]
+    return RecordRuns(
+        record=record.id,
+        event=origins.event[place],
+        magnitude=record.earthquake.magnitude,
+        distance_km=None if record.distance is None else record.distance / 1000.0,
+        intensity=tuple(float(one.unit[place]) for one in shaken.by),
+        scale=tuple(scale.tolist()),
+        ratio=tuple(None if np.isinf(each) else each for each in ratio.tolist()),
+        islands=islands(scale, np.isinf(ratio)),
+    )
+
+
+FEWEST_RECORDS = 10
+"""Records below which a dispersion is hardly known."""
+
+
+def study_warnings(study: Study, records: Sequence[Record], question: FragilityQuestion) -> tuple[Message, ...]:
+    """Return the messages of a study and of its records.
+
+    Parameters
+    ----------
+    study : Study
+        With the messages on its file.
+    records : sequence of Record
+        That are run.
+    question : FragilityQuestion
+        Measures, method and hazard.
+    """
+    plain = tuple(ScaledRecord(record, Scaling(1.0, 0.0)) for record in records)
+    return (
+        *envelope_messages(study),
+        *_record_messages(records),
+        *_measure_messages(records, study, question),
+        *hazard_messages(question.measures, question.hazard),
+        *epistemic_messages(question),
+        *coarse_record_messages(envelope_cases(study, {}), plain),
+    )
+
+
+def _record_messages(records: Sequence[Record]) -> Iterator[Message]:
+    artificial = sum(record.artificial for record in records)
+    if len(records) < FEWEST_RECORDS:
+        yield warning(
+            "fragility-few-records", "records", number=whole_number(len(records)), least=whole_number(FEWEST_RECORDS)
+        )
+    if artificial:
+        yield warning(
+            "fragility-artificial", "records", number=whole_number(artificial), all=whole_number(len(records))
+        )
+    unnamed = sum(not (record.artificial or record.event or record.earthquake.time) for record in records)
+    if unnamed:
+        yield note("fragility-no-events", "records", number=whole_number(unnamed))
+
+
+def _measure_messages(records: Sequence[Record], study: Study, question: FragilityQuestion) -> Iterator[Message]:
+    if question.method == "stripes" and len(study.fragility.measures) > 1:
+        where = "analysis.fragility.measures"
+        yield warning("fragility-stripes-one-measure", where, measure=measure_name(question.measures[0]))
+    for measure in question.measures:
+        longest = max(measure.periods_s, default=0.0)
+        short = [each.id for each in records if each.longest_period is not None and each.longest_period < longest]
+        if short:
+            names = first_names(short, MOST_RECORDS_NAMED)
+            yield warning(
+                "fragility-long-periods",
+                "analysis.fragility.measures",
+                measure=measure.key,
+                period=Quantity(longest, "time", 3),
+                records=names,
+            )
+
+
+def mechanism_notes(
+    study: Study, mechanism: Mechanism, runs: FragilityRuns, question: FragilityQuestion
+) -> tuple[Message, ...]:
+    """Return what should be known of the curves of a mechanism.
+
+    Parameters
+    ----------
+    study : Study
+        Height above the ground, and amplification.
+    mechanism : Mechanism
+        What rocks.
+    runs : Runs
+        Of all records.
+    question : FragilityQuestion
+        States that are asked.
+    """
+    return tuple(_mechanism_messages(study, mechanism, runs, question))
+
+
+def _mechanism_messages(
+    study: Study, mechanism: Mechanism, runs: FragilityRuns, question: FragilityQuestion
+) -> Iterator[Message]:
+    where = f"mechanisms.{mechanism.name}"
+    if not base_motion_known(study, mechanism):
+        alone = study.amplified[mechanism.name].method == "none"
+        yield warning("fragility-ground-motion" if alone else "fragility-scalar-motion", where)
+    if vibrates(mechanism.variants.deciding) and any(state.name == "rocking" for state in question.states):
+        yield note("fragility-no-threshold", where)
+    large = runs.scale[runs.run & (np.nan_to_num(runs.scale) > LARGE_SCALE)]
+    if large.size:
+        largest = Quantity(float(large.max()), "ratio", 3)
+        yield warning("fragility-hollow", where, runs=whole_number(large.size), largest=largest)
+
+
+def base_motion_known(study: Study, mechanism: Mechanism) -> bool:
+    """Return whether the records reach the base of a mechanism as it moves: on the ground, or through the building."""
+    return not study.grounded[mechanism.name].above or study.amplified[mechanism.name].method == "modal-filter"
+
+
+Write = Callable[[Sequence[ExportedCurve]], Export]
+
+EXPORT_FORMATS: Mapping[str, Mapping[str, Write]] = {
+    "nrml": {
+        "fragility_continuous.xml": partial(nrml_text, format="continuous"),
+        "fragility_discrete.xml": partial(nrml_text, format="discrete"),
+    },
+    "pelicun": {"fragility_pelicun.csv": pelicun_text},
+    "csv": {"fragility_curves.csv": csv_text},
+}
+"""The files of each format."""
+EXPORT_UNITS: Mapping[str, Unit] = {"ground acceleration": "g", "velocity": "m/s", "ratio": "-"}
+
+LEFT_OUT_REASONS: Mapping[Reason, Term] = {
+    "no-name-of-measure": Term("the format has no name for this measure"),
+    "state-without-curve": Term("its severest state has no curve"),
+    "state-left-out": Term("a state that it has no curve for is left out of the file"),
+    "curves-cross": Term("curves of two states cross, which some programs cannot use; it is in the file"),
+}
+
+
+def export_curves(results: FragilityResults, formats: Sequence[str]) -> tuple[dict[str, str], tuple[Message, ...]]:
+    """Return the files of some formats, by name, and notes on what they leave out.
+
+    Parameters
+    ----------
+    results : of `assess fragility`
+    formats : of `FORMATS`
+    """
+    curves = [each for mechanism in results.mechanisms for each in exported_curves(mechanism)]
+    made = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}
+    said = [_left_out_note(name, one) for name, file in made.items() for one in file.left_out]
+    return {name: file.text for name, file in made.items()}, tuple(dict.fromkeys(said))
+
+
+def _left_out_note(file: str, one: LeftOut) -> Message:
+    """Return the note on what a file leaves out."""
+    why = LEFT_OUT_REASONS[one.reason]
+    if one.state:
+        return note("fragility-state-left-out", file, mechanism=one.name, measure=one.measure, state=one.state, why=why)
+    return note("fragility-left-out", file, mechanism=one.name, measure=one.measure, why=why)
+
+
+def exported_curves(mechanism: MechanismFragility) -> list[ExportedCurve]:
+    """Return the curves of a mechanism by each measure of the motion of the ground, the mildest state first."""
+    found = []
+    for measure in (each for each in mechanism.measures if each.at == "ground"):
+        own = sorted((each for each in mechanism.curves if each.measure == measure), key=_state_severity)
+        if own:
+            period = measure.periods_s[0] if measure.key == "sa" else None
+            states = tuple(map(_exported_state, own))
+            found.append(ExportedCurve(mechanism.name, measure.key, period, EXPORT_UNITS[measure.dimension], states))
+    return found
+
+
+def _state_severity(curve: FragilityCurve) -> float:
+    return {"rocking": 0.0, "overturning": 1.0}.get(curve.state.name, curve.state.share or 0.0)
+
+
+def _exported_state(curve: FragilityCurve) -> ExportedState:
+    share = curve.state.share
+    points = curve.empirical
+    return ExportedState(
+        name=curve.state.name if share is None else f"{curve.state.name}-{share:g}",
+        lognormal=_exported_lognormal(curve.lognormal),
+        intensity=np.array([each.intensity for each in points]),
+        records=np.array([each.records for each in points], dtype=np.int64),
+        reached=np.array([each.reached for each in points], dtype=np.int64),
+        low=np.array([each.low for each in points]),
+        high=np.array([each.high for each in points]),
+    )
+
+
+def _exported_lognormal(fitted: LognormalResult | None) -> Lognormal | None:
+    return None if fitted is None else Lognormal(fitted.median, fitted.dispersion)

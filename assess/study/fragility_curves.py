@@ -1,0 +1,376 @@
+"""Fragility curves of one mechanism: shares of records, the lognormal through them, and that of first exceedance.
+
+Lognormal curves have bootstrap intervals, by earthquake. Curves in a measure that is proportional to another are the
+same ones in other units.
+
+Measures of intensity are compared by how little the records scatter, and by whether what is left depends on them. A
+measure is efficient where the dispersion is small, and sufficient where the residuals of ln intensity do not depend on
+magnitude and distance; scaling is harmless where they do not depend on the scale factor (Luco & Cornell 2007,
+Earthquake Spectra 23, 357-392).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from scipy.special import ndtr
+
+from assess.messages.message import Message, message, note, whole_number
+from assess.results.fragility import (
+    FIVE_PERCENT,
+    LARGE_SCALE,
+    CurveBand,
+    EmpiricalPoint,
+    FragilityCurve,
+    LognormalResult,
+    MeasureComparison,
+    MeasureResult,
+    StateResult,
+    Trend,
+)
+from assess.risk.empirical import LEAST_EVENTS, event_counts, mirrored_draws, widened_quantiles, wilson_interval
+from assess.risk.lognormal import UnboundedReason, fit_first_exceedances, fit_lognormals, unbounded_reason
+from assess.risk.regression import equivalent_lognormals, trend
+from assess.short_repr import ShortRepr
+from assess.study.fragility_runs import FragilityRuns, Intensities, StateOutcomes, first_bounds, reaches, state_outcomes
+from assess.study.study import FragilityQuestion
+from records.record import Record
+from spectra.arrays import BoolArray, FloatArray
+
+PER_POINT = 10
+"""Records of a cloud that share a point of the empirical curve, at least."""
+MOST_POINTS = 10
+
+LEAST_DISPERSION = 1e-3
+"""Of a cloud; smaller ones are those of a step."""
+
+
+def fragility_curve(
+    runs: FragilityRuns, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+) -> FragilityCurve:
+    """Return the fragility curve of a mechanism in one state by one measure.
+
+    Parameters
+    ----------
+    runs : of all records
+    by : the measure
+    state : to be reached
+    events : earthquake of each record [records]
+    question : method, seed and draws
+    """
+    make = cloud_curve if question.method == "cloud" else level_curve
+    return make(runs, by, state, events, question)
+
+
+def level_curve(
+    runs: FragilityRuns, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+) -> FragilityCurve:
+    """Return the curve of records at many scales; arguments are those of `fragility_curve`."""
+    reached = reaches(runs, state)
+    found = state_outcomes(runs, by.unit, reached, primary=by.primary)
+    stands, falls = first_bounds(runs, by.unit, reached)
+
+    reaching, known = found.reached.astype(np.float64), found.known.astype(np.float64)
+
+    def counts_at_levels(counts: FloatArray) -> tuple[FloatArray, FloatArray]:
+        return fit_lognormals(found.intensity, counts @ reaching, counts @ known)
+
+    yes, n = found.reached.sum(axis=0), found.known.sum(axis=0)
+    return _curve(
+        runs,
+        by,
+        state,
+        events,
+        question,
+        points=empirical_points(found),
+        lognormal=counts_at_levels,
+        first=lambda counts: fit_first_exceedances(stands, falls, counts),
+        why=unbounded_reason(found.intensity, yes, n),
+    )
+
+
+def cloud_curve(
+    runs: FragilityRuns, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+) -> FragilityCurve:
+    """Return the curve of records that are run once; arguments are those of `fragility_curve`.
+
+    The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.regression`); there is none
+    where a single intensity parts the records that reach the state from the others.
+    """
+    at, ratio, reached = runs.scale[:, 0] * by.unit, runs.ratio[:, 0], reaches(runs, state)
+    threshold = {"rocking": 0.0, "overturning": np.inf}.get(state.name, state.share or 0.0)
+
+    def equivalent(counts: FloatArray) -> tuple[FloatArray, FloatArray]:
+        median, dispersion = equivalent_lognormals(at, ratio, counts, threshold)
+        return median, np.where(dispersion > LEAST_DISPERSION, dispersion, np.nan)
+
+    why = unbounded_reason(at, reached[:, 0], np.ones(at.size))
+    found = _curve(
+        runs,
+        by,
+        state,
+        events,
+        question,
+        points=empirical_points(outcomes_in_groups(at, reached[:, 0], runs.scale[:, 0])),
+        lognormal=equivalent,
+        first=None,
+        why="cloud-separated" if why is UnboundedReason.SEPARATED else why or "no-cloud",
+    )
+    return replace(found, least_run=float(at.min()), largest_run=float(at.max()))
+
+
+def _curve(
+    runs: FragilityRuns,
+    by: Intensities,
+    state: StateResult,
+    events: Sequence[str],
+    question: FragilityQuestion,
+    *,
+    points: tuple[EmpiricalPoint, ...],
+    lognormal: Fits,
+    first: Fits | None,
+    why: str | None,
+) -> FragilityCurve:
+    fitted = _fitted(lognormal, events, question)
+    return FragilityCurve(
+        measure=by.measure,
+        state=state,
+        method=question.method,
+        records=len(events),
+        events=len(set(events)),
+        censored=int(np.count_nonzero(~reaches(runs, state)[np.arange(len(events)), runs.last])),
+        hollow=int(np.count_nonzero(runs.scale > LARGE_SCALE)),
+        empirical=points,
+        lognormal=fitted,
+        first=None if first is None else _fitted(first, events, question),
+        notes=tuple(_curve_notes(fitted, why, events)),
+    )
+
+
+def _fitted(fits: Fits, events: Sequence[str], question: FragilityQuestion) -> LognormalResult | None:
+    return lognormal_result(fits, events, seed=question.seed, draws=question.draws)
+
+
+def empirical_points(found: StateOutcomes) -> tuple[EmpiricalPoint, ...]:
+    """Return the share of records that reach a state at each intensity at which any is known."""
+    some = found.known.any(axis=0)
+    yes, n, hollow = (each.sum(axis=0)[some] for each in (found.reached, found.known, found.hollow & found.known))
+    low, high = wilson_interval(yes, n)
+    rows = zip(found.intensity[some], n, yes, low, high, hollow, strict=True)
+    return tuple(
+        EmpiricalPoint(float(at), int(all_), int(some_), float(some_ / all_), float(below), float(above), int(far))
+        for at, all_, some_, below, above, far in rows
+    )
+
+
+def outcomes_in_groups(at: FloatArray, reached: BoolArray, scale: FloatArray) -> StateOutcomes:
+    """Return the outcomes of records in groups of similar intensity, each at the geometric mean of its group.
+
+    Parameters
+    ----------
+    at : intensity of each record [records]
+    reached : whether each reaches the state [records]
+    scale : factor on each [records]
+    """
+    count = int(np.clip(at.size // PER_POINT, 1, MOST_POINTS))
+    groups = np.array_split(np.argsort(at, kind="stable"), count)
+    known = np.zeros((at.size, count), dtype=bool)
+    for place, group in enumerate(groups):
+        known[group, place] = True
+    middle = np.array([np.exp(np.mean(np.log(at[group]))) for group in groups])
+    return StateOutcomes(middle, known & reached[:, None], known, known & (scale > LARGE_SCALE)[:, None])
+
+
+def _curve_notes(fitted: LognormalResult | None, why: str | None, events: Sequence[str]) -> Iterator[Message]:
+    """Yield why there is no lognormal, or no interval of it."""
+    if fitted is None:
+        if why is not None:
+            yield message(f"fragility-{why}")
+    elif fitted.median_interval is None:
+        number = len(set(events))
+        if number < LEAST_EVENTS:
+            yield note("fragility-interval-events", events=whole_number(number), least=whole_number(LEAST_EVENTS))
+        else:
+            yield note("fragility-interval-draws")
+
+
+Fits = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+"""Takes how often each record counts [draws, records]; returns medians and dispersions [draws], nan where unbounded."""
+
+MOST_UNBOUNDED = 0.05
+"""Share of draws that need not bound a curve."""
+BAND_POINTS = 25
+
+BAND_REACH = 2.5
+"""Dispersions to each side of the median over which the band of a curve is given."""
+
+
+def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int) -> LognormalResult | None:
+    """Return the lognormal of all records with its intervals; None where they do not bound one.
+
+    Intervals are None where more than 5 % of the draws do not bound a curve, or earthquakes are fewer than three.
+
+    Parameters
+    ----------
+    fits : of the curve
+    events : earthquake of each record [records]
+    seed : of the random draws
+    draws : how many
+    """
+    (median,), (dispersion,) = fits(np.ones((1, len(events))))
+    if np.isnan(median + dispersion):
+        return None
+    plain = LognormalResult(float(median), float(dispersion))
+    number = len(set(events))
+    if number < LEAST_EVENTS:
+        return plain
+    medians, dispersions = fits(event_counts(events, seed=seed, draws=draws))
+    good = np.isfinite(medians) & np.isfinite(dispersions)
+    if np.count_nonzero(~good) > MOST_UNBOUNDED * draws:
+        return plain
+    return _with_intervals(plain, medians[good], dispersions[good], number)
+
+
+def _with_intervals(
+    plain: LognormalResult, medians: FloatArray, dispersions: FloatArray, events: int
+) -> LognormalResult:
+    """Return a lognormal with the quantiles of the curves of mirrored draws.
+
+    Medians and dispersions are mirrored, and not the standard normal variable ln(im / m) / beta: draws of small
+    dispersion make that so skewed that its basic interval reaches far below the curve above the median. So the band is
+    at 50 % and at 5 % where the intervals of these intensities end.
+    """
+    m, beta = mirrored_draws(medians, plain.median), mirrored_draws(dispersions, plain.dispersion)
+
+    def ends(draws: FloatArray) -> tuple[float, float]:
+        low, high = np.exp(widened_quantiles(np.log(draws), events=events)).tolist()
+        return low, high
+
+    normal = np.linspace(-BAND_REACH, BAND_REACH, BAND_POINTS)
+    at = plain.median * np.exp(normal * plain.dispersion)
+    band = ndtr(widened_quantiles(np.log(at / m[:, None]) / beta[:, None], events=events))
+    return LognormalResult(
+        median=plain.median,
+        dispersion=plain.dispersion,
+        median_interval=ends(m),
+        dispersion_interval=ends(beta),
+        five_percent_interval=ends(m * np.exp(FIVE_PERCENT * beta)),
+        band=CurveBand(*(tuple(each.tolist()) for each in (at, *band))),
+    )
+
+
+ROUNDING = 1e-9
+"""Relative difference below which the ratios of two measures are one number."""
+
+
+def factor_between(one: FloatArray, other: FloatArray) -> float | None:
+    """Return the number that intensities of one measure are times those of another [records]; None if it varies."""
+    ratio = other / one
+    return float(ratio[0]) if np.ptp(ratio) <= ROUNDING * ratio[0] else None
+
+
+def convert_curve(curve: FragilityCurve, measure: MeasureResult, factor: float) -> FragilityCurve:
+    """Return a curve in another measure.
+
+    Parameters
+    ----------
+    curve : in its own measure
+    measure : the other one
+    factor : intensity of the other measure over that of its own
+    """
+    return replace(
+        curve,
+        measure=measure,
+        empirical=tuple(replace(point, intensity=factor * point.intensity) for point in curve.empirical),
+        lognormal=_scaled_lognormal(curve.lognormal, factor),
+        first=_scaled_lognormal(curve.first, factor),
+        least_run=None if curve.least_run is None else factor * curve.least_run,
+        largest_run=None if curve.largest_run is None else factor * curve.largest_run,
+    )
+
+
+def _scaled_lognormal(fitted: LognormalResult | None, factor: float) -> LognormalResult | None:
+    if fitted is None:
+        return None
+    band = fitted.band
+    return replace(
+        fitted,
+        median=factor * fitted.median,
+        median_interval=_scaled_interval(fitted.median_interval, factor),
+        five_percent_interval=_scaled_interval(fitted.five_percent_interval, factor),
+        band=None if band is None else CurveBand(tuple(factor * at for at in band.intensity), band.low, band.high),
+    )
+
+
+def _scaled_interval(found: tuple[float, float] | None, factor: float) -> tuple[float, float] | None:
+    return None if found is None else (factor * found[0], factor * found[1])
+
+
+LEAST_SCATTER = 1e-6
+"""Standard deviation of residuals below which they are rounding, and no trend is sought."""
+Property = Literal["magnitude", "distance", "scale"]
+
+
+@dataclass(frozen=True, repr=False)
+class Origins(ShortRepr):
+    """What is known of the records [records]: magnitude and ln distance, nan where not known, and the earthquake."""
+
+    magnitude: FloatArray
+    log_distance: FloatArray
+    event: tuple[str, ...]
+
+
+def origins_of(records: Sequence[Record]) -> Origins:
+    """Return what is known of the records."""
+    magnitude = [each.earthquake.magnitude for each in records]
+    distance = [each.distance if each.distance and each.distance > 0.0 else None for each in records]
+    return Origins(
+        np.array([np.nan if one is None else one for one in magnitude]),
+        np.array([np.nan if one is None else np.log(one) for one in distance]),
+        tuple(map(event_of, records)),
+    )
+
+
+def event_of(record: Record) -> str:
+    """Return the earthquake of a record; a record that names none counts as one of its own."""
+    return record.event or record.earthquake.time or record.id
+
+
+def compare_measure(runs: FragilityRuns, by: Intensities, curve: FragilityCurve, origins: Origins) -> MeasureComparison:
+    """Return how well a measure explains a state.
+
+    Residuals are those of records that reach the state, at their first exceedance; a cloud has none.
+
+    Parameters
+    ----------
+    runs : of all records
+    by : the measure
+    curve : of the measure, in the state
+    origins : of the records
+    """
+    fitted = curve.lognormal or curve.first
+    trends = () if curve.method == "cloud" else tuple(_trends(runs, by, curve, origins))
+    return MeasureComparison(by.measure, curve.state, None if fitted is None else fitted.dispersion, trends)
+
+
+def _trends(runs: FragilityRuns, by: Intensities, curve: FragilityCurve, origins: Origins) -> Iterator[Trend]:
+    lower, upper = first_bounds(runs, by.unit, reaches(runs, curve.state))
+    reached = np.isfinite(upper) & (lower > 0.0)
+    log = 0.5 * np.log(lower[reached] * upper[reached])
+    if log.size == 0 or np.std(log) < LEAST_SCATTER:
+        return
+    properties: Mapping[Property, FloatArray] = {
+        "magnitude": origins.magnitude[reached],
+        "distance": origins.log_distance[reached],
+        "scale": log - np.log(by.unit[reached]),
+    }
+    event = [each for each, counts in zip(origins.event, reached, strict=True) if counts]
+    for name, values in properties.items():
+        known = np.isfinite(values)
+        own = [each for each, counts in zip(event, known, strict=True) if counts]
+        found = trend(log[known] - log.mean(), values[known], event=own) if known.any() else None
+        if found is not None:
+            yield Trend(name, found.slope, found.p_value, found.n)

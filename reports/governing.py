@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf, isclose
 
 from assess.codes.check import Check, Outcome
-from assess.codes.families import uses_histories
+from assess.codes.procedures import uses_histories
 from assess.codes.verdict import MechanismVerdict
 from assess.results import ComparisonRow, HistoryResult, HistoryTrace, MechanismResult, Results
 

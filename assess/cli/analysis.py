@@ -284,7 +284,6 @@ def fragility(
 
 def complete_formats(incomplete: str) -> Sequence[str]:
     """Complete the last of the formats of an export, which stand between commas."""
-    from assess.cli.analysis import FORMATS
 
     before, comma, last = incomplete.rpartition(",")
     return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]

@@ -14,21 +14,20 @@ from typing import Literal
 
 from scipy.constants import g
 
-from assess.codes.calculation_sheet import UNANSWERED
+from assess.codes.calculation_sheet import UNANSWERED, Step, step
 from assess.codes.check import (
+    TABLE_SPECTRUM,
     BranchName,
     Check,
     Outcome,
     Reason,
-    Step,
     caveats_of,
     check_worst_branch,
     missing_ordinate,
     reason_message,
-    step,
+    spectrum_caveats,
 )
 from assess.codes.context import PLINTH, Building, Context, Wall
-from assess.codes.families import TABLE_SPECTRUM, other_spectrum
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Branch, Oscillator, threshold
 
@@ -73,7 +72,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Asce41Op
         verdict=verdict,
         reason=reason,
         uplift_pga_g=threshold(branch),
-        **caveats_of(CAVEAT_PARAPET if parapet else CAVEAT, *other_spectrum(SLENDERNESS, context.spectrum.code)),
+        **caveats_of(CAVEAT_PARAPET if parapet else CAVEAT, *spectrum_caveats(SLENDERNESS, context.spectrum.code)),
         conditions=() if options.masonry else (message("premise-coursed", severity=Severity.WARNING),),
         steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=UNANSWERED),),
     )

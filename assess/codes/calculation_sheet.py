@@ -33,7 +33,7 @@ _BETWEEN = re.compile(r"(?<=[\d¹²³⁰⁴-⁹)π]) (?=[\d√(])")  # a product
 
 
 @dataclass(frozen=True)
-class Input:
+class SymbolValue:
     """A symbol of a formula with its value, in the unit of its dimension (`assess.messages.message.UNITS`)."""
 
     symbol: str
@@ -62,10 +62,10 @@ class Step(ShortRepr):
     value: float | None
     unit: str
     bound: Bound = ""
-    inputs: tuple[Input, ...] = ()
+    inputs: tuple[SymbolValue, ...] = ()
     dimension: str = ""
     remark: str = ""
-    at: tuple[Input, ...] = ()
+    at: tuple[SymbolValue, ...] = ()
     subject: str = ""
 
     def __post_init__(self) -> None:
@@ -137,7 +137,7 @@ def step(
     )
 
 
-def substitute(formula: str, inputs: tuple[Input, ...], write: NumberWriter = write_plain) -> str:
+def substitute(formula: str, inputs: tuple[SymbolValue, ...], write: NumberWriter = write_plain) -> str:
     """Return the formula with numbers for its symbols, and g as a number; other symbols follow with their values.
 
     Parameters
@@ -161,7 +161,7 @@ def substitute(formula: str, inputs: tuple[Input, ...], write: NumberWriter = wr
     return f"{put}, {beside}" if beside else put
 
 
-def values_text(inputs: tuple[Input, ...], write: NumberWriter = write_plain) -> str:
+def values_text(inputs: tuple[SymbolValue, ...], write: NumberWriter = write_plain) -> str:
     """Return symbols with their values, as "T = 0.5, ξ = 0.05".
 
     Parameters
@@ -189,9 +189,9 @@ def _value_text(value: float | None) -> str:
     return "none" if value is None else write_plain(value)
 
 
-def _symbol_value(symbol: str, given: float | tuple[float, str]) -> Input:
+def _symbol_value(symbol: str, given: float | tuple[float, str]) -> SymbolValue:
     value, unit = given if isinstance(given, tuple) else (given, "-")
-    return Input(symbol, float(value), DIMENSIONS.get(unit, unit))
+    return SymbolValue(symbol, float(value), DIMENSIONS.get(unit, unit))
 
 
 def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) -> Step:

@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import inf
 from typing import Literal, TypedDict
 
-from assess.codes.calculation_sheet import Bound, Input, Step, step
+from assess.codes.calculation_sheet import Bound, Step
 from assess.messages.message import Message, Severity, Term, Value, message
 from assess.oscillator import Branch, Oscillator
 from assess.short_repr import ShortRepr
 
-__all__ = [
-    "NEEDED",
-    "Bound",
-    "Check",
-    "Family",
-    "Input",
-    "InputAt",
-    "NumericalSpread",
-    "Outcome",
-    "PgaCurve",
-    "Reading",
-    "Reason",
-    "Role",
-    "Step",
-    "missing_ordinate",
-    "reason_message",
-    "step",
-]
 Role = Literal["deciding", "comparison"]
 Reading = Literal["letter", "thesis"]
 BranchName = Literal["positive", "negative"]
@@ -318,3 +300,27 @@ def worst_check(checks: Sequence[Check]) -> Check:
         return check.verdict == "fail", ratio, -at_collapse
 
     return max(checks, key=severity)
+
+
+AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
+EUROPEAN = ("ec8", "ntc2008", "ntc2018")
+NEW_ZEALAND = ("nzs1170.5",)
+TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
+
+WRITTEN_FOR: Mapping[str, tuple[str, ...]] = {
+    "asce41-13-ht": AMERICAN,
+    "ec8-element": EUROPEAN,
+    "nzsee2017-face-loaded": NEW_ZEALAND,
+}
+
+
+def is_written_for(procedure: str, spectrum_code: str) -> bool:
+    """Return whether a procedure is written for a spectrum of this code; True where it is for any."""
+    return procedure not in WRITTEN_FOR or spectrum_code in (*WRITTEN_FOR[procedure], TABLE_SPECTRUM)
+
+
+def spectrum_caveats(procedure: str, spectrum_code: str) -> tuple[Message, ...]:
+    """Return the caveat where the spectrum is of a code the procedure is not written for; else none."""
+    if is_written_for(procedure, spectrum_code):
+        return ()
+    return (message("other-spectrum", {"codes": ", ".join(WRITTEN_FOR[procedure]), "code": spectrum_code}),)

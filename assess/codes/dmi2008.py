@@ -20,8 +20,8 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes import italian_histories
-from assess.codes.calculation_sheet import Given, excitation_column, instability_step, integral_step
-from assess.codes.check import BranchName, Check, Step, branch_of, caveats_of, check_worst_branch, step
+from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
+from assess.codes.check import BranchName, Check, branch_of, caveats_of, check_worst_branch
 from assess.codes.context import Context
 from assess.codes.italian_kinematic import (
     DisplacementAnalysis,

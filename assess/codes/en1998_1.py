@@ -14,21 +14,20 @@ from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
-from assess.codes.calculation_sheet import multiplier_step
+from assess.codes.calculation_sheet import Step, multiplier_step, step
 from assess.codes.check import (
+    TABLE_SPECTRUM,
     BranchName,
     Check,
     Outcome,
     Reason,
-    Step,
     caveats_of,
     check_worst_branch,
     missing_ordinate,
     reason_message,
-    step,
+    spectrum_caveats,
 )
 from assess.codes.context import Context, Support
-from assess.codes.families import TABLE_SPECTRUM, other_spectrum
 from assess.messages.message import Term
 from assess.oscillator import Branch, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
@@ -114,7 +113,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
         capacity_pga_g=level * resistance / found.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
         steps=_steps(branch, context, found),
-        **caveats_of(CAVEAT, *other_spectrum(ELEMENT, context.spectrum.code)),
+        **caveats_of(CAVEAT, *spectrum_caveats(ELEMENT, context.spectrum.code)),
     )
 
 

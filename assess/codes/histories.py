@@ -18,6 +18,7 @@ from math import floor, inf, isinf, log10
 import numpy as np
 from scipy.constants import g
 
+from assess.codes.calculation_sheet import Step, step
 from assess.codes.check import (
     NEEDED,
     BranchName,
@@ -26,10 +27,8 @@ from assess.codes.check import (
     Outcome,
     PgaCurve,
     Reason,
-    Step,
     least_if_all_known,
     reason_message,
-    step,
 )
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import Oscillator, threshold
@@ -225,7 +224,7 @@ def share_upright(suite: SuiteResponse) -> float:
     return float(np.isfinite(draw_values(suite.runs.ratio)).all(axis=1).mean())
 
 
-def capacities(
+def capacities_by_share(
     incremental: Sequence[SuiteResponse],
     measure: Measure,
     passes: Callable[[SuiteResponse], bool],

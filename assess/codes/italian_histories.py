@@ -17,14 +17,14 @@ from math import inf, isclose, isinf
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.calculation_sheet import Given
-from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
+from assess.codes.calculation_sheet import Given, Step, step
+from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
 from assess.codes.context import Context, SiteHazard
 from assess.codes.histories import (
     Capacities,
     Measure,
     SuiteResponse,
-    capacities,
+    capacities_by_share,
     draw_values,
     fails_below,
     numerical_spread,
@@ -109,7 +109,7 @@ def _capacities(oscillator: Oscillator, context: Context, limit: Limit) -> Capac
         return passes_rule(SuiteDisplacements(suite, suite.pga, displacement_ratios(oscillator, context, suite, limit)))
 
     suites, measure = scan_suites(context), measure_of(oscillator, context, limit)
-    return capacities(suites, measure, succeeds, least_records=LEAST_RECORDS)
+    return capacities_by_share(suites, measure, succeeds, least_records=LEAST_RECORDS)
 
 
 def suite_at(context: Context, pga: float) -> SuiteResponse | None:

@@ -21,14 +21,16 @@ from scipy.optimize import brentq
 
 from assess.codes.calculation_sheet import (
     Given,
+    Step,
     excitation_column,
     instability_step,
     integral_step,
     moment_column,
     multiplier_step,
     reading_step,
+    step,
 )
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, caveats_of, reason_message, step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
 from assess.codes.context import Context, LocalLimit
 from assess.codes.italian_limit_states import (
     BranchCurves,

@@ -19,18 +19,8 @@ from math import exp, log
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import (
-    BRANCH_NAMES,
-    Bound,
-    BranchName,
-    Check,
-    InputAt,
-    Outcome,
-    Step,
-    branch_of,
-    step,
-    worst_branch_check,
-)
+from assess.codes.calculation_sheet import Bound, Step, step
+from assess.codes.check import BRANCH_NAMES, BranchName, Check, InputAt, Outcome, branch_of, worst_branch_check
 from assess.codes.context import Context, LocalLimit, SiteHazard
 from assess.messages.message import Quantity, message
 from assess.oscillator import Branch, Oscillator

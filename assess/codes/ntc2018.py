@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from assess.codes import italian_histories
-from assess.codes.calculation_sheet import Given
-from assess.codes.check import Check, Step, step
+from assess.codes.calculation_sheet import Given, Step, step
+from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.italian_kinematic import (
     DisplacementAnalysis,

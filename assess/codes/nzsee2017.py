@@ -32,22 +32,21 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.calculation_sheet import instability_step, integral_step, moment_column
+from assess.codes.calculation_sheet import Step, instability_step, integral_step, moment_column, step
 from assess.codes.check import (
+    TABLE_SPECTRUM,
     BranchName,
     Check,
     Outcome,
     PgaCurve,
     Reason,
-    Step,
     caveats_of,
     check_worst_branch,
     missing_ordinate,
     reason_message,
-    step,
+    spectrum_caveats,
 )
 from assess.codes.context import Context, Gravity, Support
-from assess.codes.families import TABLE_SPECTRUM, other_spectrum
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
 from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, Oscillator, energy, threshold
@@ -107,7 +106,7 @@ def _check(name: BranchName, context: Context, level: float) -> Check:
         **caveats_of(
             CAVEAT,
             *([CAVEAT_FREE] if context.support == "free" else []),
-            *other_spectrum(FACE_LOADED, context.spectrum.code),
+            *spectrum_caveats(FACE_LOADED, context.spectrum.code),
         ),
     )
 

@@ -10,7 +10,7 @@ from typing import Literal
 
 from assess.codes.bases import Acceptance, Basis, IndexKind, LimitState, LimitStateRole, Method
 from assess.codes.check import Check, Family, Outcome, Reason
-from assess.codes.families import FAMILIES
+from assess.codes.procedures import FAMILIES
 from assess.messages.message import Message, Value, message
 from assess.short_repr import ShortRepr
 from spectra.ntc import EXCEEDANCE

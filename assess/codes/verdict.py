@@ -35,26 +35,6 @@ from assess.codes.question import (
 from assess.messages.message import Message, Severity, Term, message
 from assess.short_repr import ShortRepr
 
-__all__ = [
-    "Action",
-    "Answer",
-    "Decision",
-    "Index",
-    "MechanismChecks",
-    "MechanismVerdict",
-    "Missing",
-    "Question",
-    "Verdict",
-    "find_deciding_check",
-    "find_limit_states",
-    "grade",
-    "mark_deciding",
-    "methods_of",
-    "target_of",
-    "verdict",
-    "worst",
-]
-
 
 @dataclass(frozen=True, repr=False)
 class MechanismVerdict(ShortRepr):
@@ -133,7 +113,7 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
     target, no_target = target_of(question, basis)
     measure = _Criteria(question, basis, states, target, (*question.missing, *no_state, *no_target))
     found = tuple(_decide_mechanism(each, measure) for each in mechanisms)
-    outcome = worst(one.outcome for one in found)
+    outcome = worst_outcome(one.outcome for one in found)
     return Verdict(
         basis=basis.name,
         edition=basis.edition,
@@ -147,7 +127,9 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
         limit_states=tuple(state.name for state in states),
         methods=methods_of(question),
         index=_index(found),
-        provisional=worst(one.provisional or one.outcome for one in found) if outcome == Decision.INCOMPLETE else None,
+        provisional=worst_outcome(one.provisional or one.outcome for one in found)
+        if outcome == Decision.INCOMPLETE
+        else None,
         clauses=basis.clauses,
         uncompared=basis.uncompared,
     )
@@ -163,7 +145,7 @@ def _decide_mechanism(one: MechanismChecks, measure: _Criteria) -> MechanismVerd
     asked = [find_answer(one, state, measure.question, measure.basis, measure.target) for state in measure.states]
     found = _by_class(asked, measure)
     missing = merge_missing((*(each for it in found for each in it.missing), *one.missing))
-    outcome = worst(it.answer.outcome for it in found)
+    outcome = worst_outcome(it.answer.outcome for it in found)
     if outcome == Decision.PASS and (missing or measure.missing):
         outcome = Decision.INCOMPLETE
     incomplete = outcome == Decision.INCOMPLETE
@@ -182,7 +164,9 @@ def _decide_mechanism(one: MechanismChecks, measure: _Criteria) -> MechanismVerd
 
 def _provisional_of_mechanism(found: Sequence[AnswerAndChecks], measure: _Criteria) -> Decision | None:
     """Return the provisional outcome; None where the project lacks an input without a safe value."""
-    return None if measure.question.missing else worst(it.answer.provisional or it.answer.outcome for it in found)
+    return (
+        None if measure.question.missing else worst_outcome(it.answer.provisional or it.answer.outcome for it in found)
+    )
 
 
 def _by_class(found: Sequence[AnswerAndChecks], measure: _Criteria) -> tuple[AnswerAndChecks, ...]:
@@ -351,7 +335,7 @@ def find_answer(
         checks = [check for method in rank for check in _of_method(one, method.procedure, state, question.action)]
         said = [decide(check, basis, target) for check in checks]
         if Decision.FAIL in said or (said and None not in said and _every_method(checks, one, rank, state)):
-            outcome = worst(each for each in said if each is not None)
+            outcome = worst_outcome(each for each in said if each is not None)
             return _declared(_answered(one, checks, said, state, outcome, basis, target), lacking)
         silent += [check for check, each in zip(checks, said, strict=True) if each is None]
     return _unanswered(one, state, ranks, silent, basis, target, lacking)
@@ -572,7 +556,7 @@ class Decision(StrEnum):
     INCOMPLETE = "incomplete"
 
 
-def worst(outcomes: Iterable[Decision]) -> Decision:
+def worst_outcome(outcomes: Iterable[Decision]) -> Decision:
     """Return the worst of several: fail, then incomplete, then pass; incomplete where there are none."""
     found = set(outcomes)
     if Decision.FAIL in found:

@@ -13,7 +13,7 @@ from scipy.constants import g
 
 from assess.codes.context import Building, StatedFirstMode
 from assess.codes.italian_limit_states import LARGEST_FACTOR
-from assess.codes.verdict import Question
+from assess.codes.question import Question
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.dimensions import size_warning
 from assess.geometry.formats.readers import WITHOUT_UNIT

@@ -21,9 +21,8 @@ from assess.codes.en1998_1 import Ec8Options
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.nzsee2017 import Nzsee2017Options
-from assess.codes.question import SOURCES, missing_input
-from assess.codes.registry import LIMIT_STATES, CodeOptions
-from assess.codes.verdict import Action, Missing, Question, methods_of
+from assess.codes.procedures import LIMIT_STATES, CodeOptions
+from assess.codes.question import SOURCES, Action, Missing, Question, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections

@@ -17,7 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from assess.codes.families import uses_histories
+from assess.codes.procedures import uses_histories
 from assess.errors import ProjectError, ResultsError
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.restitution import ABOUT_BASE, HOUSNER, MOMENTUM

@@ -15,21 +15,13 @@ import numpy as np
 from scipy.constants import g
 
 from assess.amplification import Unamplified
-from assess.codes.applicability import apply_procedure
 from assess.codes.check import Check, Outcome
 from assess.codes.context import Building, Context
-from assess.codes.families import ITALIAN, uses_histories
 from assess.codes.histories import SuiteResponse
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
-from assess.codes.registry import PROCEDURES, CodeOptions, procedure
-from assess.codes.verdict import (
-    Action,
-    MechanismChecks,
-    Question,
-    Verdict,
-    mark_deciding,
-    verdict,
-)
+from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, apply_procedure, procedure, uses_histories
+from assess.codes.question import Action, MechanismChecks, Question
+from assess.codes.verdict import Verdict, mark_deciding, verdict
 from assess.errors import ProcedureError
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Oscillator
@@ -230,7 +222,7 @@ def answers(
     ----------
     mechanism : the collapse mechanism
     spectrum : elastic spectrum of the site, at its own peak ground acceleration
-    procedures : names of `assess.codes.registry.PROCEDURES`
+    procedures : names of `assess.codes.procedures.PROCEDURES`
     knowledge_level : "LC1", "LC2" or "LC3", which the Italian codes ask for where crushing is modelled; None: not given
     records : horizontal ground motions, taken unscaled as those of the spectrum; without any, procedures by time
         histories are not answered
@@ -279,7 +271,9 @@ def answers(
         pulses=None,
         hazard=None,
         free_periods={},
-        knowledge={mechanism.name: dict.fromkeys(set(ITALIAN.values()), knowledge_level) if knowledge_level else {}},
+        knowledge={
+            mechanism.name: dict.fromkeys(set(KNOWLEDGE_CODES.values()), knowledge_level) if knowledge_level else {}
+        },
         limit_state=None,
         question=Question(None, Action(spectrum.pga / g, None)),
         facts={},

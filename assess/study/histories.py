@@ -25,11 +25,10 @@ from scipy.constants import g
 
 from assess.amplification import BaseMotion, base_motion
 from assess.codes.check import BranchName
-from assess.codes.families import uses_histories
 from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_upright
 from assess.codes.italian_histories import required_pga
 from assess.codes.italian_limit_states import confidence_factors
-from assess.codes.registry import history_rules
+from assess.codes.procedures import history_rules, uses_histories
 from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.mechanisms.mechanism import Mechanism

@@ -13,9 +13,9 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Family
-from assess.codes.families import FAMILIES, uses_histories
-from assess.codes.registry import history_rules
-from assess.codes.verdict import Question, Verdict, methods_of
+from assess.codes.procedures import FAMILIES, history_rules, uses_histories
+from assess.codes.question import Question, methods_of
+from assess.codes.verdict import Verdict
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
 from assess.oscillator import Oscillator, elastic_frequency

@@ -17,8 +17,9 @@ from dataclasses import dataclass, replace
 
 from assess.codes.bases import Basis
 from assess.codes.check import Check
-from assess.codes.families import uses_histories
-from assess.codes.verdict import Answer, Decision, MechanismVerdict, Question, Verdict, find_deciding_check, index_of
+from assess.codes.procedures import uses_histories
+from assess.codes.question import Question
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict, find_deciding_check, index_of
 from assess.errors import AssessError
 from assess.messages.message import Message, Term, message
 from assess.results import MechanismResult, SensitivityResult

@@ -9,14 +9,8 @@ from typing import Literal
 
 from assess.codes.check import Family
 from assess.codes.context import Building, FreePeriod, SiteHazard
-from assess.codes.families import FAMILIES
-from assess.codes.registry import CodeOptions
-from assess.codes.verdict import (
-    Missing,
-    Question,
-    find_limit_states,
-    methods_of,
-)
+from assess.codes.procedures import FAMILIES, CodeOptions
+from assess.codes.question import Missing, Question, find_limit_states, methods_of
 from assess.errors import ProjectError
 from assess.geometry.cut import Scene
 from assess.mechanisms.mechanism import Mechanism

@@ -16,10 +16,10 @@ from typing import Protocol
 import numpy as np
 
 from assess.codes.asce43_05 import HALF, effective_frequency
-from assess.codes.families import SUITE_CODES, uses_histories
 from assess.codes.italian_limit_states import curves_of_all_actions
 from assess.codes.ntc2018_clauses import ULTIMATE, capacity_of
-from assess.codes.verdict import methods_of
+from assess.codes.procedures import SUITE_RULES, uses_histories
+from assess.codes.question import methods_of
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message, whole_number
@@ -80,7 +80,7 @@ def suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectr
 def _not_named(code: str, review: SuiteReview) -> Iterator[Message]:
     """Yield a message if artificial records would decide without the project naming the method."""
     question = review.study.question
-    deciding = [name for name in methods_of(question) if SUITE_CODES.get(name) == code]
+    deciding = [name for name in methods_of(question) if SUITE_RULES.get(name) == code]
     silent = [name for name in deciding if name not in (question.procedures or ())]
     if review.suite.artificial.any() and silent:
         line = f'procedures = ["{silent[0]}"]'
@@ -291,17 +291,17 @@ RULES: Mapping[str, SuiteRules] = {
     ),
     "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, periods_at_limit_state),
 }
-"""By the code of a procedure, as `assess.codes.families.CODES` names it."""
+"""By the code of a procedure, as `assess.codes.procedures.CODES` names it."""
 
 
 def codes_of_histories(study: Study) -> tuple[str, ...]:
     """Return the codes whose procedures by histories are requested."""
-    return tuple(dict.fromkeys(SUITE_CODES[name] for name in study.procedures if uses_histories(name)))
+    return tuple(dict.fromkeys(SUITE_RULES[name] for name in study.procedures if uses_histories(name)))
 
 
 def codes_that_decide(study: Study) -> tuple[str, ...]:
     """Return the codes whose procedures by histories may decide; if none may, those requested."""
-    deciding = [SUITE_CODES[name] for name in methods_of(study.question) if uses_histories(name)]
+    deciding = [SUITE_RULES[name] for name in methods_of(study.question) if uses_histories(name)]
     return tuple(dict.fromkeys(deciding)) or codes_of_histories(study)
 
 

@@ -21,7 +21,7 @@ from scipy.special import ndtr, ndtri
 
 from assess.amplification import Amplification
 from assess.codes.check import Check, Outcome
-from assess.codes.families import uses_histories
+from assess.codes.procedures import uses_histories
 from assess.errors import AssessError
 from assess.messages.message import Message, Quantity, note, whole_number
 from assess.results import MechanismResult

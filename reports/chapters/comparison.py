@@ -8,8 +8,8 @@ from math import ceil
 from statistics import median
 
 from assess.codes.check import Check, Family, Outcome
-from assess.codes.families import FAMILIES, uses_histories
 from assess.codes.histories import ratio_figures
+from assess.codes.procedures import FAMILIES, uses_histories
 from assess.codes.verdict import MechanismVerdict
 from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results, SuiteResult

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from hashlib import sha256
 
 from assess.codes.check import Check, Family
-from assess.codes.families import FAMILIES
+from assess.codes.procedures import FAMILIES
 from assess.messages.message import Message
 from assess.results import Control, ControlKind, Results
 from assess.results.solved_cases import USES

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
 from assess.codes.check import Check, Family, Outcome, Reason
-from assess.codes.families import FAMILIES
+from assess.codes.procedures import FAMILIES
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints

@@ -10,7 +10,7 @@ from math import inf, log
 from typing import Literal
 
 from assess.codes.check import Outcome
-from assess.codes.families import uses_histories
+from assess.codes.procedures import uses_histories
 from assess.results import Results, SensitivityResult
 from reports.chapters.cells import MECHANISM, OUTCOMES, OVERTURNED
 from reports.chapters.verdict_texts import DEMAND_CAPACITY, index_symbol

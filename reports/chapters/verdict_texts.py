@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from assess.codes.bases import BASES
 from assess.codes.check import Check
 from assess.codes.histories import margin_figures
-from assess.codes.question import toml_lines
-from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Missing, Verdict
+from assess.codes.question import Action, Missing, toml_lines
+from assess.codes.verdict import Decision, Index, MechanismVerdict, Verdict
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters.cells import pga_interval

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import partial
 
-from assess.codes.families import THESIS_READINGS
+from assess.codes.procedures import THESIS_READINGS
 from assess.results.solved_cases import USES
 from assess.results.verification import CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
 from reports.chapters.cells import OUTCOMES

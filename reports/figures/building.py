@@ -16,7 +16,7 @@ import shapely
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from assess.codes.verdict import Decision, worst
+from assess.codes.verdict import Decision, worst_outcome
 from assess.geometry.surface import simplify
 from assess.results import MechanismResult, Results, View
 from reports.figures.projection import TriangleSurface, eye_of
@@ -213,7 +213,7 @@ def _outcome(results: Results, names: Sequence[str]) -> Outcome:
     """Return the worst verdict of the mechanisms; incomplete where there is none."""
     verdicts = () if results.verdict is None else results.verdict.mechanisms
     found = [each.outcome for each in verdicts if each.mechanism in names]
-    return (worst(found) if found else Decision.INCOMPLETE).value
+    return (worst_outcome(found) if found else Decision.INCOMPLETE).value
 
 
 def _side_by_side(surfaces: Sequence[TriangleSurface], direction: FloatArray) -> list[FloatArray]:

@@ -8,8 +8,7 @@ from unittest.mock import patch
 
 import pytest
 
-from assess.codes.families import FAMILIES
-from assess.codes.registry import PROCEDURES
+from assess.codes.procedures import FAMILIES, PROCEDURES
 from assess.examples import source
 from docs.tutorial.follow import Output, follow
 from records.formats import FORMATS

@@ -35,16 +35,16 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "displacement_steps": (1, 2),
     "collapse_steps": (1,),
     "curve_steps": (1, 3),
-    "threshold_steps": (4,),
+    "displacement_capacity_steps": (4,),
     "first_mode_steps": (4,),
     "ground_step": (1,),
-    "ratio_step": (1,),
-    "ratio_steps": (0,),
+    "displacement_ratio_step": (1,),
+    "acceleration_ratio_steps": (0,),
     "line": (2,),
     "_friction_step": (1,),
     "_governing_step": (),
-    "Confidence": (1,),
-    "Rule": (2,),
+    "ConfidenceFactor": (1,),
+    "DisplacementLimit": (2,),
     "Term": (0,),
     "describe_disagreement": (0, 2),
     "disagreement": (0, 2),
@@ -58,7 +58,8 @@ PLACES: Mapping[str, tuple[int, ...]] = {
     "Amplified": (3,),
     "Construction": (0,),
     "Edition": (0, 1, 2),
-    "Ultimate": tuple(range(6)),
+    "ItalianEdition": (0, 1, 2),
+    "UltimateState": tuple(range(6)),
     "PossibleMechanism": (2,),
     "_number": (2,),
 }
@@ -71,7 +72,13 @@ KEYWORDS = frozenset(
     }
 )  # fmt: skip
 """Keywords whose literals are terms, whatever is called with them."""
-OF_CALLS: Mapping[str, tuple[str, ...]] = {"Edition": ("name",), "Rule": ("clause",), "replace": ("description",)}
+OF_CALLS: Mapping[str, tuple[str, ...]] = {
+    "Edition": ("name",),
+    "ItalianEdition": ("name",),
+    "HistoryRule": ("clause",),
+    "DisplacementLimit": ("clause",),
+    "replace": ("description",),
+}
 """Further keywords, of single functions."""
 IDENTIFIER = re.compile(r"[a-z]+(?:[_-][a-z]+)+")
 CONSTANTS: Mapping[str, tuple[str, ...]] = {

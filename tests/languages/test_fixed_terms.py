@@ -8,7 +8,7 @@ import pytest
 
 from assess.codes.bases import BASES
 from assess.codes.check import Check
-from assess.codes.registry import PROCEDURES
+from assess.codes.procedures import PROCEDURES
 from assess.messages.message import Message, Term
 from tests.languages.fixed_terms import fixed_terms
 from tests.support.subjects import subjects

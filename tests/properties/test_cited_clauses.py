@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from assess.codes.registry import PROCEDURES
+from assess.codes.procedures import PROCEDURES
 from tests.support.subjects import subjects
 
 CITED = tomllib.loads((Path(__file__).parents[1] / "support/cited_clauses.toml").read_text(encoding="utf-8"))

@@ -12,9 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.constants import g
 
-from assess.codes import dmi2008 as dmi2008_linear
-from assess.codes import dmi2008 as dmi2008_nonlinear
-from assess.codes import ntc2018
+from assess.codes import dmi2008, ntc2018
 from assess.codes.context import Building, Context, StatedFirstMode
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -23,8 +21,10 @@ from tests.support.curved import both, pulled
 
 SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.35), place=ntc.SoilAndTopography("C"))
 HOUSE = Building(9.0, 3, 0.3, 0.05)
-EVERY = pytest.mark.parametrize("procedure", [ntc2018, ntc2018, dmi2008_linear, dmi2008_nonlinear])
-BY_DISPLACEMENT = pytest.mark.parametrize("procedure", [ntc2018, dmi2008_nonlinear])
+EVERY = pytest.mark.parametrize(
+    "procedure", [ntc2018.assess_linear, ntc2018.assess_nonlinear, dmi2008.assess_linear, dmi2008.assess_nonlinear]
+)
+BY_DISPLACEMENT = pytest.mark.parametrize("procedure", [ntc2018.assess_nonlinear, dmi2008.assess_nonlinear])
 SLENDER, RADIUS = st.floats(0.06, 0.5), st.floats(1.0, 4.0)
 
 
@@ -37,7 +37,7 @@ def site(*, elevation=0.0, levels=(0.25 * g,), **more):
 
 
 def asked(procedure, rocker, context, **more):
-    return procedure.assess(rocker, context, options=ItalianOptions(**more))
+    return procedure(rocker, context, options=ItalianOptions(**more))
 
 
 def ratio(check):
@@ -94,9 +94,11 @@ def test_no_building_of_the_range_asks_more_than_the_range(slender, radius, T1):
     rocker, elevation = wall(slender, radius), 9.0
     ranged = site(elevation=elevation)
     at = replace(ranged, building=replace(HOUSE, period=T1), levels=(2.0 * g,))
-    (whole,) = asked(ntc2018, rocker, at)
+    (whole,) = asked(ntc2018.assess_nonlinear, rocker, at)
     for softening in np.linspace(1.5, 2.0, 21):
         mode = {"SLV": StatedFirstMode(softening * T1, 0.10, "one of them")}
-        (one,) = asked(ntc2018, rocker, replace(at, building=replace(HOUSE, period=T1, limit_states=mode)))
+        (one,) = asked(
+            ntc2018.assess_nonlinear, rocker, replace(at, building=replace(HOUSE, period=T1, limit_states=mode))
+        )
         assert one.ratio <= whole.ratio * (1 + 1e-5)
         assert one.capacity_pga_g >= whole.capacity_pga_g * (1 - 1e-5)

@@ -11,13 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.constants import g
 
-from assess.codes.applicability import apply_procedure
 from assess.codes.asce41_13 import Asce41Options
 from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.histories import SuiteResponse
-from assess.codes.registry import PROCEDURES, CodeOptions, procedure
+from assess.codes.procedures import PROCEDURES, CodeOptions, apply_procedure, procedure
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from assess.codes.check import Outcome, Reason
-from assess.codes.registry import PROCEDURES
+from assess.codes.procedures import PROCEDURES
 from tests.support.subjects import subjects
 
 PASSES, FAILS = {Reason.WITHIN, Reason.NO_SLIDING, Reason.NO_ROCKING, Reason.SLIDES_LATER, Reason.ROCKS_FIRST}, {

@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import pytest
 
-from assess.codes.calculation_sheet import Input, Step, substitute
-from assess.codes.registry import PROCEDURES
+from assess.codes.calculation_sheet import Step, SymbolValue, substitute
+from assess.codes.procedures import PROCEDURES
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.readings import LINES
 from tests.support.sheet import Sheet
@@ -75,7 +75,7 @@ def seen(step: Step, sheet: Sheet) -> bool:
     return any(True for _ in faults(step, sheet))
 
 
-def rewritten(step: Step, inputs: tuple[Input, ...], formula: str = "") -> Step:
+def rewritten(step: Step, inputs: tuple[SymbolValue, ...], formula: str = "") -> Step:
     """The line with other inputs, or another formula, as it would be printed; its value follows from them."""
     formula = formula or step.formula
     changed = replace(step, formula=formula, inputs=inputs, substituted=substitute(formula, inputs))

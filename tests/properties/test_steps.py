@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess.codes.calculation_sheet import Input, Step, substitute
-from assess.codes.registry import PROCEDURES
+from assess.codes.calculation_sheet import Step, SymbolValue, substitute
+from assess.codes.procedures import PROCEDURES
 from assess.examples import copy_example
 from assess.project.build import build
 from assess.project.project_file import load
@@ -56,13 +56,13 @@ def test_fewer_figures_would_not_do_everywhere(name: str) -> None:
 
 
 def test_a_negative_number_stands_in_brackets() -> None:
-    inputs = (Input("H", -5.0, "force"), Input("n", -0.25, "ratio"))
+    inputs = (SymbolValue("H", -5.0, "force"), SymbolValue("n", -0.25, "ratio"))
     assert substitute("H n + H²", inputs) == "-5 · (-0.25) + (-5)²"
     assert evaluate(substitute("H n + H²", inputs), {}) == pytest.approx(26.25)
 
 
 def test_numbers_are_written_as_asked() -> None:
-    inputs = (Input("a", 0.5, "ratio"), Input("b", 2.0, "ratio"))
+    inputs = (SymbolValue("a", 0.5, "ratio"), SymbolValue("b", 2.0, "ratio"))
     assert substitute("a / g", inputs, write=lambda x: f"{x:.2f}".replace(".", ",")) == "0,50 / 9,81, b = 2,00"
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
-from assess.codes.verdict import Action, MechanismChecks, Missing, Question, Verdict, verdict
+from assess.codes.question import Action, MechanismChecks, Missing, Question
+from assess.codes.verdict import Verdict, verdict
 
 SITE = 0.2  # g
 RATIOS = {Outcome.PASS: 0.5, Outcome.FAIL: 2.0}

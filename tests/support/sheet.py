@@ -9,7 +9,7 @@ from scipy.constants import g
 from scipy.interpolate import PPoly
 from scipy.optimize import brentq
 
-from assess.codes.check import Step
+from assess.codes.calculation_sheet import Step
 from assess.codes.context import Building
 from assess.hinge_forces import HingeForces
 from assess.oscillator import interpolant

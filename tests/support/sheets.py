@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import floor, isclose, log10
 
-from assess.codes.calculation_sheet import RESULT_FIGURES, substitute
-from assess.codes.check import Step
+from assess.codes.calculation_sheet import RESULT_FIGURES, Step, substitute
 from assess.messages.message import DIMENSIONS
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.givens import given_value

@@ -15,7 +15,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictSt
 from pydantic_core import PydanticCustomError
 
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
-from assess.codes.families import procedures_of_site
+from assess.codes.procedures import procedures_of_site
 from assess.project.section import ProjectSection, error_at, quote_names, value_text
 from assess.project.sections.analysis import Analysis, Procedures, Records
 from assess.project.sections.bodies import BodySection, DirectBody, Material

@@ -12,8 +12,10 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message
-from assess.codes.verdict import Action, Decision, MechanismChecks, Question, mark_deciding, verdict
+from assess.codes.calculation_sheet import Step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, reason_message
+from assess.codes.question import Action, MechanismChecks, Question
+from assess.codes.verdict import Decision, mark_deciding, verdict
 from assess.messages.message import Message, Severity, whole_number
 from assess.results import (
     SCHEMA_VERSION,

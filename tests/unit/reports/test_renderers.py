@@ -40,8 +40,9 @@ DATA = {
     "assess.codes.bases",
     "assess.codes.check",
     "assess.codes.checklists",
-    "assess.codes.families",
+    "assess.codes.procedures",
     "assess.codes.histories",
+    "assess.codes.question",
     "assess.codes.verdict",
     "assess.messages.message",
 }

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.applicability import apply_procedure
 from assess.codes.asce41_13 import (
     SLENDERNESS,
     Asce41Options,
@@ -20,6 +19,7 @@ from assess.codes.asce41_13 import (
 )
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
+from assess.codes.procedures import apply_procedure
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.nzsee2017 import (
@@ -26,6 +25,7 @@ from assess.codes.nzsee2017 import (
     period_factor,
     straight_line,
 )
+from assess.codes.procedures import apply_procedure
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass

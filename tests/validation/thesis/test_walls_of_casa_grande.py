@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.amplification import FirstMode, Srss, SrssRelative, Unamplified, pulse_factor
 from assess.codes.context import Context
-from assess.codes.registry import CodeOptions, procedure
+from assess.codes.procedures import CodeOptions, procedure
 from assess.dynamics.pulses import envelope
 from assess.mechanisms.assembly import add_joints
 from assess.project.build import build

@@ -14,7 +14,8 @@ from scipy.constants import g
 from assess.cli.tables.analysis import run_text
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
-from assess.codes.verdict import Action, MechanismChecks, Missing, Question, verdict
+from assess.codes.question import Action, MechanismChecks, Missing, Question
+from assess.codes.verdict import verdict
 from assess.messages.message import Message, Severity
 from assess.outputs.manifest import MANIFEST
 from assess.project.build import build

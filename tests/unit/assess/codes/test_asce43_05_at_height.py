@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 from scipy.constants import g
 
-from assess.codes import asce43_05, asce43_05_sliding
+from assess.codes import asce43_05, sliding
 from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05_history import assess_history
 from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -19,7 +20,7 @@ SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.3), place=ntc.SoilAn
 def checks(elevation: float, histories_at: str):
     wall = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
     context = Context(SPECTRUM, (0.2 * g,), 0.0, elevation, None, (SUITE,), histories_at=histories_at)
-    procedures = (asce43_05.assess_spectrum, asce43_05.assess_history, asce43_05_sliding.assess_sliding)
+    procedures = (asce43_05.assess_spectrum, assess_history, sliding.assess_sliding_distance)
     return [check for procedure in procedures for check in procedure(wall, context, options=Asce43Options())]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes import asce43_05_sliding
+from assess.codes import sliding
 from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
@@ -30,7 +30,7 @@ def context(*, mu: float | None = 0.2, level: float = 0.4 * g, vertical: float =
 
 
 def answer(context: Context, allowable: float | None = None):
-    (check,) = asce43_05_sliding.assess_sliding(
+    (check,) = sliding.assess_sliding_distance(
         BLOCK.oscillator, context, options=Asce43Options(allowable_sliding=allowable)
     )
     return check

@@ -10,11 +10,12 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import asce43_05
-from assess.codes.applicability import apply_procedure
 from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05_history import assess_history
 from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
+from assess.codes.procedures import apply_procedure
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum
@@ -31,9 +32,7 @@ def on_joints(branch: Branch, share: float) -> Branch:
 def told(rocker: Oscillator, *suites: SuiteResponse):
     levels = tuple(suite.pga for suite in suites)
     context = Context(SPECTRUM, levels, 0.0, 0.0, None, suites=suites, incremental=suites)
-    return apply_procedure(
-        "asce43-05-history", partial(asce43_05.assess_history, options=Asce43Options()), rocker, context
-    )
+    return apply_procedure("asce43-05-history", partial(assess_history, options=Asce43Options()), rocker, context)
 
 
 def test_each_record_counts_by_what_overturns_its_own_branch() -> None:

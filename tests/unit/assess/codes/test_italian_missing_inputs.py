@@ -10,11 +10,11 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import ntc2018
-from assess.codes.applicability import apply_procedure
 from assess.codes.check import Outcome, Reason
 from assess.codes.context import Building, Context, OpenSeat, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import floor_demand, ultimate_modes
+from assess.codes.procedures import apply_procedure
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra import ntc
 from spectra.table import table_spectrum
@@ -24,7 +24,7 @@ SPECTRA = {
     for state, a_g in (("SLD", 0.02), ("SLV", 0.05), ("SLC", 0.06))
 }
 FLOOR = OpenSeat("floor", "positive", np.linspace(0.0, 0.3, 301), 6.0 * np.linspace(0.0, 0.3, 301))
-PROCEDURES = {"ntc2018-linear": ntc2018, "ntc2018-nonlinear": ntc2018}
+PROCEDURES = {"ntc2018-linear": ntc2018.assess_linear, "ntc2018-nonlinear": ntc2018.assess_nonlinear}
 
 
 def wall():
@@ -35,7 +35,7 @@ def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=N
     used = spectrum or SPECTRA["SLV"]
     context = Context(used, (used.pga,), 0.0, more.pop("elevation", 0.0), building, **more)
     options = ItalianOptions(factor, (state,))
-    return apply_procedure(procedure, partial(PROCEDURES[procedure].assess, options=options), wall(), context)
+    return apply_procedure(procedure, partial(PROCEDURES[procedure], options=options), wall(), context)
 
 
 def factor_of(check):

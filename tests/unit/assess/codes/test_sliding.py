@@ -10,9 +10,9 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import en1998_1, sliding
-from assess.codes.applicability import apply_procedure
 from assess.codes.context import Context
 from assess.codes.en1998_1 import Ec8Options
+from assess.codes.procedures import apply_procedure
 from assess.hinge_forces import HingeForces, Pressure
 from assess.mechanisms.equivalent_block import equivalent_block
 from spectra.asce7 import design_spectrum

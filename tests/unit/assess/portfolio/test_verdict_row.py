@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from assess.codes.verdict import Action, Answer, Decision, MechanismVerdict, Verdict
+from assess.codes.question import Action
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import message
 from assess.one_project import assess_project
 from assess.portfolio.projects import Task

@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from assess.codes.question import SOURCES, Missing, merge_missing, toml_lines
-from assess.codes.verdict import methods_of
+from assess.codes.question import SOURCES, Missing, merge_missing, methods_of, toml_lines
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.question import facts_of, lowered_pga_conditions, question_of

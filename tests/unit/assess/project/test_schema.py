@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from scipy.constants import g
 
-from assess.codes.registry import PROCEDURES as REGISTERED
+from assess.codes.procedures import PROCEDURES as REGISTERED
 from assess.errors import ProjectError
 from assess.project.json_schema import json_schema
 from assess.project.project_file import load, resolve

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from assess.codes.verdict import MechanismChecks, verdict
+from assess.codes.question import MechanismChecks
+from assess.codes.verdict import verdict
 from assess.study.run import run_study
 from assess.study.sensitivity import survey_tolerances
 from tests.support.projects import NTC, block, lines, project_toml, study_of, wall

@@ -10,8 +10,10 @@ import pytest
 
 from assess.codes import calculation_sheet
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, reason_message, step
-from assess.codes.verdict import Action, Decision, MechanismChecks, Missing, Question, Verdict, verdict
+from assess.codes.calculation_sheet import step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, reason_message
+from assess.codes.question import Action, MechanismChecks, Missing, Question
+from assess.codes.verdict import Decision, Verdict, verdict
 from assess.errors import ResultsError
 from assess.messages.message import Message, Quantity, Severity
 from assess.results import (
@@ -174,7 +176,7 @@ def test_a_contact_comes_back_as_lines_and_is_none_in_older_files() -> None:
     written = dumps(results())
     (sheet,) = loads(written).mechanisms[0].contact_sheets
     assert isinstance(sheet, ContactSheet)
-    assert sheet.steps[0].inputs == (calculation_sheet.Input("m", 1.0, "mass"),)
+    assert sheet.steps[0].inputs == (calculation_sheet.SymbolValue("m", 1.0, "mass"),)
     older = json.loads(written)
     del older["mechanisms"][0]["contact_sheets"]
     assert loads(json.dumps(older)).mechanisms[0].contact_sheets == ()

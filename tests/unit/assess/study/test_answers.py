@@ -11,7 +11,7 @@ import pytest
 
 from assess.codes.check import Check, Outcome
 from assess.codes.context import Building
-from assess.codes.registry import PROCEDURES
+from assess.codes.procedures import PROCEDURES
 from assess.errors import ProcedureError
 from assess.project.build import build
 from assess.project.project_file import load

@@ -9,7 +9,7 @@ import pytest
 
 from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
-from assess.codes.families import FAMILIES
+from assess.codes.procedures import FAMILIES
 from assess.errors import AssessError
 from assess.study.checks import checks_without_scan
 from assess.study.context import context_of

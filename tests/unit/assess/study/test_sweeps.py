@@ -13,7 +13,8 @@ from scipy.constants import g
 
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
-from assess.codes.verdict import Action, MechanismChecks, Question, mark_deciding, verdict
+from assess.codes.question import Action, MechanismChecks, Question
+from assess.codes.verdict import mark_deciding, verdict
 from assess.results import MechanismResult
 from assess.results.json import dumps
 from assess.study.mechanism_results import case_parameters, parameters

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import pytest
 
-from assess.codes.verdict import Decision, Index, Missing
+from assess.codes.question import Missing
+from assess.codes.verdict import Decision, Index
 from assess.messages.message import Message, Severity, warning
 from assess.results import ChecklistItem, ReportMatter, ResolvedValue, Results
 from reports.chapters import recommendations, scope, site, verdict

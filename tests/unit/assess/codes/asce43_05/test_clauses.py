@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes import asce43_05, asce43_05_sliding
+from assess.codes import asce43_05, sliding
 from assess.codes.context import Context
 from assess.oscillator import RockingBlock, plain_branch
 from spectra.table import table_spectrum
@@ -130,19 +130,19 @@ def test_floor_spectral_pga_rotation(theta: float, pga: float, in_g: float) -> N
 )
 def test_effective_friction(mu: float, vertical: float, effective: float) -> None:
     """mu (1 - 0.4 A_v / g), not below 0 (A-1); A_v in g."""
-    assert asce43_05_sliding.effective_friction(mu, vertical=vertical * g) == pytest.approx(effective, abs=1e-12)
+    assert sliding.effective_friction(mu, vertical=vertical * g) == pytest.approx(effective, abs=1e-12)
 
 
 @pytest.mark.parametrize(("share", "friction"), [(1.0, 0.6), (0.5, 0.3), (0.25, 0.15)])
 def test_friction_of_all(share: float, friction: float) -> None:
     """Of the mass that slides only a share presses on the base."""
-    found = asce43_05_sliding.friction_of_all(0.6, normal=share * MASS * g, mass=MASS)
+    found = sliding.friction_of_all(0.6, normal=share * MASS * g, mass=MASS)
     assert found == pytest.approx(friction, rel=1e-12)
 
 
 @pytest.mark.parametrize(("friction", "coefficient"), [(0.25, 4.903325), (0.5, 9.80665), (0.0, 0.0)])
 def test_sliding_coefficient(friction: float, coefficient: float) -> None:
-    assert asce43_05_sliding.sliding_coefficient(friction) == pytest.approx(coefficient, rel=1e-12)
+    assert sliding.sliding_coefficient(friction) == pytest.approx(coefficient, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -150,7 +150,7 @@ def test_sliding_coefficient(friction: float, coefficient: float) -> None:
     [(4.0 * pi**2, 1.0, 1.0), (3.92266, 0.5, 0.397450), (3.92266, 1.0, 0.0993625)],  # 3.92266 / pi^2; a quarter
 )
 def test_sliding_distance(coefficient: float, frequency: float, distance: float) -> None:
-    found = asce43_05_sliding.sliding_distance(coefficient, frequency=frequency)
+    found = sliding.sliding_distance(coefficient, frequency=frequency)
     assert found == pytest.approx(distance, rel=HAND)
 
 
@@ -168,7 +168,7 @@ ON_TABLE = Context(TABLE, (0.4 * g,), 0.0, 0.0, None)
     ],
 )
 def test_longest_period(level: float, coefficient: float, period: float | None) -> None:
-    found = asce43_05_sliding.longest_sliding_period(ON_TABLE, level * g, coefficient * g)
+    found = sliding.longest_sliding_period(ON_TABLE, level * g, coefficient * g)
     assert found == (None if period is None else pytest.approx(period, rel=HAND))
 
 
@@ -177,17 +177,17 @@ def test_longest_period(level: float, coefficient: float, period: float | None) 
     [(0.4, 0.2, 0.641249), (0.8, 0.4, 1.282498), (0.4, 0.5, 0.0), (0.4, 0.05, None), (0.4, 0.0, None)],
 )  # 0.4 g (2.540408 / 2 pi)^2
 def test_best_estimate(level: float, mu: float, distance: float | None) -> None:
-    found = asce43_05_sliding.sliding_estimate(ON_TABLE, level * g, mu)
+    found = sliding.sliding_estimate(ON_TABLE, level * g, mu)
     assert found == (None if distance is None else pytest.approx(distance, rel=HAND))
 
 
 @pytest.mark.parametrize(("mu", "allowable", "in_g"), [(0.2, 0.641249, 0.4), (0.4, 1.282498, 0.8)])
 def test_pga_at(mu: float, allowable: float, in_g: float) -> None:
     """The PGA that slides the body as far as in `test_best_estimate`."""
-    found = asce43_05_sliding.capacity_pga(ON_TABLE, mu, allowable)
+    found = sliding.capacity_pga(ON_TABLE, mu, allowable)
     assert found is not None
     assert found / g == pytest.approx(in_g, rel=1e-4)  # sliding grows faster than PGA here
 
 
 def test_pga_at_is_not_known_without_friction() -> None:
-    assert asce43_05_sliding.capacity_pga(GROUND, 0.0, 0.1) is None
+    assert sliding.capacity_pga(GROUND, 0.0, 0.1) is None

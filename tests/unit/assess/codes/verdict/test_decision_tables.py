@@ -6,7 +6,8 @@ import pytest
 
 from assess.codes.bases import BASES, BY_SITE, stated_basis
 from assess.codes.check import Outcome
-from assess.codes.verdict import Action, Decision, Missing, Question
+from assess.codes.question import Action, Missing, Question
+from assess.codes.verdict import Decision
 from tests.support.answered import SITE, check, decide, question
 
 PASS, FAIL, SILENT, NOT_FOR = Outcome.PASS, Outcome.FAIL, Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE
@@ -312,7 +313,8 @@ def test_at_the_limit_within_five_per_cent_or_the_survey_tolerance(index, tolera
 
 
 def test_the_building_is_the_worst_of_its_mechanisms_and_its_index_the_least():
-    from assess.codes.verdict import MechanismChecks, verdict
+    from assess.codes.question import MechanismChecks
+    from assess.codes.verdict import verdict
 
     asked = question("ntc2018", use_class="II")
     walls = {

@@ -1,26 +1,163 @@
-"""Whether a procedure may be applied to a mechanism at all, decided in one place before its numbers count.
+"""The procedures of all codes by name, and whether each may be applied to a mechanism.
 
 A procedure may answer; or only fail, where the motion of the ground replaces that of a floor; or it is not answered,
-because an input is missing that could be given; or the clause does not cover such a mechanism. The numbers are worked
-out all the same where they can be, and are kept in the check as `provisional`. A check by an Italian procedure may also
-lack a level of knowledge, a seat, or the action of its limit state.
+because an input is missing that could be given; or the clause does not cover such a mechanism. That is decided here,
+before its numbers count. The numbers are worked out all the same where they can be, and are kept in the check as
+`provisional`. A check by an Italian procedure may also lack a level of knowledge, a seat, or the action of its limit
+state.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import partial
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Family, Outcome, Reason, reason_message
+from assess.codes import asce41_13, asce43_05, dmi2008, en1998_1, nzsee2017, sliding
+from assess.codes import dmi2008 as dmi2008_history
+from assess.codes import ntc2018 as ntc2018_history
+from assess.codes import ntc2018 as ntc2018_linear
+from assess.codes import ntc2018 as ntc2018_nonlinear
+from assess.codes.asce41_13 import Asce41Options
+from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05_history import assess_history
+from assess.codes.check import WRITTEN_FOR, Check, Family, Outcome, Reason, reason_message
 from assess.codes.context import Context
-from assess.codes.families import FAMILIES, ITALIAN, SUITE_CODES, THESIS_READINGS
-from assess.codes.italian_limit_states import floor_of
+from assess.codes.en1998_1 import Ec8Options
+from assess.codes.italian_histories import HistoryRule
+from assess.codes.italian_limit_states import ItalianOptions, floor_of
+from assess.codes.nzsee2017 import Nzsee2017Options
 from assess.codes.sliding import sliding_pga
+from assess.errors import ProcedureError
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.oscillator import Oscillator
+
+Assess = Callable[[Oscillator, Context], tuple[Check, ...]]
+
+
+@dataclass(frozen=True)
+class CodeOptions:
+    """The options of every code."""
+
+    asce43_05: Asce43Options = field(default_factory=Asce43Options)
+    dmi2008: ItalianOptions = field(default_factory=ItalianOptions)
+    ntc2018: ItalianOptions = field(default_factory=ItalianOptions)
+    nzsee2017: Nzsee2017Options = field(default_factory=Nzsee2017Options)
+    asce41_13: Asce41Options = field(default_factory=Asce41Options)
+    ec8: Ec8Options = field(default_factory=Ec8Options)
+
+
+PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
+    "asce43-05-spectrum": lambda options: partial(asce43_05.assess_spectrum, options=options.asce43_05),
+    "asce43-05-spectrum-thesis": lambda options: partial(asce43_05.assess_spectrum_thesis, options=options.asce43_05),
+    "asce43-05-history": lambda options: partial(assess_history, options=options.asce43_05),
+    "dmi2008-linear": lambda options: partial(dmi2008.assess_linear, options=options.dmi2008),
+    "dmi2008-nonlinear": lambda options: partial(dmi2008.assess_nonlinear, options=options.dmi2008),
+    "dmi2008-nonlinear-thesis": lambda options: partial(dmi2008.assess_nonlinear_thesis, options=options.dmi2008),
+    "nzsee2017-face-loaded": lambda options: partial(nzsee2017.assess_face_loaded, options=options.nzsee2017),
+    "asce41-13-ht": lambda options: partial(asce41_13.assess_slenderness, options=options.asce41_13),
+    "ec8-element": lambda options: partial(en1998_1.assess_element, options=options.ec8),
+    "dmi2008-history": lambda options: partial(dmi2008_history.assess_history, options=options.dmi2008),
+    "ntc2018-linear": lambda options: partial(ntc2018_linear.assess_linear, options=options.ntc2018),
+    "ntc2018-nonlinear": lambda options: partial(ntc2018_nonlinear.assess_nonlinear, options=options.ntc2018),
+    "ntc2018-history": lambda options: partial(ntc2018_history.assess_history, options=options.ntc2018),
+    "asce43-05-sliding": lambda options: partial(sliding.assess_sliding_distance, options=options.asce43_05),
+    "sliding": lambda options: sliding.assess_sliding,
+}
+
+LIMIT_STATES: dict[str, tuple[str, ...]] = {  # that an Italian procedure checks, of those its options ask for
+    "dmi2008-linear": dmi2008.LINEAR_STATES,
+    "dmi2008-nonlinear": dmi2008.NONLINEAR_STATES,
+    "dmi2008-history": dmi2008_history.HISTORY_STATES,
+    "ntc2018-linear": ntc2018_linear.LINEAR_STATES,
+    "ntc2018-nonlinear": ntc2018_nonlinear.NONLINEAR_STATES,
+    "ntc2018-history": ntc2018_history.HISTORY_STATES,
+}
+
+
+def history_rules(options: CodeOptions) -> dict[str, tuple[HistoryRule, ItalianOptions]]:
+    """Return the Italian procedures that need suites of time histories at a PGA of their own, with their options."""
+    return {
+        dmi2008_history.HISTORY_RULE.procedure: (dmi2008_history.HISTORY_RULE, options.dmi2008),
+        ntc2018_history.HISTORY_RULE.procedure: (ntc2018_history.HISTORY_RULE, options.ntc2018),
+    }
+
+
+def procedure(name: str, options: CodeOptions) -> Assess:
+    """Return a procedure with its code's options.
+
+    Parameters
+    ----------
+    name : one of `PROCEDURES`
+    options : of every code
+
+    Returns
+    -------
+    callable
+        Takes an oscillator and a context, returns checks.
+
+    Raises
+    ------
+    ProcedureError
+        For an unknown name; it lists the known ones.
+    """
+    if name not in PROCEDURES:
+        raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
+    return PROCEDURES[name](options)
+
+
+FAMILIES: Mapping[str, Family] = {
+    "asce43-05-spectrum": Family.ENERGY,
+    "asce43-05-spectrum-thesis": Family.ENERGY,
+    "asce43-05-history": Family.HISTORY,
+    "dmi2008-linear": Family.LINEAR,
+    "dmi2008-nonlinear": Family.DISPLACEMENT,
+    "dmi2008-nonlinear-thesis": Family.DISPLACEMENT,
+    "dmi2008-history": Family.HISTORY,
+    "ntc2018-linear": Family.LINEAR,
+    "ntc2018-nonlinear": Family.DISPLACEMENT,
+    "ntc2018-history": Family.HISTORY,
+    "nzsee2017-face-loaded": Family.PART,
+    "asce41-13-ht": Family.TABLE,
+    "ec8-element": Family.ELEMENT,
+    "asce43-05-sliding": Family.SLIDING,
+    "sliding": Family.FRICTION,
+}
+
+SUITE_RULES: Mapping[str, str] = {  # whose rules for suites a procedure by histories goes by
+    "asce43-05-history": "asce43-05",
+    "dmi2008-history": "ntc2018",
+    "ntc2018-history": "ntc2018",
+}
+
+KNOWLEDGE_CODES: Mapping[str, str] = {  # the code whose knowledge levels and limit states a procedure goes by
+    "dmi2008-linear": "dmi2008",
+    "dmi2008-nonlinear": "dmi2008",
+    "dmi2008-history": "dmi2008",
+    "ntc2018-linear": "ntc2018",
+    "ntc2018-nonlinear": "ntc2018",
+    "ntc2018-history": "ntc2018",
+}
+
+THESIS_READINGS = (
+    "asce43-05-spectrum-thesis",
+    "dmi2008-nonlinear-thesis",
+)  # of the thesis: shown, and they never decide
+ONLY_ON_REQUEST = ("ec8-element",)  # whether a mechanism is a non-structural element, the engineer must say
+
+
+def uses_histories(procedure: str) -> bool:
+    """Return whether a procedure uses time histories."""
+    return FAMILIES.get(procedure) == Family.HISTORY
+
+
+def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
+    """Return the procedures that are added for a spectrum of this code without being requested."""
+    return tuple(name for name, codes in WRITTEN_FOR.items() if spectrum_code in codes and name not in ONLY_ON_REQUEST)
+
 
 BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
@@ -228,7 +365,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     """Return the objection to histories: an impact without rebound, or a suite that misses its code's rules."""
     if family != Family.HISTORY:
         return None
-    faults = (*context.impossible_by_histories, *context.suite_faults.get(SUITE_CODES[procedure], ()))
+    faults = (*context.impossible_by_histories, *context.suite_faults.get(SUITE_RULES[procedure], ()))
     return Applicability(Allowed.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
@@ -278,7 +415,7 @@ class MissingInput:
 
 def missing_inputs(procedure: str, state: str, context: Context) -> tuple[MissingInput, ...]:
     """Return everything that a check by an Italian procedure lacks; nothing for any other procedure."""
-    code = ITALIAN.get(procedure)
+    code = KNOWLEDGE_CODES.get(procedure)
     return () if code is None else tuple(_missing_inputs_of_code(code, state, context))
 
 

@@ -115,6 +115,11 @@ def planar_body_from_values(*, mass: float, centroid: Point, inertia: float, nam
     return PlanarBody(name, float(mass), (float(centroid[0]), float(centroid[1])), float(inertia), (), None)
 
 
+def join_bodies(bodies: Sequence[PlanarBody]) -> PlanarBody:
+    """Join bodies in the plane of motion; one body is returned unchanged."""
+    return bodies[0] if len(bodies) == 1 else join_planar(bodies, name=" + ".join(body.name for body in bodies))
+
+
 def join_planar(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
     """Join planar bodies that move as one block, by the parallel-axis theorem in the plane.
 

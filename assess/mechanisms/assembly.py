@@ -9,7 +9,8 @@ import numpy as np
 import shapely
 
 from assess.geometry.planar import Outline
-from assess.mechanisms.chain import Chain, Joint, Point, hinge_names, point_values, require_movable
+from assess.loads.load import Point
+from assess.mechanisms.chain import Chain, Joint, hinge_names, point_values, require_movable
 from assess.mechanisms.flexible_chain import FlexibleChain, top_loads
 from assess.mechanisms.hinge_forces import hinge_compressions
 from assess.mechanisms.mechanism import Mechanism

@@ -9,15 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import hypot
-from typing import Literal
 
 from assess.errors import MechanismError
-from assess.interfaces.contact import JointLaw
+from assess.interfaces.contact import JointLaw, JointModel
 from assess.interfaces.section import ContactSection
-from assess.loads.load import Load, PointMass, mirror_load
+from assess.loads.load import Load, Point, PointMass, mirror_load
 from assess.messages.message import Value, lengths
 
-Point = tuple[float, float]
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; the far end is described in motion.py
 ROUNDING = 1e-9  # m: accuracy of coordinates
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
@@ -180,7 +178,6 @@ def _bend(a: Point, b: Point, c: Point) -> float:
     return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))
 
 
-ContactModel = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
 FacingBlocks = tuple[int | None, int]
 
 FACING_BLOCKS: dict[int, tuple[FacingBlocks, ...]] = {
@@ -209,4 +206,4 @@ class Joint:
     inward: tuple[float, float]
     section: ContactSection
     law: JointLaw
-    model: ContactModel
+    model: JointModel

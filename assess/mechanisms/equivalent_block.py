@@ -6,8 +6,9 @@ from math import cos, sin
 
 from scipy.constants import g
 
+from assess.loads.load import Point
 from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Chain, Point, RigidBlock
+from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Quantity, warning

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody
-from assess.loads.load import Load
+from assess.loads.load import Load, Point
 from assess.mechanisms.assembly import assemble, loose_hinges
-from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message

@@ -10,8 +10,8 @@ import numpy as np
 from scipy.constants import g
 
 from assess.hinge_forces import HingeForces, Pressure, Vector
-from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, upward
-from assess.mechanisms.chain import Chain, Point, hinge_names
+from assess.loads.load import Force, Load, Point, PointMass, Tie, pull_at_rest, upward
+from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.virtual_work import move, trace_point

@@ -7,9 +7,9 @@ from typing import Literal
 
 from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
-from assess.loads.load import Load
+from assess.loads.load import Load, Point
 from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain, point_values
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_values
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.restitution import RestitutionChoice, plain_block
 from assess.messages.message import Message, lengths, warning

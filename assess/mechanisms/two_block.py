@@ -17,9 +17,9 @@ from collections.abc import Iterator, Sequence
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody, top_edge
-from assess.loads.load import Load
+from assess.loads.load import Load, Point
 from assess.mechanisms.assembly import assemble, loose_hinges
-from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain, point_text, point_values
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_text, point_values
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message, Quantity, warning, whole_number

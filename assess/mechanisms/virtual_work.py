@@ -41,8 +41,8 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import FallingError, MechanismError
-from assess.loads.load import Force, PointMass, Tie, pull_at_rest
-from assess.mechanisms.chain import Chain, Point
+from assess.loads.load import Force, Point, PointMass, Tie, pull_at_rest
+from assess.mechanisms.chain import Chain
 from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
 

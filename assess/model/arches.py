@@ -16,17 +16,16 @@ import numpy as np
 
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import Division, Piece, Plane, divide
-from assess.geometry.planar import PlanarBody, join_planar, planar_body
+from assess.geometry.planar import PlanarBody, join_bodies, join_planar, planar_body
 from assess.geometry.solid import Solid
+from assess.loads.load import Point
 from assess.mechanisms.assembly import assemble
-from assess.mechanisms.chain import Chain, Point, RigidBlock, mirror_chain, mirror_point, point_text
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point, point_text
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
-from assess.model.blocks import join_bodies
-from assess.model.definitions import FourHinge, RadialJoints
+from assess.model.definitions import FourHinge, Line, RadialJoints
 from spectra.arrays import ComplexArray, FloatArray, IntArray
 
-Line = tuple[Point, Point]
 APART = 1e-6  # of the longest joint: points this near are one
 BEYOND = 0.1  # of the arch: more than this beyond its end joints gets a warning
 SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
@@ -53,7 +52,7 @@ def arch_mechanism(
 
 
 def arch_at_weakest_hinges(
-    name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[JointEnds], *, sides: Sides, **common: Any
+    name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[Line], *, sides: Sides, **common: Any
 ) -> Mechanism:
     """Build the mechanism of an arch of voussoirs that opens at its weakest joints, in each direction."""
     plain = [rigid_block(body) for body in voussoirs]
@@ -70,7 +69,7 @@ def arch_at_weakest_hinges(
     return assemble(name, "four-hinge", positive, negative, outlines=outlines, warnings=warnings, **common)
 
 
-def joint_warnings(pieces: Sequence[Piece], joints: Sequence[JointEnds]) -> Iterator[Message]:
+def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Line]) -> Iterator[Message]:
     """Warn of joints that hardly belong to this arch: much of it lies beyond them, or they are not square to it."""
     left, whole = (
         sum(solid.mass for solid in solids)
@@ -115,7 +114,7 @@ def joint_lines(definition: FourHinge) -> list[Line]:
 
 def cut_into_voussoirs(
     piece: Piece, lines: Sequence[Line], direction: Sequence[float], *, where: str
-) -> tuple[list[Piece], list[JointEnds]]:
+) -> tuple[list[Piece], list[Line]]:
     """Cut the body at its joints into voussoirs, and find the ends of each joint at its faces.
 
     The ends of the first joint are those of the first voussoir: the sheet through it may touch the far springing too.
@@ -165,7 +164,7 @@ def divide_at_joint(
     return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
 
 
-def joint_ends(foot: FloatArray, line: Line, along: FloatArray) -> JointEnds:
+def joint_ends(foot: FloatArray, line: Line, along: FloatArray) -> Line:
     """Find the two ends of a joint, the first where its line begins, so that first ends lie on one face."""
     points = np.column_stack([foot @ along, foot[:, 2]])
     way = np.subtract(line[1], line[0])
@@ -194,7 +193,6 @@ def voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: i
     )
 
 
-JointEnds = tuple[Point, Point]
 CHOICES_AT_ONCE = 20_000  # choices of four joints evaluated together: 80 voussoirs have 1.7 million
 
 
@@ -207,7 +205,7 @@ class ArchHinges:
     multiplier: float
 
 
-def weakest_hinges(voussoirs: Sequence[RigidBlock], joints: Sequence[JointEnds], *, name: str) -> ArchHinges:
+def weakest_hinges(voussoirs: Sequence[RigidBlock], joints: Sequence[Line], *, name: str) -> ArchHinges:
     """Find the four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
 
     Parameters

@@ -9,8 +9,7 @@ from typing import Any
 from assess.errors import CrackError, MechanismError
 from assess.geometry.cut import Piece, Scene
 from assess.loads.definitions import Place
-from assess.loads.load import Load, point_in_plane
-from assess.mechanisms.chain import Point
+from assess.loads.load import Load, Point, point_in_plane
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.mechanism import Mechanism

@@ -16,9 +16,8 @@ from assess.geometry.boolean import shortest_distance
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Division, Piece, Plane, Scene, divide, inclined_plane, level_plane
 from assess.geometry.planar import (
-    PlanarBody,
     base_of_section,
-    join_planar,
+    join_bodies,
     lowest_corners,
     planar_body,
     slope_across,
@@ -98,11 +97,6 @@ def crosses(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
     """Return whether a body of the block reaches below the plane."""
     corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
     return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
-
-
-def join_bodies(bodies: Sequence[PlanarBody]) -> PlanarBody:
-    """Join bodies in the plane of motion; one body is returned unchanged."""
-    return bodies[0] if len(bodies) == 1 else join_planar(bodies, name=" + ".join(body.name for body in bodies))
 
 
 def cut_of(definition: BlockMechanism, *, where: str) -> Plane | None:

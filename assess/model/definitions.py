@@ -13,12 +13,11 @@ import numpy as np
 
 from assess.interfaces.contact import Interface
 from assess.loads.definitions import LoadDefinition, Place, direction_keys
-from assess.mechanisms.mechanism import Sides
+from assess.loads.load import Point
+from assess.mechanisms.mechanism import Sides, Vector
 from assess.mechanisms.restitution import RestitutionChoice
 from spectra.arrays import FloatArray
 
-Vector = tuple[float, float, float]
-Point = tuple[float, float]
 Line = tuple[Point, Point]
 ALONG_X: Vector = (1.0, 0.0, 0.0)
 
@@ -168,8 +167,8 @@ class EquivalentBlock:
 
 DirectionSought = SingleBlock | TwoBlock
 """The kinds whose weakest direction is sought if none is given; a four-hinge mechanism is drawn in its plane."""
-AnyBlockMechanism = DirectionSought | FourHinge
-Definition = AnyBlockMechanism | EquivalentBlock
+Definition = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
+"""What an engineer states of a mechanism, of any kind."""
 
 
 def keys_along_direction(

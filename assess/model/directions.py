@@ -19,7 +19,13 @@ from scipy.constants import g
 from assess.errors import AssessError, FallingError, MechanismError, ProjectError
 from assess.geometry.contact import CONTACT_TOLERANCE, FacePatches, facing_patches
 from assess.geometry.cut import Piece, divide
-from assess.geometry.planar import base_of_section, hull_edge_normals, lowest_corners, planar_body_without_outline
+from assess.geometry.planar import (
+    base_of_section,
+    hull_edge_normals,
+    join_bodies,
+    lowest_corners,
+    planar_body_without_outline,
+)
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
 from assess.loads.definitions import BodyLoad, bodies_of
@@ -31,10 +37,9 @@ from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message, warning
 from assess.model.assembly import Built, build_single_block, mechanism_of, on_rigid_hinges
-from assess.model.blocks import LEVEL, ROTATES_ABOUT_CORNER, cut_of, join_bodies
+from assess.model.blocks import LEVEL, ROTATES_ABOUT_CORNER, cut_of
 from assess.model.body import Bodies
 from assess.model.definitions import (
-    AnyBlockMechanism,
     BlockMechanism,
     CutAngle,
     Definition,
@@ -428,7 +433,7 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: AnyBlockMechanism, bodies: Bodies) -> Built:
+def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
     corner: tuple[Message, ...] = ()

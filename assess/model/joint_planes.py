@@ -13,7 +13,8 @@ from assess.errors import GeometryError
 from assess.geometry.cut import Piece, Plane, divide, heading, project_on_plane
 from assess.geometry.solid import Solid
 from assess.geometry.surface import areas_and_normals
-from assess.mechanisms.chain import FACING_BLOCKS, Chain, Point
+from assess.loads.load import Point
+from assess.mechanisms.chain import FACING_BLOCKS, Chain
 from assess.mechanisms.flexible_chain import JointedChain
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.messages.message import Message, Term, message

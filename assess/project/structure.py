@@ -10,11 +10,21 @@ from assess.geometry import mesh
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
 from assess.interfaces.contact import Interface, Shape
-from assess.loads import definitions as loads
+from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
 from assess.mechanisms.mechanism import Mechanism
-from assess.model import definitions as model
 from assess.model.body import Bodies, Body, Material, PointValues
-from assess.model.definitions import Definition
+from assess.model.definitions import (
+    BlockMechanism,
+    CutAngle,
+    CutPlane,
+    Definition,
+    EquivalentBlock,
+    FourHinge,
+    RadialJoints,
+    Restitution,
+    SingleBlock,
+    TwoBlock,
+)
 from assess.project import sections
 from assess.project.question import source_of
 from assess.project.section import ProjectSection
@@ -29,25 +39,25 @@ from assess.study.amplification import (
 
 D = TypeVar("D")
 
-LOADS: dict[type[ProjectSection], type[loads.LoadDefinition]] = {
-    sections.MassLoad: loads.MassLoad,
-    sections.ForceLoad: loads.ForceLoad,
-    sections.TieLoad: loads.TieLoad,
-    sections.OverburdenLoad: loads.OverburdenLoad,
-    sections.BodyLoad: loads.BodyLoad,
+LOADS: dict[type[ProjectSection], type[LoadDefinition]] = {
+    sections.MassLoad: MassLoad,
+    sections.ForceLoad: ForceLoad,
+    sections.TieLoad: TieLoad,
+    sections.OverburdenLoad: OverburdenLoad,
+    sections.BodyLoad: BodyLoad,
 }
 
-CHAINED: dict[type[ProjectSection], type[model.BlockMechanism]] = {
-    sections.SingleBlock: model.SingleBlock,
-    sections.TwoBlock: model.TwoBlock,
-    sections.FourHinge: model.FourHinge,
+CHAINED: dict[type[ProjectSection], type[BlockMechanism]] = {
+    sections.SingleBlock: SingleBlock,
+    sections.TwoBlock: TwoBlock,
+    sections.FourHinge: FourHinge,
 }
 
-SHOWN = (loads.ForceLoad, loads.TieLoad)
+SHOWN = (ForceLoad, TieLoad)
 """The loads that count up to collapse only where somebody shows that they last."""
 
 
-def definitions_of(content: sections.Content) -> dict[str, model.Definition]:
+def definitions_of(content: sections.Content) -> dict[str, Definition]:
     """Return the definition of each mechanism of a project, with the evidence of its loads by [report.sources]."""
     return {
         name: definition_of(section, evidence=source_of(content, f"mechanisms.{name}.loads"))
@@ -64,7 +74,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     evidence : where it is shown that its forces and ties last; empty where it is not shown
     """
     if isinstance(section, sections.EquivalentBlock):
-        return fill(model.EquivalentBlock, section, restitution=restitution_of(section))
+        return fill(EquivalentBlock, section, restitution=restitution_of(section))
     kind = CHAINED[type(section)]
     return fill(
         kind,
@@ -86,15 +96,15 @@ def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
     return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
 
 
-def load_of(load: ProjectSection, *, evidence: str = "") -> loads.LoadDefinition:
+def load_of(load: ProjectSection, *, evidence: str = "") -> LoadDefinition:
     """Return one entry of `loads`."""
     kind = LOADS[type(load)]
     return fill(kind, load, **({"evidence": evidence} if kind in SHOWN else {}))
 
 
-def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> model.Restitution:
+def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> Restitution:
     """Return the key `restitution`."""
-    return model.Restitution(section.restitution.positive, section.restitution.negative)
+    return Restitution(section.restitution.positive, section.restitution.negative)
 
 
 def interface_of(interface: sections.Interface) -> Interface:
@@ -103,11 +113,11 @@ def interface_of(interface: sections.Interface) -> Interface:
     return fill(Interface, interface, shape=shape if shape == "outline" else fill(Shape, shape))
 
 
-def cut_of(cut: float | sections.CutPlane | sections.CutAngle | None) -> float | model.CutPlane | model.CutAngle | None:
+def cut_of(cut: float | sections.CutPlane | sections.CutAngle | None) -> float | CutPlane | CutAngle | None:
     """Return the key `cut`."""
     if isinstance(cut, sections.CutPlane):
-        return model.CutPlane(cut.point, cut.normal)
-    return model.CutAngle(cut.point, cut.angle) if isinstance(cut, sections.CutAngle) else cut
+        return CutPlane(cut.point, cut.normal)
+    return CutAngle(cut.point, cut.angle) if isinstance(cut, sections.CutAngle) else cut
 
 
 def hinges_of(hinges: Any) -> Any:
@@ -118,7 +128,7 @@ def hinges_of(hinges: Any) -> Any:
 def joints_of(joints: Any) -> Any:
     """Return the key `joints` of an arch."""
     if isinstance(joints, sections.RadialJoints):
-        return model.RadialJoints(joints.centre, joints.first, joints.last, joints.count)
+        return RadialJoints(joints.centre, joints.first, joints.last, joints.count)
     return joints
 
 

@@ -11,7 +11,7 @@ from assess.errors import MechanismError
 from assess.geometry.cut import Scene
 from assess.interfaces.contact import Interface
 from assess.loads.definitions import LoadDefinition, Place
-from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.mechanism import Mechanism, Sides, Vector
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message, locate
 from assess.model.blocks import gaps_of
@@ -27,7 +27,6 @@ from assess.model.definitions import (
     Restitution,
     SingleBlock,
     TwoBlock,
-    Vector,
 )
 from assess.model.directions import mechanism_in_direction
 from assess.model.overlaps import overlaps_of

@@ -14,11 +14,12 @@ if TYPE_CHECKING:
     from scipy.constants import g
 
     from assess.codes.context import building
-    from assess.interfaces.contact import Interface, Shape
-    from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
-    from assess.model.body import Body, Material
-    from assess.model.definitions import CutAngle, CutPlane, RadialJoints
-    from assess.model.make_body import box, mesh, profile
+    from assess.interfaces.contact import Interface
+    from assess.interfaces.section import Shape
+    from assess.loads.load import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
+    from assess.mechanisms.four_hinge import RadialJoints
+    from assess.mechanisms.mechanism import CutAngle, CutPlane
+    from assess.model.bodies import Body, Material, box, mesh, profile
     from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
     from assess.verbs import Run, answers, envelope, fragility, load, respond, run, write_report
     from records.reading import read_record
@@ -63,11 +64,12 @@ __all__ = [
 
 _HOMES = {
     "assess.codes.context": ("building",),
-    "assess.interfaces.contact": ("Interface", "Shape"),
-    "assess.loads.definitions": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
-    "assess.model.body": ("Body", "Material"),
-    "assess.model.definitions": ("CutAngle", "CutPlane", "RadialJoints"),
-    "assess.model.make_body": ("box", "mesh", "profile"),
+    "assess.interfaces.contact": ("Interface",),
+    "assess.interfaces.section": ("Shape",),
+    "assess.loads.load": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
+    "assess.mechanisms.four_hinge": ("RadialJoints",),
+    "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),
+    "assess.model.bodies": ("Body", "Material", "box", "mesh", "profile"),
     "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
     "assess.verbs": ("Run", "answers", "envelope", "fragility", "load", "respond", "run", "write_report"),
     "records.reading": ("read_record",),

@@ -17,27 +17,12 @@ from numpy.typing import ArrayLike
 
 from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
-from assess.interfaces.section import ContactSection, mirror
+from assess.interfaces.section import ContactSection, Shape, mirror
 from assess.messages.message import Message, Quantity, warning
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 JointModel = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Shape:
-    """The contact by one of its sizes [m], the first along the direction of motion, the second across.
-
-    rectangle : (thickness, length); hollow_rectangle : with the sizes of the hole behind them; circle : diameter
-    annulus : (diameter, inner diameter); polygon : corners (x, y) in plan
-    """
-
-    rectangle: tuple[float, float] | None = None
-    hollow_rectangle: tuple[float, float, float, float] | None = None
-    circle: float | None = None
-    annulus: tuple[float, float] | None = None
-    polygon: tuple[tuple[float, float], ...] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -317,3 +317,18 @@ def _strips(section: ContactSection, start: float, end: float) -> Iterator[tuple
             angle = 0.5 * (first + last) + 0.5 * (last - first) * POINTS
             x = disc[EDGE] + radius * (1.0 - np.cos(angle))
             yield x, disc[SIGN] * (last - first) * WEIGHTS * (radius * np.sin(angle)) ** 2
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """The contact by one of its sizes [m], the first along the direction of motion, the second across.
+
+    rectangle : (thickness, length); hollow_rectangle : with the sizes of the hole behind them; circle : diameter
+    annulus : (diameter, inner diameter); polygon : corners (x, y) in plan
+    """
+
+    rectangle: tuple[float, float] | None = None
+    hollow_rectangle: tuple[float, float, float, float] | None = None
+    circle: float | None = None
+    annulus: tuple[float, float] | None = None
+    polygon: tuple[tuple[float, float], ...] | None = None

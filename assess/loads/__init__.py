@@ -6,8 +6,18 @@ from assess.late import late_names
 
 if TYPE_CHECKING:
     from assess.loads.bearing import Overburden, Support, shares, support
-    from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
-    from assess.loads.load import Force, Load, PointMass, Tie
+    from assess.loads.load import (
+        BodyLoad,
+        Force,
+        ForceLoad,
+        Load,
+        LoadDefinition,
+        MassLoad,
+        OverburdenLoad,
+        PointMass,
+        Tie,
+        TieLoad,
+    )
     from assess.loads.roofs_and_vaults import CONSTRUCTIONS, Construction, arch_thrust, uniform_lever_arm
 
 __all__ = [
@@ -33,8 +43,18 @@ __all__ = [
 
 _HOMES = {
     "assess.loads.bearing": ("Overburden", "Support", "shares", "support"),
-    "assess.loads.definitions": ("BodyLoad", "ForceLoad", "LoadDefinition", "MassLoad", "OverburdenLoad", "TieLoad"),
-    "assess.loads.load": ("Force", "Load", "PointMass", "Tie"),
+    "assess.loads.load": (
+        "BodyLoad",
+        "Force",
+        "ForceLoad",
+        "Load",
+        "LoadDefinition",
+        "MassLoad",
+        "OverburdenLoad",
+        "PointMass",
+        "Tie",
+        "TieLoad",
+    ),
     "assess.loads.roofs_and_vaults": ("CONSTRUCTIONS", "Construction", "arch_thrust", "uniform_lever_arm"),
 }
 __getattr__, __dir__ = late_names(__name__, _HOMES)

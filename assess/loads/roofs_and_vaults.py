@@ -25,7 +25,7 @@ from dataclasses import dataclass
 from assess.errors import GeometryError
 from assess.geometry.dimensions import extent_along, intrados_area, mean_lever_arm, overall_height, roof_slope
 from assess.geometry.solid import Solid
-from assess.loads.definitions import BodyLoad
+from assess.loads.load import BodyLoad
 from assess.messages.message import Message, Quantity, Term, Value, message
 from spectra.arrays import FloatArray
 

@@ -10,8 +10,17 @@ import shapely
 
 from assess.geometry.planar import Outline
 from assess.loads.load import Point
-from assess.mechanisms.chain import Chain, Joint, hinge_names, point_values, require_movable
-from assess.mechanisms.flexible_chain import FlexibleChain, top_loads
+from assess.mechanisms.chain import (
+    Chain,
+    Joint,
+    hinge_names,
+    point_values,
+    require_movable,
+    require_stable,
+    top_loads,
+    virtual_work,
+)
+from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.hinge_forces import hinge_compressions
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.restitution import (
@@ -21,7 +30,6 @@ from assess.mechanisms.restitution import (
     find_restitution,
     source_text,
 )
-from assess.mechanisms.virtual_work import require_stable, virtual_work
 from assess.messages.message import Message, Quantity, Term, distinct, message, warning, whole_number
 
 

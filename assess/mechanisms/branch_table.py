@@ -17,16 +17,16 @@ from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.loads.load import Action, Force, PointMass, Tie, lasts
-from assess.mechanisms.chain import Chain
-from assess.mechanisms.flexible_chain import top_loads
-from assess.mechanisms.virtual_work import (
+from assess.mechanisms.chain import (
     FLAT,
+    Chain,
     PointPath,
     Work,
     generalised_moment,
     geometric_limit,
     move,
     require_stable,
+    top_loads,
     trace_point,
     virtual_work,
 )

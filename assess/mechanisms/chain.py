@@ -1,6 +1,35 @@
-"""A planar chain of rigid blocks with one degree of freedom: its blocks, its hinges, and the joints under them.
+r"""A planar chain of rigid blocks with one degree of freedom: hinges, joints, motion, virtual work.
 
-Its motion and the virtual work of its weights and loads are in `virtual_work`.
+Signs, for the branch of positive rotation (a negative branch is a chain mirrored in z, with hinges of its own):
+
+        z ^        direction -->  (x)
+          |
+          |      +-------+
+          |      |   o   |  centroid, at (-b, h) from the hinge: b = R sin(alpha), h = R cos(alpha)
+          |      |       |
+          |      +-------A  )   phi > 0 turns the block about A towards the direction of motion (clockwise)
+          +--------------------> x
+
+A record is positive when the ground accelerates along the direction; inertia then pushes towards phi < 0.
+
+    one block          two blocks                  three blocks
+
+       +-----+            C  slides up and down        B------------C
+       |     |           /|                           /|            |\
+       |     |          / |  block 2 turns back        |  block 2   |
+       |     |         B  |                            |            |
+       |     |          \ |  block 1 turns on      block 1       block 3
+       +-----A           \A                           A            D
+
+In the complex plane x + iz a vector r of a block that has turned by theta is r exp(-i theta): a derivative is a factor
+-i theta', and a second one makes -i theta'' - theta'^2. The arms are the vectors from hinge to hinge:
+
+    slider     Re(arm 1 + arm 2) stays        sum Im(arm) theta' = 0       sum Im(arm) theta'' = sum Re(arm) theta'^2
+    pinned     arm 1 + arm 2 + arm 3 stays    sum arm theta' = 0           sum arm theta'' = i sum arm theta'^2
+
+Virtual work, with x', z' the derivatives of places with respect to phi, of masses m and forces F:
+
+    I = sum m (x'^2 + z'^2) + J theta'^2      dV/dphi = sum m g z'      M = sum F.r'      B = sum m x'      C = sum m z'
 """
 
 from __future__ import annotations
@@ -10,11 +39,16 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import hypot
 
-from assess.errors import MechanismError
+import numpy as np
+from scipy.constants import g
+
+from assess.errors import FallingError, MechanismError
 from assess.interfaces.contact import JointLaw, JointModel
 from assess.interfaces.section import ContactSection
-from assess.loads.load import Load, Point, PointMass, mirror_load
+from assess.loads.load import Force, Load, Point, PointMass, Tie, mirror_load, pull_at_rest
 from assess.messages.message import Value, lengths
+from assess.short_repr import ShortRepr
+from spectra.arrays import ComplexArray, FloatArray
 
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; the far end is described in motion.py
 ROUNDING = 1e-9  # m: accuracy of coordinates
@@ -207,3 +241,271 @@ class Joint:
     section: ContactSection
     law: JointLaw
     model: JointModel
+
+
+FLAT = 1e-6  # of the geometric limit, at which the rates of a loop grow without bound: a loop stays this far from it
+TOUCH = 1e-12  # of a cosine: a portal of two equal columns just reaches its flat position, which rounding may hide
+
+
+@dataclass(frozen=True, repr=False)
+class ChainMotion(ShortRepr):
+    """A chain at rotations of its leading block.
+
+    rotation : phi [n] [rad]
+    angle, rate, bend : theta, theta', theta'' of each block with respect to phi [blocks, n]; clockwise
+    hinges : of the chain at rest, x + iz [m]
+    """
+
+    rotation: FloatArray
+    angle: FloatArray
+    rate: FloatArray
+    bend: FloatArray
+    hinges: ComplexArray
+
+
+@dataclass(frozen=True, repr=False)
+class PointPath(ShortRepr):
+    """A point over rotation [n]: place x, z [m], and its first and second derivatives with respect to phi [m]."""
+
+    x: FloatArray
+    z: FloatArray
+    dx: FloatArray
+    dz: FloatArray
+    ddx: FloatArray
+    ddz: FloatArray
+
+
+def move(chain: Chain, rotation: FloatArray) -> ChainMotion:
+    """Rotate a chain.
+
+    Parameters
+    ----------
+    chain : at rest
+    rotation : of its leading block, below `limit(chain)` [n] [rad]
+    """
+    hinges = np.array([complex(*hinge) for hinge in chain.hinges])
+    arms = np.diff(hinges)[:, None]
+    lead = np.exp(-1j * rotation)
+    if len(chain.blocks) == 1:
+        still = np.zeros((1, rotation.size))
+        return ChainMotion(rotation, rotation[None, :], still + 1.0, still, hinges)
+    turned = close_loop(arms, lead=arms[0] * lead, span=arms.sum(axis=0))
+    rate = np.concatenate([np.ones((1, rotation.size)), solve_block_rates(turned, -turned[0])])
+    bend = np.concatenate(
+        [np.zeros((1, rotation.size)), solve_block_rates(turned, 1j * np.sum(turned * rate**2, axis=0))]
+    )
+    angle = np.concatenate([rotation[None, :], -np.angle(turned[1:] / arms[1:])])
+    return ChainMotion(rotation, angle, rate, bend, hinges)
+
+
+def trace_point(motion: ChainMotion, *, block: int, at: Point) -> PointPath:
+    """Return the path of a point of a block.
+
+    Parameters
+    ----------
+    motion : of the chain
+    block : its number, 0 at the base
+    at : the point (x, z) at rest [m]
+    """
+    turn = np.exp(-1j * motion.angle)
+    here = np.full(motion.rotation.size, motion.hinges[0])
+    first, second = np.zeros_like(here), np.zeros_like(here)
+    for j in range(block + 1):
+        end = motion.hinges[j + 1] if j < block else complex(*at)
+        arm = (end - motion.hinges[j]) * turn[j]
+        here = here + arm
+        first = first - 1j * motion.rate[j] * arm
+        second = second - (1j * motion.bend[j] + motion.rate[j] ** 2) * arm
+    return PointPath(here.real, here.imag, first.real, first.imag, second.real, second.imag)
+
+
+def geometric_limit(chain: Chain) -> float:
+    """Return the rotation at which the loop is stretched or folded flat and can move no further, at most pi [rad]."""
+    hinges = [complex(*hinge) for hinge in chain.hinges]
+    if len(chain.blocks) == 1:
+        return np.pi
+    arms = [b - a for a, b in pairwise(hinges)]
+    lead, span = arms[0], sum(arms)
+    start: float
+    if len(chain.blocks) == 2:
+        reached = [(span.real - side * abs(arms[1])) / abs(lead) for side in (1, -1)]
+        start = -float(np.angle(lead))
+    else:
+        chords = (abs(arms[1]) + abs(arms[2]), abs(arms[1]) - abs(arms[2]))
+        product = 2 * abs(span) * abs(lead)
+        reached = [(abs(span) ** 2 + abs(lead) ** 2 - chord**2) / product for chord in chords] if product else []
+        start = float(np.angle(span / lead)) if product else 0.0
+    turns = [
+        float(sign * np.arccos(min(max(k, -1.0), 1.0)) - start)
+        for k in reached
+        if abs(k) <= 1.0 + TOUCH
+        for sign in (1, -1)
+    ]
+    return min([turn % (2 * np.pi) for turn in turns] + [np.pi])
+
+
+def close_loop(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) -> ComplexArray:
+    """Rotate the arms of two or three blocks so that they close the loop [blocks, n] [m].
+
+    arms : from hinge to hinge at rest [blocks, n or 1]; lead : the first one, rotated [n]; span : from the first
+    hinge to the last one [n or 1]; of two blocks, on a slider, its horizontal part counts.
+    """
+    close = _close_on_slider if len(arms) == 2 else _close_pinned
+    return np.concatenate([lead[None, :], close(arms, span - lead)])
+
+
+def solve_block_rates(turned: ComplexArray, load: ComplexArray) -> FloatArray:
+    """Solve sum(arm turning) = load [n] for the turnings of all blocks but the first [blocks - 1, n].
+
+    Two blocks, on a slider, satisfy only its horizontal part, the imaginary one, since -i rotates an arm.
+    """
+    return (_slider_rates if len(turned) == 2 else _pinned_rates)(turned, load)
+
+
+def _close_on_slider(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
+    """Return the second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
+    level = chord.real
+    return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.maximum(np.abs(arms[1]) ** 2 - level**2, 0.0)))[
+        None, :
+    ]
+
+
+def _close_pinned(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
+    """Return the second and third arm [2, n] of a pinned chain: the triangle B C D over the chord from B to D."""
+    b, c = np.abs(arms[1]), np.abs(arms[2])
+    length = np.abs(chord)
+    along = (length**2 + b**2 - c**2) / (2 * length)
+    side = np.sign((arms[1] * np.conj(arms[1] + arms[2])).imag)
+    second = chord / length * (along + 1j * side * np.sqrt(np.maximum(b**2 - along**2, 0.0)))
+    return np.array([second, chord - second])
+
+
+def _slider_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
+    """Return the turning [1, n] of the second block on a slider, from the horizontal part of `load` [n]."""
+    return np.asarray(load.imag / arms[1].imag, dtype=np.float64)[None, :]
+
+
+def _pinned_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
+    """Solve arm 2 turning 2 + arm 3 turning 3 = `load` [n] for the turnings of the second and third block [2, n]."""
+    turnings = np.array([_cross(load, arms[2]), _cross(arms[1], load)])
+    return np.asarray(turnings / _cross(arms[1], arms[2]), dtype=np.float64)
+
+
+def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    """Return the cross product of two vectors."""
+    return np.asarray((np.conj(a) * b).imag)
+
+
+FACES = {
+    1: "A lies on the face ahead",
+    2: "A and C lie on the face ahead, B on the one behind",
+    3: "as a portal sways, A and D lie on the faces ahead of its posts, B and C on those behind",
+}
+"""Faces on which hinges must lie for the blocks to rise, by the number of blocks; ahead is the way of the branch."""
+
+
+@dataclass(frozen=True, repr=False)
+class Work(ShortRepr):
+    """The sums of virtual work at rotations [n]: I, dV/dphi, M of the given forces, B, sum m x'^2, C."""
+
+    inertia: FloatArray
+    weight: FloatArray
+    moment: FloatArray
+    excitation: FloatArray
+    participation: FloatArray
+    lift: FloatArray
+
+    @property
+    def restoring(self) -> FloatArray:
+        """dV/dphi - M [n] [N m]."""
+        return self.weight - self.moment
+
+
+def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
+    """Return the sums of virtual work over blocks and loads.
+
+    A non-bearing mass adds horizontal inertia to I, B and sum m x'^2 only (thesis 3.21 leaves it out of I, though it
+    moves with the wall).
+
+    Parameters
+    ----------
+    chain : on rigid hinges
+    rotation : of its leading block [n] [rad]
+    """
+    motion = move(chain, rotation)
+    inertia, moment, excitation, participation, lift = (np.zeros_like(rotation) for _ in range(5))
+    for rate, block in zip(motion.rate, chain.blocks, strict=True):
+        inertia += block.inertia * rate**2
+    blocks = [(block.mass, block.centroid, True, number) for number, block in enumerate(chain.blocks)]
+    points = [(load.mass, load.at, load.bearing, load.block) for load in chain.loads if isinstance(load, PointMass)]
+    for mass, at, bearing, number in (*blocks, *points):
+        moved = trace_point(motion, block=number, at=at)
+        excitation += mass * moved.dx
+        participation += mass * moved.dx**2
+        inertia += mass * (moved.dx**2 + moved.dz**2 if bearing else moved.dx**2)
+        lift += mass * moved.dz if bearing else 0.0
+    for load in chain.loads:
+        if not isinstance(load, PointMass):
+            moment += generalised_moment(load, trace_point(motion, block=load.block, at=load.at))
+    return Work(inertia, g * lift, moment, excitation, participation, lift)
+
+
+def generalised_moment(load: Force | Tie, moved: PointPath) -> FloatArray:
+    """Return the generalised moment F.r' of a force or tie [n] [N m]; positive overturns."""
+    if isinstance(load, Force):
+        return load.force[0] * moved.dx + load.force[1] * moved.dz
+    if load.anchor is None:
+        along, up = load.direction or (0.0, 0.0)
+        work = load.tension * (along * moved.dx + up * moved.dz)
+    else:
+        to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
+        work = load.tension * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
+    slack = not load.both and work[0] > 0.0  # the point moves along the pull of the tie: the tie shortens
+    return np.zeros_like(work) if slack else np.asarray(work)
+
+
+def require_stable(chain: Chain, *, name: str) -> None:
+    """Raise MechanismError for a chain that falls by itself, or that a push along the direction does not start."""
+    rest = virtual_work(chain, np.zeros(1))
+    if rest.restoring[0] <= 0.0:
+        raise FallingError(
+            f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, '
+            f"{_overturning_causes(chain, rest)}"
+        )
+    if rest.excitation[0] <= 0.0:
+        raise MechanismError(
+            f'mechanism "{name}": a push along the direction does not start it (sum m x\' = {rest.excitation[0]:.4g} '
+            "kg m); its hinges move the masses the other way: check them"
+        )
+
+
+def _overturning_causes(chain: Chain, rest: Work) -> str:
+    """Name what makes a chain fall: the forces that overturn it, or else the faces on which its hinges lie."""
+    moments = {load: _moment_at_rest(load, chain) for load in chain.loads if not isinstance(load, PointMass)}
+    forces = sorted((load for load, moment in moments.items() if moment > 0.0), key=lambda load: -moments[load])
+    if not forces:
+        return f"and no given force overturns it; check its hinges: {FACES[len(chain.blocks)]}"
+    named = "; ".join(_load_text(load) for load in forces[:3])
+    return f"its given forces overturn with {rest.moment[0]:.4g} N m: {named}; check loads and hinges"
+
+
+def _moment_at_rest(load: Force | Tie, chain: Chain) -> float:
+    """Return the generalised moment of a force or tie at rest [N m]; positive overturns."""
+    return float(generalised_moment(load, trace_point(move(chain, np.zeros(1)), block=load.block, at=load.at))[0])
+
+
+def _load_text(load: Force | Tie) -> str:
+    """Describe a force or tie by its name, its components at rest, and its source."""
+    along, up = load.force if isinstance(load, Force) else pull_at_rest(load)
+    found = f" ({load.source})" if load.source else ""
+    return f'load "{load.name}" with H = {abs(along) / 1e3:.4g} kN, V = {up / 1e3:+.4g} kN up{found}'
+
+
+def top_loads(chain: Chain) -> tuple[Load, ...]:
+    """Return the loads at the hinge at the top of a wall of two blocks, which act through its joint."""
+    x, z = chain.hinges[2]
+    near = NEAR_TOP_HINGE * (z - chain.hinges[0][1])
+    return tuple(load for load in chain.loads if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= near)
+
+
+NEAR_TOP_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top acts through its joint

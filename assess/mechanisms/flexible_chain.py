@@ -27,13 +27,18 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
 from assess.loads.load import Action, Force, Load, PointMass, Tie, pull_at_rest, upward
-from assess.mechanisms.chain import FACING_BLOCKS, Chain, FacingBlocks, Joint, hinge_names
-from assess.mechanisms.virtual_work import (
+from assess.mechanisms.chain import (
+    FACING_BLOCKS,
+    Chain,
+    FacingBlocks,
+    Joint,
     Work,
     close_loop,
     generalised_moment,
+    hinge_names,
     move,
     solve_block_rates,
+    top_loads,
     trace_point,
     virtual_work,
 )
@@ -196,9 +201,6 @@ def _fixed_shift(joint: Joint, force: float, *, where: str) -> float:
     return semi_flexible_shift(joint.section, joint.law, normal_force=force, where=where)
 
 
-NEAR_TOP_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top acts through its joint
-
-
 @dataclass(frozen=True, repr=False)
 class Configuration(ShortRepr):
     """The positions of the blocks at n rotations.
@@ -322,13 +324,6 @@ class JointedChain(ShortRepr):
         """Return where a point of a block, given at rest, is now [n]."""
         corner = (0, 1, 3)[block]
         return np.asarray(configuration.corner[corner] + (at - self.hinges[corner]) * configuration.turn[block])
-
-
-def top_loads(chain: Chain) -> tuple[Load, ...]:
-    """Return the loads at the hinge at the top of a wall of two blocks, which act through its joint."""
-    x, z = chain.hinges[2]
-    near = NEAR_TOP_HINGE * (z - chain.hinges[0][1])
-    return tuple(load for load in chain.loads if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= near)
 
 
 Contacts = tuple[Contact | None, ...]

@@ -30,9 +30,8 @@ from assess.mechanisms.branch_table import (
     stage_signature,
     staged_branch,
 )
-from assess.mechanisms.chain import Chain, ChainPair, Joint, mirror_point
+from assess.mechanisms.chain import FLAT, Chain, ChainPair, Joint, Work, geometric_limit, mirror_point
 from assess.mechanisms.flexible_chain import FlexibleChain
-from assess.mechanisms.virtual_work import FLAT, Work, geometric_limit
 from assess.oscillator import Branch, Oscillator
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray

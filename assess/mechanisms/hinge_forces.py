@@ -11,10 +11,9 @@ from scipy.constants import g
 
 from assess.hinge_forces import HingeForces, Pressure, Vector
 from assess.loads.load import Force, Load, Point, PointMass, Tie, pull_at_rest, upward
-from assess.mechanisms.chain import Chain, hinge_names
+from assess.mechanisms.chain import Chain, hinge_names, move, trace_point
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.mechanism import Face, Mechanism
-from assess.mechanisms.virtual_work import move, trace_point
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 

@@ -1,28 +1,110 @@
-"""A collapse mechanism: its chains, the faces at its hinges, its directions, and the rotations at which its actions
-end.
+"""A collapse mechanism: as an engineer states one of blocks, and as it is built, with the limits of its motion.
+
+A hinge or another place that is stated is [x, y, z], or (distance along the direction, elevation).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import atan2, cos, degrees, inf, radians, sin
-from typing import Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from assess.geometry.planar import Outline
-from assess.loads.load import PointMass, Tie, lasts
+from assess.interfaces.contact import Interface
+from assess.loads.load import LoadDefinition, Place, PointMass, Tie, direction_keys, lasts
 from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
 from assess.mechanisms.chain import Chain, ChainPair, Joint
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
+from assess.mechanisms.restitution import Restitution
 from assess.messages.message import Message, Term
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 Sides = Literal["one", "two"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BlockMechanism:
+    """What all mechanisms of blocks share.
+
+    blocks : names of the bodies of each block, from the base on
+    direction : horizontal [3], positive rotation topples this way; None for the weakest, or "sweep"
+    cut : only what lies above moves: an elevation [m], or an inclined crack
+    sides : "one" where something behind stops negative rotation; None as bodies touch the mechanism
+    interface : what the hinges press on; interfaces : what single hinges press on, by letter
+    hinges, hinges_negative : of positive and of negative rotation, from A on; None as the geometry shows
+    """
+
+    moving: ClassVar[int] = 1
+    blocks: tuple[tuple[str, ...], ...]
+    label: str = ""
+    direction: Vector | Literal["sweep"] | None = None
+    cut: float | CutPlane | CutAngle | None = None
+    sides: Sides | None = None
+    loads: tuple[LoadDefinition, ...] = ()
+    restitution: Restitution = field(default_factory=Restitution)
+    interface: Interface = field(default_factory=Interface)
+    interfaces: Mapping[str, Interface] = field(default_factory=dict)
+    hinges: tuple[Place, ...] | Literal["minimum"] | None = None
+    hinges_negative: tuple[Place, ...] | None = None
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The names of all bodies that move."""
+        return tuple(body for block in self.blocks for body in block)
+
+    @property
+    def towards(self) -> Vector:
+        """The direction as a vector, +x where it is absent; where it is sought, it is put in its place beforehand."""
+        assert self.direction != "sweep"
+        return ALONG_X if self.direction is None else self.direction
+
+    @property
+    def along(self) -> FloatArray:
+        """The direction as a unit vector [3]."""
+        towards = np.asarray(self.towards)
+        return towards / float(np.linalg.norm(towards))
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether it rocks both ways; where `sides` is sought, it is put in its place beforehand."""
+        return self.sides != "one"
+
+    @property
+    def hinge_points(self) -> tuple[Place, ...] | None:
+        """The hinges of positive rotation where they are given as points."""
+        return None if self.hinges == "minimum" else self.hinges
+
+    def interface_at(self, letter: str) -> Interface:
+        """Return what the hinge of this letter presses on."""
+        return self.interfaces.get(letter, self.interface)
+
+    def keys_along(self) -> Iterator[tuple[str | int, ...]]:
+        """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
+        yield from keys_along_direction(
+            self, hinges={"hinges": self.hinge_points, "hinges_negative": self.hinges_negative}
+        )
+
+
+@dataclass(frozen=True)
+class CutPlane:
+    """An inclined crack: a point of its plane [3] [m], and the normal [3] to the side that moves."""
+
+    point: Vector
+    normal: Vector
+
+
+@dataclass(frozen=True)
+class CutAngle:
+    """A crack inclined in the plane of motion by an angle [rad]; a positive one falls towards the direction."""
+
+    point: Vector
+    angle: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -306,3 +388,24 @@ class Face:
     found: bool = False
     friction: float | None = None
     remedy: Term | Message = NO_FRICTION
+
+
+ALONG_X: Vector = (1.0, 0.0, 0.0)
+
+
+def keys_along_direction(
+    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
+) -> Iterator[tuple[str | int, ...]]:
+    """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0.
+
+    Parameters
+    ----------
+    chained : a definition, or the table of a project file that has the same names
+    hinges : its given hinges by key, from A on
+    """
+    for place, load in enumerate(chained.loads):
+        yield from (("loads", place, name) for name in direction_keys(load))
+    for key, given in hinges.items():
+        yield from ((key, letter) for letter, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
+    if getattr(chained, "joints", None) is not None:
+        yield ("joints",)

@@ -30,9 +30,8 @@ from assess.mechanisms.branch_table import (
     stage_signature,
     staged_branch,
 )
-from assess.mechanisms.chain import Chain, ChainPair
+from assess.mechanisms.chain import Chain, ChainPair, virtual_work
 from assess.mechanisms.flexible_oscillator import flexible_moments, flexible_oscillator, same_stages
-from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 
 CLEARLY = 1.0 + 1e-6  # two rotations that differ by less are one

@@ -15,8 +15,7 @@ import numpy as np
 
 from assess.errors import MechanismError
 from assess.loads.load import PointMass
-from assess.mechanisms.chain import Chain
-from assess.mechanisms.virtual_work import move, trace_point
+from assess.mechanisms.chain import Chain, move, trace_point
 from assess.messages.message import Message, Quantity, Term, Value, message, warning
 from assess.oscillator import RockingBlock
 from assess.short_repr import ShortRepr
@@ -356,3 +355,11 @@ def plain_block(chain: Chain) -> RockingBlock:
 
 
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
+
+
+@dataclass(frozen=True)
+class Restitution:
+    """Velocity after over velocity before the impact that ends a rotation [-], or a rule; None for the default."""
+
+    positive: RestitutionChoice = None
+    negative: RestitutionChoice = None

@@ -1,18 +1,26 @@
-"""One block rocking about the edges of its base (thesis 3.2.1 and 3.2.2)."""
+"""One block: rocking about the edges of its base (thesis 3.2.1 and 3.2.2), or given by its rocking parameters alone."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from math import cos, hypot, sin
 from typing import Literal
+
+from scipy.constants import g
 
 from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load, Point
 from assess.mechanisms.assembly import assemble
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_values
-from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.mechanisms.restitution import RestitutionChoice, plain_block
-from assess.messages.message import Message, lengths, warning
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
+from assess.mechanisms.restitution import Restitution, RestitutionChoice, plain_block
+from assess.messages.message import Message, Quantity, lengths, warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class SingleBlock(BlockMechanism):
+    """One block that rocks about its base."""
 
 
 def single_block(
@@ -67,6 +75,73 @@ def single_block(
     )
 
 
+@dataclass(frozen=True, kw_only=True)
+class EquivalentBlock:
+    """A mechanism by its rocking parameters, as published tables give them.
+
+    p : frequency parameter [1/s]; uplift : multiplier that starts rocking, taken as the slenderness [rad]
+    radius [m]; mass [kg]; elevation : of its base [m]
+    """
+
+    p: float
+    uplift: float
+    radius: float
+    label: str = ""
+    sides: Sides = "two"
+    restitution: Restitution = field(default_factory=Restitution)
+    mass: float = 1.0
+    elevation: float = 0.0
+
+
+def equivalent_block(
+    name: str,
+    *,
+    p: float,
+    uplift: float,
+    radius: float,
+    mass: float = 1.0,
+    label: str = "",
+    sides: Sides = "two",
+    elevation: float = 0.0,
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
+) -> Mechanism:
+    """Make a single block from its rocking parameters.
+
+    Its inertia about the hinge is M g R / p^2. It is symmetric, with its base centred on the origin, and drawn as the
+    rectangle with the same slenderness and radius.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    p : frequency parameter [1/s]
+    uplift : slenderness [rad]
+    radius : from hinge to centroid [m]
+    mass : [kg]
+    label : for reports; empty: the name
+    sides : "one" or "two"
+    elevation : of the base [m]
+    restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
+        default of the kind
+    """
+    half, height = radius * sin(uplift), radius * cos(uplift)
+    block = RigidBlock(mass, (0.0, elevation + height), mass * g * radius / p**2 - mass * radius**2)
+    chain = Chain((block,), ((half, elevation),))
+    top = elevation + 2 * height
+    k = g / (p**2 * radius)
+    impossible = warning("no-such-body", ratio=Quantity(k, figures=3))
+    outline: tuple[Point, ...] = ((-half, elevation), (half, elevation), (half, top), (-half, top))
+    return assemble(
+        name,
+        "equivalent-block",
+        chain,
+        chain if sides == "two" else None,
+        label=label,
+        restitution=restitution,
+        outlines=((outline,),),
+        warnings=(impossible,) if k < 1.0 else (),
+    )
+
+
 def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
     """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
     block = plain_block(chain)
@@ -112,3 +187,6 @@ def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, n
             "so it has no base to rock on; give hinges, a cut just above, or mend the geometry"
         )
     return high if towards == "positive" else low
+
+
+INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans

@@ -14,17 +14,29 @@ about the edge of the crack behind; the top slides on the vertical at its edge i
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Literal
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody, top_edge
 from assess.loads.load import Load, Point
 from assess.mechanisms.assembly import assemble, loose_hinges
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_text, point_values
-from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message, Quantity, warning, whole_number
 
-Hinges = tuple[Point, Point, Point]
+
+@dataclass(frozen=True, kw_only=True)
+class TwoBlock(BlockMechanism):
+    """A wall held at its base and its top that opens at a crack between.
+
+    crack : "sorrentino" (thesis eq. 3.27), "minimum" (least uplift multiplier), or an elevation [m]; hinge B's where
+    None and hinges are given, else "sorrentino"
+    """
+
+    moving: ClassVar[int] = 2
+    crack: float | Literal["sorrentino", "minimum"] | None = None
 
 
 def two_block(
@@ -85,6 +97,9 @@ def two_block(
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),
     )
+
+
+Hinges = tuple[Point, Point, Point]
 
 
 def edge_hinges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:

@@ -5,21 +5,14 @@ from typing import TYPE_CHECKING
 from assess.late import late_names
 
 if TYPE_CHECKING:
+    from assess.mechanisms.four_hinge import FourHinge, RadialJoints
+    from assess.mechanisms.kinds import Definition
+    from assess.mechanisms.mechanism import CutAngle, CutPlane
+    from assess.mechanisms.restitution import Restitution
+    from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
+    from assess.mechanisms.two_block import TwoBlock
     from assess.model.assembly import Built, mechanism_of
-    from assess.model.blocks import gaps_of
-    from assess.model.body import Bodies, Body, Material, PointValues
-    from assess.model.definitions import (
-        CutAngle,
-        CutPlane,
-        Definition,
-        EquivalentBlock,
-        FourHinge,
-        RadialJoints,
-        Restitution,
-        SingleBlock,
-        TwoBlock,
-    )
-    from assess.model.overlaps import overlaps_of
+    from assess.model.bodies import Bodies, Body, Material, PointValues, gaps_of, overlaps_of
     from assess.model.walls import Crack, crack
 
 __all__ = [
@@ -45,21 +38,14 @@ __all__ = [
 ]
 
 _HOMES = {
+    "assess.mechanisms.four_hinge": ("FourHinge", "RadialJoints"),
+    "assess.mechanisms.kinds": ("Definition",),
+    "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),
+    "assess.mechanisms.restitution": ("Restitution",),
+    "assess.mechanisms.single_block": ("EquivalentBlock", "SingleBlock"),
+    "assess.mechanisms.two_block": ("TwoBlock",),
     "assess.model.assembly": ("Built", "mechanism_of"),
-    "assess.model.body": ("Bodies", "Body", "Material", "PointValues"),
-    "assess.model.definitions": (
-        "CutAngle",
-        "CutPlane",
-        "Definition",
-        "EquivalentBlock",
-        "FourHinge",
-        "RadialJoints",
-        "Restitution",
-        "SingleBlock",
-        "TwoBlock",
-    ),
-    "assess.model.blocks": ("gaps_of",),
-    "assess.model.overlaps": ("overlaps_of",),
+    "assess.model.bodies": ("Bodies", "Body", "Material", "PointValues", "gaps_of", "overlaps_of"),
     "assess.model.walls": ("Crack", "crack"),
 }
 __getattr__, __dir__ = late_names(__name__, _HOMES)

@@ -8,18 +8,14 @@ from typing import Any
 
 from assess.errors import CrackError, MechanismError
 from assess.geometry.cut import Piece, Scene
-from assess.loads.definitions import Place
-from assess.loads.load import Load, Point, point_in_plane
-from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.single_block import single_block
-from assess.mechanisms.two_block import two_block
+from assess.loads.load import Load, Place, Point, point_in_plane
+from assess.mechanisms.four_hinge import FourHinge, arch_mechanism, four_hinge
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism
+from assess.mechanisms.single_block import EquivalentBlock, SingleBlock, equivalent_block, single_block
+from assess.mechanisms.two_block import TwoBlock, two_block
 from assess.messages.message import distinct
-from assess.model.arches import arch_mechanism
-from assess.model.blocks import hinge_warnings, pieces_of, scene_of
-from assess.model.body import Bodies
-from assess.model.definitions import BlockMechanism, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
+from assess.model.bodies import Bodies, hinge_warnings, pieces_of, scene_of
 from assess.model.joint_planes import faces_of
 from assess.model.joints import place_on_joints
 from assess.model.loading import loads_of

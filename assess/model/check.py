@@ -13,25 +13,17 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.interfaces.contact import Interface, Shape
-from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad, bodies_of
+from assess.interfaces.contact import Interface
+from assess.interfaces.section import Shape
+from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad, bodies_of
 from assess.mechanisms.chain import HINGES
-from assess.mechanisms.equivalent_block import INERTIA_RATIOS
-from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
-from assess.mechanisms.restitution import RESTITUTIONS
-from assess.mechanisms.two_block import CRACKS
-from assess.model.body import Bodies
-from assess.model.definitions import (
-    BlockMechanism,
-    CutAngle,
-    CutPlane,
-    Definition,
-    EquivalentBlock,
-    FourHinge,
-    RadialJoints,
-    Restitution,
-    TwoBlock,
-)
+from assess.mechanisms.four_hinge import MOST_VOUSSOIRS, FourHinge, RadialJoints
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
+from assess.mechanisms.restitution import RESTITUTIONS, Restitution
+from assess.mechanisms.single_block import INERTIA_RATIOS, EquivalentBlock
+from assess.mechanisms.two_block import CRACKS, TwoBlock
+from assess.model.bodies import Bodies
 from spectra.arrays import is_number
 
 MODELS = ("rigid", "flexible", "semi-flexible", "flexible-thesis")

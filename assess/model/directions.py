@@ -28,27 +28,28 @@ from assess.geometry.planar import (
 )
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
-from assess.loads.definitions import BodyLoad, bodies_of
-from assess.loads.load import point_in_plane
+from assess.loads.load import BodyLoad, bodies_of, point_in_plane
 from assess.mechanisms.branch_table import rigid_branch
-from assess.mechanisms.chain import Chain
-from assess.mechanisms.mechanism import CandidateDirection, Directions, Mechanism, Vector, direction_angle, direction_at
+from assess.mechanisms.chain import Chain, virtual_work
+from assess.mechanisms.four_hinge import FourHinge
+from assess.mechanisms.kinds import Definition, DirectionSought
+from assess.mechanisms.mechanism import (
+    BlockMechanism,
+    CandidateDirection,
+    CutAngle,
+    Directions,
+    Mechanism,
+    Vector,
+    direction_angle,
+    direction_at,
+)
 from assess.mechanisms.oscillators import collapse_branch
-from assess.mechanisms.virtual_work import virtual_work
+from assess.mechanisms.restitution import Restitution
+from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
+from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message, warning
 from assess.model.assembly import Built, build_single_block, mechanism_of, on_rigid_hinges
-from assess.model.blocks import LEVEL, ROTATES_ABOUT_CORNER, cut_of
-from assess.model.body import Bodies
-from assess.model.definitions import (
-    BlockMechanism,
-    CutAngle,
-    Definition,
-    DirectionSought,
-    EquivalentBlock,
-    Restitution,
-    SingleBlock,
-    TwoBlock,
-)
+from assess.model.bodies import LEVEL, ROTATES_ABOUT_CORNER, Bodies, cut_of
 from assess.model.loading import loads_of
 from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
@@ -433,7 +434,7 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
+def sweep_directions(name: str, definition: DirectionSought | FourHinge, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
     corner: tuple[Message, ...] = ()

@@ -16,11 +16,9 @@ from assess.geometry.surface import areas_and_normals
 from assess.loads.load import Point
 from assess.mechanisms.chain import FACING_BLOCKS, Chain
 from assess.mechanisms.flexible_chain import JointedChain
-from assess.mechanisms.mechanism import Face, Mechanism
+from assess.mechanisms.mechanism import BlockMechanism, Face, Mechanism
 from assess.messages.message import Message, Term, message
-from assess.model.blocks import cut_of
-from assess.model.body import Bodies, Material
-from assess.model.definitions import BlockMechanism
+from assess.model.bodies import Bodies, Material, cut_of
 from spectra.arrays import FloatArray
 
 Vector = tuple[float, float]

@@ -13,20 +13,18 @@ import shapely
 
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import Piece, heading
-from assess.interfaces.contact import Interface, JointLaw, Shape, contact, out_of_plane_warning
-from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, polygon, rectangle
-from assess.loads.definitions import LoadDefinition, OverburdenLoad, Through
-from assess.loads.load import Load
-from assess.loads.overburden import UPPER, name_of
+from assess.interfaces.contact import Interface, JointLaw, contact, out_of_plane_warning
+from assess.interfaces.section import ContactSection, Shape, annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.loads.bearing import UPPER, name_of
+from assess.loads.load import Load, LoadDefinition, OverburdenLoad, Through
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Chain, Joint, hinge_names
-from assess.mechanisms.flexible_chain import FlexibleChain, JointedChain, top_loads
+from assess.mechanisms.chain import Chain, Joint, hinge_names, top_loads
+from assess.mechanisms.flexible_chain import FlexibleChain, JointedChain
 from assess.mechanisms.hinge_forces import is_top_support
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.messages.message import Message, Quantity, distinct, warning
-from assess.model.body import Bodies, Material
-from assess.model.definitions import BlockMechanism
+from assess.model.bodies import Bodies, Material
 from assess.model.joint_planes import DOWN, UP, JointPlane, MotionPlane, Vector, find_joint_plane
 
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge gets a warning

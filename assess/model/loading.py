@@ -11,6 +11,7 @@ from assess.geometry.boolean import overlap_warnings
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Piece
 from assess.geometry.planar import Outline, distance_to_outline
+from assess.loads.bearing import overburden_of
 from assess.loads.body_loads import (
     FindContact,
     LoadSet,
@@ -20,13 +21,26 @@ from assess.loads.body_loads import (
     find_block_contact,
     loaded_blocks,
 )
-from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
-from assess.loads.load import Force, Load, Point, PointMass, Tie, point_in_plane, unit_in_plane
-from assess.loads.overburden import overburden_of
+from assess.loads.load import (
+    BodyLoad,
+    Force,
+    ForceLoad,
+    Load,
+    LoadDefinition,
+    MassLoad,
+    OverburdenLoad,
+    Point,
+    PointMass,
+    Tie,
+    TieLoad,
+    point_in_plane,
+    unit_in_plane,
+)
 from assess.mechanisms.chain import point_values
+from assess.mechanisms.mechanism import BlockMechanism
+from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
-from assess.model.body import Bodies, solids_of
-from assess.model.definitions import BlockMechanism, TwoBlock
+from assess.model.bodies import Bodies, solids_of
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
 

@@ -17,19 +17,15 @@ from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Division, Piece, divide, level_plane
 from assess.geometry.planar import base_of_section, join_bodies, planar_body, top_edge
 from assess.geometry.solid import Solid
+from assess.loads.bearing import UPPER
 from assess.loads.body_loads import LoadSet
-from assess.loads.definitions import LoadDefinition
-from assess.loads.load import Force, Load, PointMass, point_in_plane
-from assess.loads.overburden import UPPER
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
+from assess.loads.load import Force, Load, LoadDefinition, PointMass, point_in_plane
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, move, virtual_work
 from assess.mechanisms.mechanism import Sides, Vector
-from assess.mechanisms.two_block import Hinges
-from assess.mechanisms.virtual_work import move, virtual_work
+from assess.mechanisms.two_block import Hinges, TwoBlock
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.model.blocks import piece_above_cut, pieces_of
-from assess.model.body import Bodies, Body, Material
+from assess.model.bodies import Bodies, Body, Material, piece_above_cut, pieces_of
 from assess.model.check import check_definition, with_floats
-from assess.model.definitions import TwoBlock
 from assess.model.loading import loads_of
 
 

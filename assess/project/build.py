@@ -19,14 +19,12 @@ from assess.geometry.dimensions import size_warning
 from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
+from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.model.assembly import Built
-from assess.model.blocks import gaps_of
-from assess.model.body import Bodies
-from assess.model.definitions import Definition
+from assess.model.bodies import Bodies, gaps_of, overlaps_of
 from assess.model.directions import mechanism_as_given, mechanism_in_direction
-from assess.model.overlaps import overlaps_of
 from assess.project import record_set, sections
 from assess.project.keys import KeySweep, ProjectVariant, dependents
 from assess.project.project_file import Project, resolve

@@ -9,22 +9,16 @@ from typing import Any, TypeVar
 from assess.geometry import mesh
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
-from assess.interfaces.contact import Interface, Shape
-from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
-from assess.mechanisms.mechanism import Mechanism
-from assess.model.body import Bodies, Body, Material, PointValues
-from assess.model.definitions import (
-    BlockMechanism,
-    CutAngle,
-    CutPlane,
-    Definition,
-    EquivalentBlock,
-    FourHinge,
-    RadialJoints,
-    Restitution,
-    SingleBlock,
-    TwoBlock,
-)
+from assess.interfaces.contact import Interface
+from assess.interfaces.section import Shape
+from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
+from assess.mechanisms.four_hinge import FourHinge, RadialJoints
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane, Mechanism
+from assess.mechanisms.restitution import Restitution
+from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
+from assess.mechanisms.two_block import TwoBlock
+from assess.model.bodies import Bodies, Body, Material, PointValues
 from assess.project import sections
 from assess.project.question import source_of
 from assess.project.section import ProjectSection

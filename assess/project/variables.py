@@ -19,10 +19,9 @@ from pydantic import ValidationError
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid, Solids, scale_along
 from assess.mechanisms.chain import hinge_names
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message, Term, note, warning
-from assess.model.blocks import pieces_of
-from assess.model.definitions import BlockMechanism
+from assess.model.bodies import pieces_of
 from assess.project import sections
 from assess.project.keys import KeyPath, UncertainValue, dependents, read_case, value_at, with_value
 from assess.project.project_file import Project

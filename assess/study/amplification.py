@@ -27,12 +27,13 @@ from assess.codes.check import Reason, reason_message
 from assess.codes.context import is_above_ground
 from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solids
-from assess.loads.definitions import bodies_of
-from assess.mechanisms.mechanism import Mechanism, height_of_support
+from assess.loads.load import bodies_of
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism, height_of_support
+from assess.mechanisms.single_block import SingleBlock
 from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
 from assess.model.assembly import Built
-from assess.model.body import Bodies
-from assess.model.definitions import BlockMechanism, Definition, SingleBlock
+from assess.model.bodies import Bodies
 from spectra.errors import SpectrumError
 from spectra.floor import (
     ec8_resonant_part_factor,

@@ -10,26 +10,17 @@ from typing import Any, Literal
 from assess.errors import MechanismError
 from assess.geometry.cut import Scene
 from assess.interfaces.contact import Interface
-from assess.loads.definitions import LoadDefinition, Place
-from assess.mechanisms.mechanism import Mechanism, Sides, Vector
-from assess.mechanisms.restitution import RestitutionChoice
+from assess.loads.load import LoadDefinition, Place
+from assess.mechanisms.four_hinge import FourHinge, RadialJoints
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism, Sides, Vector
+from assess.mechanisms.restitution import Restitution, RestitutionChoice
+from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
+from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, locate
-from assess.model.blocks import gaps_of
-from assess.model.body import Bodies, Body, solids_of
+from assess.model.bodies import Bodies, Body, gaps_of, overlaps_of, solids_of
 from assess.model.check import check_definition, with_floats
-from assess.model.definitions import (
-    CutAngle,
-    CutPlane,
-    Definition,
-    EquivalentBlock,
-    FourHinge,
-    RadialJoints,
-    Restitution,
-    SingleBlock,
-    TwoBlock,
-)
 from assess.model.directions import mechanism_in_direction
-from assess.model.overlaps import overlaps_of
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
 from assess.study.amplification import lowest_body

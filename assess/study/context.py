@@ -23,10 +23,9 @@ from assess.codes.check import BranchName, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Support, Transfer, Wall
 from assess.geometry.planar import Outline
 from assess.loads.load import Force, Load, Point, PointMass, upward
-from assess.mechanisms.chain import Chain
+from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
-from assess.mechanisms.virtual_work import virtual_work
 from assess.messages.message import Message, Quantity
 from assess.study.amplification import MechanismAmplification
 from assess.study.histories import RockingHistories

@@ -27,10 +27,9 @@ from scipy.constants import g
 
 from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, Point, PointMass, Tie, pull_at_rest
-from assess.mechanisms.chain import Chain
+from assess.mechanisms.chain import Chain, move, trace_point
 from assess.mechanisms.hinge_forces import chain_at_start, hinge_forces
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import move, trace_point
 from assess.messages.message import Message, Quantity, note, warning
 from assess.oscillator import Branch, Oscillator, linear_multiplier, threshold
 from assess.results import Control, ControlKind

@@ -15,9 +15,8 @@ from assess.geometry.planar import Outline, projected_outline
 from assess.geometry.solid import Solid
 from assess.geometry.surface import simplify
 from assess.loads.load import Force, Load, Point, PointMass
-from assess.mechanisms.chain import Chain, hinge_names, mirror_point
+from assess.mechanisms.chain import Chain, hinge_names, mirror_point, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import move, trace_point
 from assess.oscillator import Branch, Oscillator
 from assess.results import DisplacedDrawing, Drawing, DrawnLoad, HingeAxis, NamedPoint, Place, Ring, View
 from spectra.arrays import FloatArray, IntArray

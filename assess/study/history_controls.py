@@ -30,9 +30,8 @@ from scipy.constants import g
 from assess.amplification import base_motion
 from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, peaks, product, trace_with_events
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.chain import Chain
+from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import PointPath, move, trace_point
 from assess.messages.message import Message, Quantity, note, whole_number
 from assess.oscillator import Branch, Linearised, Oscillator, elastic_frequency
 from assess.results import Control, HistoryResult

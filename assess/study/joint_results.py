@@ -18,7 +18,7 @@ from assess.codes.calculation_sheet import Given, Step, step
 from assess.interfaces.contact import thresholds
 from assess.loads.load import Load, PointMass
 from assess.mechanisms.branch_table import NODES
-from assess.mechanisms.chain import Chain, Joint
+from assess.mechanisms.chain import FLAT, Chain, Joint, geometric_limit, virtual_work
 from assess.mechanisms.flexible_chain import (
     FlexibleChain,
     JointedChain,
@@ -30,7 +30,6 @@ from assess.mechanisms.flexible_chain import (
 )
 from assess.mechanisms.hinge_forces import hinge_compressions
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import FLAT, geometric_limit, virtual_work
 from assess.oscillator import Branch, Oscillator, multiplier
 from assess.results import BranchMoment, ContactSheet, InterfaceCurves
 from assess.study.contact_steps import BALANCE, RotatedJoint, block_steps, rest_steps, state_steps, threshold_steps

@@ -121,7 +121,7 @@ def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
     from dataclasses import replace
 
     from assess.dynamics.history import free_rocking
-    from assess.model.make_body import box
+    from assess.model.bodies import box
     from assess.study.block import single_block
 
     wall = box(thickness=given["thickness"], length=1.0, height=given["height"], density=2000.0)

@@ -17,9 +17,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Polygon
 
-from assess.mechanisms.chain import Chain, RigidBlock
+from assess.mechanisms.chain import Chain, RigidBlock, move, trace_point
 from assess.mechanisms.restitution import housner, sorrentino
-from assess.mechanisms.virtual_work import move, trace_point
 from assess.oscillator import RockingBlock, displacement, multiplier
 
 Blocks = tuple[tuple[Point, ...], ...]

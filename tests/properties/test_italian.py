@@ -15,7 +15,7 @@ from scipy.constants import g
 from assess.codes import dmi2008, ntc2018
 from assess.codes.context import Building, Context, StatedFirstMode
 from assess.codes.italian_limit_states import ItalianOptions
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 from tests.support.curved import both, pulled
 

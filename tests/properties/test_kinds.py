@@ -8,9 +8,10 @@ from typing import get_args
 import pytest
 
 import assess
+from assess.mechanisms.kinds import Definition
 from assess.mechanisms.restitution import ONE_SIDED, TWO_SIDED
+from assess.mechanisms.single_block import EquivalentBlock
 from assess.model.assembly import BUILDERS
-from assess.model.definitions import Definition, EquivalentBlock
 from assess.project import sections
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
 from assess.project.structure import CHAINED
@@ -51,7 +52,7 @@ def test_section_and_definition_have_one_name_and_lead_to_a_builder(kind: str) -
         return
     assert section in CHAINED, f"add {section.__name__} to CHAINED of assess/project/structure.py"
     definition = CHAINED[section]
-    assert definition in get_args(Definition), f"add {definition.__name__} to the unions of assess/model/definitions.py"
+    assert definition in get_args(Definition), f"add {definition.__name__} to the unions of assess/mechanisms/kinds.py"
     assert definition in BUILDERS, f"add {definition.__name__} to BUILDERS of assess/model/assembly.py"
     assert definition.moving == section.moving, "as many blocks move by the section as by the definition: `moving`"
     assert {"hinges", "hinges_negative"} <= section.model_fields.keys(), "sections of blocks have both keys"

@@ -16,15 +16,13 @@ from assess.dynamics.history import free_rocking
 from assess.geometry.planar import join_planar, planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie, mirror_load, pull_at_rest
 from assess.mechanisms.branch_table import rigid_branch
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point
-from assess.mechanisms.four_hinge import four_hinge
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point, move, trace_point, virtual_work
+from assess.mechanisms.four_hinge import divide_arch, four_hinge, weakest_hinges
 from assess.mechanisms.hinge_forces import hinge_forces, incipient_motion
 from assess.mechanisms.mechanism import Face
 from assess.mechanisms.restitution import find_restitution
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.mechanisms.virtual_work import move, trace_point, virtual_work
-from assess.model.arches import divide_arch, weakest_hinges
 from assess.oscillator import energy, interpolant, multiplier
 from assess.project.build import build
 from assess.project.project_file import load

@@ -20,10 +20,9 @@ from assess.codes.procedures import PROCEDURES, CodeOptions, apply_procedure, pr
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
-from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Face
-from assess.mechanisms.single_block import single_block
+from assess.mechanisms.single_block import equivalent_block, single_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8
 from spectra.nzs1170_5 import site_spectrum as nzs1170_5

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from assess.mechanisms import restitution, virtual_work
+from assess.mechanisms import chain, restitution
 from assess.verification.case_files import read_cases
 from assess.verification.verify import run_case
 from spectra import asce7
@@ -25,8 +25,8 @@ def wrong_restitution(monkeypatch):
 
 @pytest.fixture
 def wrong_tie(monkeypatch):
-    right = virtual_work.generalised_moment
-    monkeypatch.setattr(virtual_work, "generalised_moment", lambda load, moved: -right(load, moved))
+    right = chain.generalised_moment
+    monkeypatch.setattr(chain, "generalised_moment", lambda load, moved: -right(load, moved))
 
 
 @pytest.fixture

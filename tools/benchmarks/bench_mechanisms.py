@@ -21,9 +21,8 @@ from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.branch_table import rigid_branch
-from assess.mechanisms.chain import Chain, Joint, RigidBlock
+from assess.mechanisms.chain import Chain, Joint, RigidBlock, virtual_work
 from assess.mechanisms.flexible_oscillator import branch_from_rest, make_flexible_side
-from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 from records.record import Record
 

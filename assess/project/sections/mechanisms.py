@@ -22,11 +22,11 @@ from pydantic_core import CoreSchema
 from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
-from assess.mechanisms.equivalent_block import INERTIA_RATIOS
 from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
+from assess.mechanisms.mechanism import keys_along_direction
 from assess.mechanisms.restitution import RESTITUTIONS
+from assess.mechanisms.single_block import INERTIA_RATIOS
 from assess.mechanisms.two_block import CRACKS
-from assess.model.definitions import keys_along_direction
 from assess.project.section import ProjectSection, error_at, quote_names
 from assess.project.sections.bodies import Corners
 from assess.project.sections.loads import LoadSection, OverburdenLoad

@@ -20,7 +20,7 @@ from assess.codes.asce41_13 import (
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.procedures import apply_procedure
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum

@@ -13,7 +13,7 @@ from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.en1998_1 import ELEMENT, Ec8Options, amplification, assess_element, element_period
 from assess.codes.procedures import apply_procedure
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum

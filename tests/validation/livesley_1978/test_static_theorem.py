@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from assess.errors import MechanismError
-from assess.model.arches import weakest_hinges
+from assess.mechanisms.four_hinge import weakest_hinges
 from tests.validation.derive.arches import filled, largest_multiplier, lopsided, mirrored, pointed, ring
 
 ARCHES = {

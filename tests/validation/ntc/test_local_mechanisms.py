@@ -20,8 +20,7 @@ from assess.codes.italian_limit_states import ItalianOptions, curves_of_all_acti
 from assess.codes.ntc2018_clauses import free_period
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.single_block import single_block
+from assess.mechanisms.single_block import equivalent_block, single_block
 from spectra import ntc
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum

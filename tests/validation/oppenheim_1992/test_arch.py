@@ -12,7 +12,7 @@ import pytest
 
 from assess.errors import ProjectError
 from assess.mechanisms.chain import RigidBlock, mirror_point
-from assess.model.arches import weakest_hinges
+from assess.mechanisms.four_hinge import weakest_hinges
 from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.project_file import load
@@ -41,7 +41,7 @@ def test_more_joints_never_make_it_stronger():
 
 def test_choices_looked_at_in_portions_are_all_looked_at(monkeypatch):
     whole = weakest_hinges(*arch(16), name="arch")
-    monkeypatch.setattr("assess.model.arches.CHOICES_AT_ONCE", 7)
+    monkeypatch.setattr("assess.mechanisms.four_hinge.CHOICES_AT_ONCE", 7)
     assert weakest_hinges(*arch(16), name="arch") == whole
 
 

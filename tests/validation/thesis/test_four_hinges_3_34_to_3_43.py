@@ -20,8 +20,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.mechanisms.branch_table import rigid_branch
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
-from assess.mechanisms.virtual_work import virtual_work
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, virtual_work
 from assess.project.build import build
 from assess.project.project_file import load
 

@@ -18,11 +18,10 @@ from scipy.integrate import solve_ivp
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
+from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, virtual_work
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 
 STEP = 4e-3  # rad, of differences of eighth order

@@ -16,9 +16,8 @@ from scipy.constants import g
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.branch_table import rigid_branch
-from assess.mechanisms.chain import Chain, RigidBlock
+from assess.mechanisms.chain import Chain, RigidBlock, virtual_work
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.project_file import load

@@ -10,7 +10,7 @@ from assess.codes.asce43_05 import Asce43Options
 from assess.codes.asce43_05_history import assess_history
 from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 
 SUITE = SuiteResponse(0.2 * g, (0.1, 0.2, 0.1, 0.3, 0.2), "positive")

@@ -13,9 +13,9 @@ from assess.codes import sliding
 from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
-from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Face
+from assess.mechanisms.single_block import equivalent_block
 from spectra.table import table_spectrum
 
 BLOCK = equivalent_block("w", p=2.0, uplift=0.5, radius=2.0)

@@ -16,7 +16,7 @@ from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
 from assess.codes.procedures import apply_procedure
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum
 

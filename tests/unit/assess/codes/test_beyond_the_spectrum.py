@@ -10,7 +10,7 @@ from assess.codes import asce43_05
 from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra import table
 
 LEVELS = (0.1 * g, 0.3 * g, 0.4 * g, 0.6 * g)

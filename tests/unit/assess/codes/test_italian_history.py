@@ -16,7 +16,7 @@ from assess.codes.histories import SuiteResponse
 from assess.codes.italian_histories import required_pga
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.procedures import apply_procedure
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 
 ALPHA, RADIUS = 0.1, 3.0

@@ -15,7 +15,7 @@ from assess.codes.context import Building, Context, OpenSeat, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import floor_demand, ultimate_modes
 from assess.codes.procedures import apply_procedure
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 from spectra.table import table_spectrum
 

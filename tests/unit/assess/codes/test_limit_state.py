@@ -10,7 +10,7 @@ from scipy.constants import g
 from assess.codes import dmi2008, ntc2018
 from assess.codes.context import Context, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions, pga_ratio, return_period
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 
 ROWS = ((30, 0.08), (50, 0.10), (475, 0.25), (975, 0.33), (2475, 0.45))

@@ -34,7 +34,7 @@ from assess.codes.histories import (
 )
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.verdict import Decision, Index, decide, index_of, is_near
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 
 BLOCK = equivalent_block("w", p=1.6, uplift=0.1, radius=3.0).oscillator

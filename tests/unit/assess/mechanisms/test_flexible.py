@@ -19,10 +19,9 @@ from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.chain import Chain, Joint, RigidBlock
+from assess.mechanisms.chain import Chain, Joint, RigidBlock, virtual_work
 from assess.mechanisms.flexible_chain import FlexibleChain
-from assess.mechanisms.virtual_work import virtual_work
-from assess.model.arches import divide_arch, weakest_hinges
+from assess.mechanisms.four_hinge import divide_arch, weakest_hinges
 
 SOFT = JointLaw(2e8, 1.5e6)
 LENGTH = 1.0  # of every contact along the axis of rotation [m]

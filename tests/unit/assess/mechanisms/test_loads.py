@@ -12,9 +12,8 @@ from assess.errors import MechanismError
 from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
-from assess.mechanisms.chain import Chain, RigidBlock
+from assess.mechanisms.chain import Chain, RigidBlock, require_stable
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import require_stable
 from assess.oscillator import multiplier, participation_ratio, restoring_moment
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0

@@ -14,8 +14,17 @@ import pytest
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point, point_text, require_movable
-from assess.mechanisms.virtual_work import geometric_limit, move, trace_point
+from assess.mechanisms.chain import (
+    Chain,
+    RigidBlock,
+    geometric_limit,
+    mirror_chain,
+    mirror_point,
+    move,
+    point_text,
+    require_movable,
+    trace_point,
+)
 
 STEP = 1e-30
 COUNT = {1: 1, 3: 2, 4: 3}  # blocks by hinges

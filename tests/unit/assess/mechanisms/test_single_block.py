@@ -12,11 +12,9 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import box
-from assess.mechanisms.chain import Chain, RigidBlock
-from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.chain import Chain, RigidBlock, move, trace_point, virtual_work
 from assess.mechanisms.restitution import plain_block
-from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import move, trace_point, virtual_work
+from assess.mechanisms.single_block import equivalent_block, single_block
 from assess.oscillator import energy, participation_ratio, restoring_moment
 from assess.oscillator import equivalent_block as at_rest
 

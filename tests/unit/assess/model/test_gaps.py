@@ -6,7 +6,7 @@ import pytest
 
 from assess.geometry.boolean import shortest_distance
 from assess.geometry.solid import Solid, box, polyhedron
-from assess.model.blocks import gaps_at_hinge, gaps_in_block
+from assess.model.bodies import gaps_at_hinge, gaps_in_block
 from tests.support.projects import project_toml, study_of, wall
 
 

@@ -1,33 +1,196 @@
-"""The blocks of a mechanism: cut from the bodies of a building, seen in the plane of motion, and the gaps among
-them.
+"""The bodies of a building and their masonry, and the blocks of a mechanism that are cut from them.
+
+Blocks are seen in the plane of motion; bodies of a mechanism that touch nowhere, or share space, get a warning.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations, pairwise, product
 from math import cos, sin
+from pathlib import Path
+from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from assess.errors import GeometryError
-from assess.geometry.boolean import shortest_distance
+from assess.geometry import mesh as meshes
+from assess.geometry import solid as solids
+from assess.geometry.boolean import overlap_warnings, shortest_distance
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Division, Piece, Plane, Scene, divide, inclined_plane, level_plane
+from assess.geometry.mesh import read_selected_meshes
 from assess.geometry.planar import (
+    PlanarBody,
     base_of_section,
     join_bodies,
     lowest_corners,
     planar_body,
+    planar_body_from_values,
     slope_across,
     turns_about_a_corner,
 )
 from assess.geometry.solid import Solid
 from assess.geometry.surface import connected_groups
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.model.body import Bodies
-from assess.model.definitions import BlockMechanism, CutAngle, CutPlane, Definition
+
+
+@dataclass(frozen=True, kw_only=True)
+class Material:
+    """A masonry; None where a property is not known.
+
+    density [kg/m3]; young_modulus, compressive_strength, tensile_strength [Pa]; friction : coefficient [-]
+    """
+
+    name: str
+    density: float
+    young_modulus: float | None = None
+    compressive_strength: float | None = None
+    tensile_strength: float | None = None
+    friction: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PointValues:
+    """A body without geometry: mass [kg], centroid (x, z) [m], moment of inertia about it [kg m2]."""
+
+    mass: float
+    centroid: tuple[float, float]
+    inertia: float
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Body:
+    """One body: a solid of a material, or values without geometry."""
+
+    name: str
+    solid: Solid | None = None
+    material: Material | None = None
+    values: PointValues | None = None
+
+    def __repr__(self) -> str:
+        masonry = "" if self.material is None else f", {self.material.name!r}, {self.material.density:.6g} kg/m3"
+        return f"Body({self.name!r}, {self.mass:.6g} kg{masonry})"
+
+    @property
+    def mass(self) -> float:
+        """The mass of its solid, or as given [kg]."""
+        if self.solid is not None:
+            return self.solid.mass
+        assert self.values is not None
+        return self.values.mass
+
+    def in_plane(self, direction: Sequence[float]) -> PlanarBody:
+        """Return the body seen in the vertical plane of a direction [3]."""
+        if self.solid is not None:
+            return planar_body(self.solid, direction=direction)
+        assert self.values is not None
+        given = self.values
+        return planar_body_from_values(mass=given.mass, centroid=given.centroid, inertia=given.inertia, name=self.name)
+
+
+Bodies = Mapping[str, Body]
+
+
+def solids_of(bodies: Bodies) -> dict[str, Solid | None]:
+    """Return the solid of each body, None of those without geometry."""
+    return {name: body.solid for name, body in bodies.items()}
+
+
+def box(
+    *,
+    thickness: float,
+    length: float,
+    height: float,
+    density: float | Material,
+    base: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    name: str = "box",
+) -> Body:
+    """Return a rectangular body.
+
+    Parameters
+    ----------
+    thickness : size along x [m]
+    length : size along y [m]
+    height : size along z [m]
+    density : mass per volume [kg/m3], or the masonry
+    base : centre of the base face (x, y, z) [m]
+    name : what errors and mechanisms call it
+
+    Raises
+    ------
+    GeometryError : a size or the density is not a positive finite number
+    """
+    masonry = _masonry(density, name)
+    made = solids.box(thickness=thickness, length=length, height=height, base=base, density=masonry.density, name=name)
+    return Body(name=name, solid=made, material=masonry)
+
+
+def profile(corners: ArrayLike, *, length: float, density: float | Material, name: str = "profile") -> Body:
+    """Return a polygon in the x-z plane, extruded along y and centred on y = 0.
+
+    Parameters
+    ----------
+    corners : (x, z) of the polygon in order [n, 2] [m]
+    length : of the extrusion [m]
+    density : mass per volume [kg/m3], or the masonry
+    name : what errors and mechanisms call it
+
+    Raises
+    ------
+    GeometryError : the polygon crosses itself or has no area, or a number is not positive
+    """
+    masonry = _masonry(density, name)
+    made = solids.profile(corners, length=length, density=masonry.density, name=name)
+    return Body(name=name, solid=made, material=masonry)
+
+
+def mesh(
+    path: str | Path,
+    *,
+    density: float | Material,
+    unit: float | None = None,
+    up: Literal["y", "z"] | None = None,
+    element: str | None = None,
+    name: str = "mesh",
+) -> Body:
+    """Return a body bounded by the triangle mesh of a file, mended where it is not closed.
+
+    Parameters
+    ----------
+    path : STL, OBJ, PLY, OFF, GLB, glTF or 3MF; STEP, Rhino .3dm or IFC with the extra packages
+    density : mass per volume [kg/m3], or the masonry
+    unit : of the file's coordinates [m]; the file's own where None, metres where it states none
+    up : axis of the file that points up, "y" or "z"; "y" for glTF and "z" for all others where None
+    element : only elements of the file: a name, a GlobalId, a class like "IfcWall", or a pattern; all where None
+    name : what errors and mechanisms call it
+
+    Raises
+    ------
+    GeometryError : the file cannot be read, or its mesh cannot be closed
+    """
+    if not isinstance(path, str | Path):
+        raise GeometryError(f'body "{name}": path = {path!r:.60}: give the path of one file')
+    if element is not None and not isinstance(element, str):
+        raise GeometryError(f'body "{name}": element = {element!r:.60}: give a text')
+    if up not in ("y", "z", None):
+        raise GeometryError(f'body "{name}": up = {up!r}: write "y" or "z"')
+    masonry, asked = _masonry(density, name), (Path(path), element)
+    model = read_selected_meshes({name: asked})[asked]
+    made = meshes.solid_from_meshes(model, density=masonry.density, name=name, scale=unit, up=up)
+    return Body(name=name, solid=made, material=masonry)
+
+
+def _masonry(density: float | Material, name: str) -> Material:
+    """Return the masonry of a body; raise GeometryError for a name that mechanisms cannot call it by."""
+    if not isinstance(name, str) or not name:
+        raise GeometryError(f"name = {name!r:.60}: give a text, by which mechanisms call the body")
+    return density if isinstance(density, Material) else Material(name=name, density=density)
+
 
 ROTATES_ABOUT_CORNER = "askew"
 LEVEL = 0.01  # m: an extreme line that rises by less is level
@@ -212,3 +375,17 @@ def in_contact(one: Solid, other: Solid) -> bool:
 def gap_values(one: Solid, other: Solid, distance: float) -> Gap:
     """Return the values of a warning: which two bodies are apart, and by how much [m]."""
     return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}
+
+
+def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
+    """Warn of each two bodies of a mechanism's blocks that overlap.
+
+    Parameters
+    ----------
+    definitions : mechanisms by name
+    bodies : of the building, by name
+    """
+    for name, definition in definitions.items():
+        names = dict.fromkeys(definition.bodies if isinstance(definition, BlockMechanism) else ())
+        known = [solid for body in names if (solid := bodies[body].solid) is not None]
+        yield from overlap_warnings(known, where=f"mechanisms.{name}")

@@ -111,7 +111,7 @@ def _write(job: Job, results: Results) -> str:
     from assess.results.json import dumps
 
     wanted = (RESULTS, *(REPORT if job.keep == "report" else ()))
-    with output_folder(job.folder, command="assess batch", wanted=wanted) as stage:
+    with output_folder(job.folder, command="assess batch", expected=wanted) as stage:
         (stage / RESULTS).write_bytes(dumps(results).encode())
         if job.keep == "results":
             return ""

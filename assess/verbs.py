@@ -336,7 +336,7 @@ def write_report(
         raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
     _check_jobs(jobs, progress)
     place, said = Path(folder), progress or ignore_progress
-    with output_folder(place, command="write_report", wanted=(RESULTS, *REPORT)) as stage:
+    with output_folder(place, command="write_report", expected=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())
         pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: said(step, 0, 1))
         return place / pdf.relative_to(stage)

@@ -54,7 +54,7 @@ def _run_project(project: Path, output: Path | None, jobs: int | None, *, report
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     wanted = (RESULTS, *(REPORT if report else ()))
     with (
-        output_folder(folder, command="assess run", wanted=wanted, tell=print_message) as stage,
+        output_folder(folder, command="assess run", expected=wanted, tell=print_message) as stage,
         on_interruption(f"nothing was written into {folder}"),
         progress() as shown,
     ):

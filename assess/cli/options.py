@@ -245,7 +245,7 @@ def optional_output(folder: Path | None, *, command: str, owner: str, wanted: Se
     from assess.cli.stderr import print_message
     from assess.outputs.writing import output_folder
 
-    with output_folder(folder, command=command, owner=owner, wanted=wanted, tell=print_message) as stage:
+    with output_folder(folder, command=command, owner=owner, expected=wanted, tell=print_message) as stage:
         yield stage
 
 

@@ -70,7 +70,7 @@ def report(
     wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
-        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=print_message) as stage,
+        output_folder(folder, command="assess report", owner=name, expected=wanted, tell=print_message) as stage,
         on_interruption(f"nothing was written into {folder}"),
         progress() as shown,
         read.blame_changes(),
@@ -109,7 +109,7 @@ def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language
     wanted = ("fragility.pdf", "fragility.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
-        output_folder(folder, command="assess report", owner=FRAGILITY, wanted=wanted, tell=print_message) as stage,
+        output_folder(folder, command="assess report", owner=FRAGILITY, expected=wanted, tell=print_message) as stage,
         on_interruption(f"nothing was written into {folder}"),
         progress() as shown,
     ):

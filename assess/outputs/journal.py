@@ -24,6 +24,10 @@ from assess.outputs.lock import LOCK, hold_lock, is_abandoned
 from assess.outputs.manifest import digest, link_above, stays_inside
 from assess.outputs.signals import defer_signals
 
+PREFIX = ".assess-partial-"
+MADE, OLD, JOURNAL = "made", "old", "journal.json"
+_DAY = 86400.0  # s
+
 Tell = Callable[[Message], None]
 
 
@@ -46,7 +50,7 @@ def recover_for_reading(folder: Path, *, tell: Tell) -> None:
 
 def recover(folder: Path, *, tell: Tell) -> None:
     """Recover a folder whose lock the caller holds; remove stages that are left behind."""
-    for stage in left_behind(folder, alone=True):
+    for stage in left_behind(folder, locked=True):
         if (stage / JOURNAL).is_file() and not stage.is_symlink():
             with defer_signals():
                 tell(_finish_or_take_back(stage, folder))
@@ -79,13 +83,6 @@ def _finish_or_take_back(stage: Path, folder: Path) -> Message:
     left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
     place = keep_beside(stage, folder) if left else folder
     return note("writing-taken-back", str(folder), place=str(place))
-
-
-def _stages(folder: Path) -> list[Path]:
-    try:
-        return list(folder.glob(".assess-partial-*"))
-    except OSError:
-        return []
 
 
 @dataclass(frozen=True)
@@ -211,13 +208,8 @@ def _remove_empty(folder: Path, names: Sequence[str]) -> None:
             parent.rmdir()
 
 
-PREFIX = ".assess-partial-"
-MADE, OLD, JOURNAL = "made", "old", "journal.json"
-_DAY = 86400.0  # s
-
-
 @contextmanager
-def stage(place: Path, *, command: str) -> Iterator[Path]:
+def make_stage(place: Path, *, command: str) -> Iterator[Path]:
     """Give a new hidden folder in `place`, with an empty folder `made`; it is removed unless its journal is open.
 
     Parameters
@@ -239,7 +231,7 @@ def stage(place: Path, *, command: str) -> Iterator[Path]:
     """
     folder = place / f"{PREFIX}{token_hex(6)}"
     try:
-        _make(folder)
+        _make_hidden_folder(folder)
         with hold_lock(folder, command=command):
             try:
                 (folder / MADE).mkdir()
@@ -253,7 +245,7 @@ def stage(place: Path, *, command: str) -> Iterator[Path]:
                 remove_stage(folder)
 
 
-def _make(folder: Path) -> None:
+def _make_hidden_folder(folder: Path) -> None:
     try:
         folder.mkdir(mode=0o700)
     except OSError as error:
@@ -269,22 +261,25 @@ def _empty(folder: Path) -> None:
             remove_stage(each)
 
 
-def left_behind(place: Path, *, alone: bool = False) -> list[Path]:
-    """Return the stages in `place` that no command uses; alone: no other command can begin one there now."""
+def _stages(place: Path) -> list[Path]:
     try:
-        found = sorted(place.glob(f"{PREFIX}*"))
+        return sorted(place.glob(f"{PREFIX}*"))
     except OSError:
         return []
-    return [each for each in found if _is_left_behind(each, alone=alone)]
 
 
-def _is_left_behind(found: Path, *, alone: bool) -> bool:
+def left_behind(place: Path, *, locked: bool = False) -> list[Path]:
+    """Return the stages in `place` that no command uses; locked: no other command can begin one there now."""
+    return [each for each in _stages(place) if _is_left_behind(each, locked=locked)]
+
+
+def _is_left_behind(found: Path, *, locked: bool) -> bool:
     """Return whether a stage is abandoned; one without a signed lock may just be beginning, or was stopped then."""
     lock = found / LOCK
     try:
         if lock.is_file():
-            return is_abandoned(lock, unsigned=alone or _is_older_than_a_day(lock))
-        return alone or _is_older_than_a_day(found)
+            return is_abandoned(lock, unsigned=locked or _is_older_than_a_day(lock))
+        return locked or _is_older_than_a_day(found)
     except OSError:
         return False
 

@@ -36,11 +36,11 @@ class Manifest:
     sets: Mapping[str, Mapping[str, str | None]] = field(default_factory=dict)
     earlier: tuple[str, ...] = ()
 
-    def of(self, owner: str) -> Mapping[str, str | None]:
+    def files_of(self, owner: str) -> Mapping[str, str | None]:
         """Return the files of one set."""
         return self.sets.get(owner, {})
 
-    def known(self, folder: Path) -> Manifest:
+    def with_present_digests(self, folder: Path) -> Manifest:
         """Return the manifest with the present SHA-256 of files of an earlier list."""
         return Manifest(
             {
@@ -90,11 +90,13 @@ def _manifest_of_earlier_lists(folder: Path) -> Manifest:
             written = (folder / name).stat().st_mtime
         except (OSError, UnicodeDecodeError):
             continue
-        sets[owner] = _names_inside({each: "" if _younger(folder / each, written) else None for each in names if each})
+        sets[owner] = _names_inside(
+            {each: "" if _is_younger(folder / each, written) else None for each in names if each}
+        )
     return Manifest(sets, tuple(name for name in _EARLIER if (folder / name).is_file()))
 
 
-def _younger(path: Path, written: float) -> bool:
+def _is_younger(path: Path, written: float) -> bool:
     try:
         return path.stat().st_mtime > written + _SLACK
     except OSError:

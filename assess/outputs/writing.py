@@ -13,7 +13,7 @@ from pathlib import Path
 from assess.errors import OutputError
 from assess.messages.message import Message
 from assess.outputs import journal
-from assess.outputs.journal import MADE, Move, Tell, files_in, flush, keep_beside, recover, remove_abandoned, stage
+from assess.outputs.journal import MADE, Move, Tell, files_in, flush, keep_beside, make_stage, recover, remove_abandoned
 from assess.outputs.lock import hold_lock
 from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest, link_above, read, state
 from assess.outputs.signals import defer_signals
@@ -21,7 +21,7 @@ from assess.outputs.signals import defer_signals
 _MOST_NAMES = 5  # of files in an error
 
 
-def _silent(_: Message) -> None:
+def _ignore(_: Message) -> None:
     pass
 
 
@@ -31,8 +31,8 @@ def output_folder(
     *,
     command: str,
     owner: str = RESULTS,
-    wanted: Sequence[str] = (),
-    tell: Tell = _silent,
+    expected: Sequence[str] = (),
+    tell: Tell = _ignore,
     patient: bool = False,
 ) -> Iterator[Path]:
     """Give a temporary folder; after the block, its files are moved into `folder`, unless the block raised.
@@ -46,7 +46,7 @@ def output_folder(
     owner : str
         The set that the files make up, of `assess.outputs.manifest`. Files of the set that are not made again are
         removed, except the results it is named after.
-    wanted : sequence of str
+    expected : sequence of str
         Names of files that are certain to come.
     tell : callable
         Called with a message on what was recovered in the folder.
@@ -66,13 +66,13 @@ def output_folder(
     with make_folder(folder), hold_lock(folder, command=command, patient=patient):
         recover(folder, tell=tell)
         manifest = read(folder)
-        refuse_obstacles(folder, manifest, owner, wanted)
-        with stage(folder, command=command) as place:
+        refuse_obstacles(folder, manifest, owner, expected)
+        with make_stage(folder, command=command) as place:
             yield place / MADE
             _commit(place, folder, manifest, owner)
 
 
-def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> None:
+def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> None:
     """Raise OutputError if a folder holds files that may not be replaced or removed.
 
     Parameters
@@ -83,10 +83,10 @@ def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Seque
         Of the folder.
     owner : str
         The set of files to be written.
-    wanted : sequence of str
+    expected : sequence of str
         Names of files that are certain to come.
     """
-    _refuse(folder, _obstacles(folder, manifest, owner, wanted))
+    _refuse(folder, _obstacles(folder, manifest, owner, expected))
 
 
 @contextmanager
@@ -107,14 +107,14 @@ def make_folder(folder: Path) -> Iterator[None]:
                 place.rmdir()
 
 
-def _obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> dict[str, str]:
+def _obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> dict[str, str]:
     """Return why files in the folder cannot be replaced or removed, by name.
 
-    wanted : files to be written; other files of the set are to be removed, except its results
+    expected : files to be written; other files of the set are to be removed, except its results
     """
-    ours = manifest.of(owner)
+    ours = manifest.files_of(owner)
     found = {}
-    for name in [*wanted, *(name for name in ours if name not in wanted and name != owner)]:
+    for name in [*expected, *(name for name in ours if name not in expected and name != owner)]:
         path = folder / name
         if path.is_dir():
             found[name] = "is a folder where a file is to be written"
@@ -127,11 +127,11 @@ def _obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[st
     return found
 
 
-def _refuse(folder: Path, wrong: Mapping[str, str], *, kept: str = "") -> None:
-    if not wrong:
+def _refuse(folder: Path, obstacles: Mapping[str, str], *, kept: str = "") -> None:
+    if not obstacles:
         return
-    why = next(iter(wrong.values()))
-    names = [str(folder / name) for name, each in wrong.items() if each == why]
+    why = next(iter(obstacles.values()))
+    names = [str(folder / name) for name, each in obstacles.items() if each == why]
     more = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
     listed = ", ".join(names[:_MOST_NAMES])
     raise OutputError(f"{listed}{more}: {why}; move it away, or give another folder with -o{kept}")
@@ -141,19 +141,16 @@ def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
     """Move what was made into the folder; if that is not possible, leave it beside the folder."""
     made = place / MADE
     files = {name: digest(made / name) for name in files_in(made)}
-    kept = {name: old for name, old in manifest.of(owner).items() if name == owner and name not in files}
-    listed = Manifest({**manifest.sets, owner: {**files, **kept}}).known(folder)
-    wrong = _obstacles(folder, manifest, owner, list(files))
-    _write_manifest(listed if not wrong else Manifest({owner: files}), made / MANIFEST)
-    if wrong:
+    kept = {name: old for name, old in manifest.files_of(owner).items() if name == owner and name not in files}
+    listed = Manifest({**manifest.sets, owner: {**files, **kept}}).with_present_digests(folder)
+    obstacles = _obstacles(folder, manifest, owner, list(files))
+    written = listed if not obstacles else Manifest({owner: files})
+    (made / MANIFEST).write_text(written.text(), encoding="utf-8", newline="\n")
+    if obstacles:
         left = keep_beside(place, folder)
-        _refuse(folder, wrong, kept=f"; nothing there was touched, and what was made is in {left}")
-    gone = [name for name in manifest.of(owner) if name not in files and name != owner]
+        _refuse(folder, obstacles, kept=f"; nothing there was touched, and what was made is in {left}")
+    gone = [name for name in manifest.files_of(owner) if name not in files and name != owner]
     _move_into_place([*files, *gone, *manifest.earlier, MANIFEST], place, folder)
-
-
-def _write_manifest(manifest: Manifest, path: Path) -> None:
-    path.write_text(manifest.text(), encoding="utf-8", newline="\n")
 
 
 def _move_into_place(names: Sequence[str], place: Path, folder: Path) -> None:
@@ -247,7 +244,7 @@ def _staged_file(path: Path, *, command: str) -> Iterator[Path]:
     if path.is_dir():
         raise OutputError(f"{path}: is a folder; give the name of a file")
     remove_abandoned(path.parent)
-    with stage(path.parent, command=command) as place:
+    with make_stage(path.parent, command=command) as place:
         yield place / MADE / path.name
 
 

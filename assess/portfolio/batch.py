@@ -154,7 +154,7 @@ def run_batch(
     own = tuple(rows[job.task.key] for job in mine)
     if len(rows) < len(jobs):
         return Portfolio(own, len(jobs) - len(rows), None)
-    with output_folder(order.place, command=COMMAND, owner=manifest.PORTFOLIO, wanted=WANTED, patient=True) as stage:
+    with output_folder(order.place, command=COMMAND, owner=manifest.PORTFOLIO, expected=WANTED, patient=True) as stage:
         write([rows[key] for key in jobs], stage)
     return Portfolio(own, 0, order.place / TABLE)
 

@@ -28,5 +28,5 @@ def write(folder: Path, files: Mapping[str, str]) -> None:
 
 def run(folder: Path, files: Mapping[str, str], *, owner: str = RESULTS, tell: Tell = lambda _: None) -> None:
     """Write the files into `folder` as a command does that is known to write them all."""
-    with output_folder(folder, command="a test", owner=owner, wanted=[*files], tell=tell) as stage:
+    with output_folder(folder, command="a test", owner=owner, expected=[*files], tell=tell) as stage:
         write(stage, files)

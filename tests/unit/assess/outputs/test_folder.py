@@ -131,7 +131,7 @@ def test_file_and_folder_in_the_way(tmp_path: Path) -> None:
 def began(folder: Path, wanted: list[str]) -> bool:
     """Whether the work began before the folder was refused."""
     reached = False
-    with pytest.raises(OutputError), output_folder(folder, command="a test", wanted=wanted):
+    with pytest.raises(OutputError), output_folder(folder, command="a test", expected=wanted):
         reached = True
     return bool(reached)
 

@@ -1,4 +1,4 @@
-"""The English text of messages on bodies, loads, joints and mechanisms, by key."""
+"""The English text of messages on bodies, loads, joints, restitution, directions and mechanisms, by key."""
 
 from __future__ import annotations
 
@@ -126,4 +126,55 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "restitution-above-one": "restitution {value} is above 1 though energy is lost: the hinges of the two directions "
     "differ, and the branch that begins is the faster one, its inertia being {share} of that of the one that ends; the "
     "impact keeps {kept} of the energy",
+    # loads, as far as they last
+    "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
+    "displacements and histories; give {missing} (until: the displacement of its point of application at which it "
+    'is lost, or "collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
+    "{strength}; check force and strength",
+    "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',
+    "unheld": "the mechanism is stable only because of {loads}, not shown to last to collapse, so its displacements "
+    "and histories cannot be evaluated; give until (for a tie also strength, length and fracture_strain) and a "
+    "source",
+    # sources of loads
+    "load-overburden": "weight of {bodies} on the wall, {aside} from mid-thickness",
+    "load-not-shared": "not shared with {bodies}, which stands where the wall does",
+    "load-bears": "bears on {area}",
+    "load-pushes": "only pushes on {area}",
+    "load-bears-given": "bears (given; by its contact it {seen})",
+    "load-pushes-given": "only pushes (given; by its contact it {seen})",
+    "load-share-given": "share {share} (given)",
+    "load-share-beside": "share {share} (given; by statics {statics})",
+    "load-share-statics": "share {share} (statics; the rest on {bodies})",
+    "load-place-given": "place given (its contact is at x = {x}, z = {z})",
+    "load-measure": "{symbol} = {size} (found)",
+    "load-measure-given": "{symbol} = {size} (given)",
+    "load-mass-given": "{mass} (given; by its table {table})",
+    "load-mass-direct": "{mass} (direct values)",
+    "load-mass": "{mass} ({own})",
+    "load-ungewitter": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
+    "load-with-fill": "{own}, and fill {fill} x plan {plan}",
+    "load-thrust": "H = V x / f = {V} x {x} / {f} = {H}",
+    "load-along-motion": "{force} along the motion",
+    "load-lever-of-vault": "x to the weight of half the vault from its springing (L / 4 would give {even})",
+    # sources of restitution
+    "restitution-3-45": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
+    "restitution-other": '"{rule}" would give {value}',
+    "restitution-sliding": "{value} if the loads slide on their seats and pass on no horizontal momentum",
+    "restitution-positive": "positive: {source}",
+    "restitution-negative": "negative: {source}",
+    # directions
+    "direction-weaker": "the mechanism is clearly weaker towards {direction} than in the direction given: "
+    "multiplier {weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",
+    "direction-stopped": "towards {direction}, where its multiplier is {weaker}, the mechanism is blocked by "
+    "{bodies}, which touches it there: direction left out",
+    "direction-held": "{bodies} touches the mechanism towards {direction}, where its multiplier is {weaker}, and on "
+    "the opposite side; it is assumed free to move, as no other direction is nearly as weak: give `direction` if "
+    "the contact restrains it",
+    "direction-into": "the direction given, {direction}, points into {bodies}, which touches the mechanism there: "
+    "check it",
+    "direction-left-out": "towards {direction} the mechanism cannot rock as described, so that direction was left "
+    "out: {why}",
+    "sides-by-contact": "the mechanism rocks to one side only because {bodies} touches it behind; set `sides` to "
+    "override this",
 }

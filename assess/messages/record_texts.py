@@ -1,4 +1,4 @@
-"""The English text of messages on records and spectra, by key."""
+"""The English text of messages on records, their suites, amplification and spectra, by key."""
 
 from __future__ import annotations
 
@@ -92,4 +92,39 @@ RECORD_TEXTS: Mapping[str, str] = {
     "study-of-classes-d-and-e": "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site classes D and E "
     "with S_1 >= 0.2 g; the spectrum by Table 11.4-2 can be low at long periods (Supplement 3 raises S_M1 of class D "
     'by half); give that of the study with code = "table"',
+    # suites of records
+    "remedy-keys": "give {keys}",
+    "remedy-records": "give {number} more records",
+    "remedy-longer": "records must last {duration}",
+    "remedy-finer": "give artificial records at {step} or less",
+    "remedy-factor": "scale every record by {factor}",
+    "suite-empty": "there are no records: {remedy}",
+    "suite-not-named": "artificial records may decide only if [verdict] procedures lists {procedure}: {remedy}",
+    "suite-count": "{code} requires {limit} records, {found} are available: {remedy}",
+    "suite-step": "{code} {clause} requires a time step of at most {limit}, the longest is {found}: {remedy}",
+    "suite-duration": "{code} {clause} requires a duration of {limit}, the shortest record lasts {found}: {remedy}",
+    "suite-stationary": "{code} {clause} requires a stationary part of {limit}, the shortest lasts {found}: {remedy}",
+    "suite-usable": "{code}: the slowest mechanism has a period of {limit}, the records are usable up to {found}: "
+    "{remedy}",
+    "suite-mean-low": "{code} {clause}: between {low} and {high} the mean spectrum falls to {found} of the target, "
+    "at least {limit} is required: {remedy}",
+    "suite-mean-high": "{code} {clause}: between {low} and {high} the mean spectrum rises to {found} of the target, "
+    "at most {limit} is allowed: {remedy}",
+    "suite-run-below": "{code} {clause}: between {low} and {high} the mean spectrum is below the target at {found} "
+    "consecutive periods (a hundred per decade), at most {limit} are allowed: {remedy}",
+    "suite-out-of-reach": "{code} {clause} covers the mean spectrum from {low} to {high}, but the comparison ends "
+    "at {end}: {remedy}",
+    "artificial-records": "artificial records match the spectrum at every period at once, as no earthquake does; "
+    "prefer recorded motions",
+    "vertical-left-out": "vertical components are not used: {records}",
+    # remarks on requirements
+    "further-factor": "a further factor of {factor} on every record would do",
+    "target-known": "the target is known from {low} to {high} only",
+    # amplification
+    "by-floor-factor": "every record and pulse is multiplied by {factor}, at h = {height} of H = {building}, "
+    "according to {clause}",
+    "clause-3-49": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
+    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: {assumptions}",
+    "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
+    "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",
 }

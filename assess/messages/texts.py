@@ -1,17 +1,21 @@
-"""The English text of every message, by key: plain sentences with the names of their values in braces."""
+"""The English text of every message, by key: plain sentences with the names of their values in braces.
+
+Those on checks, the verdict and the project stand here; those on geometry, records and uncertainty each in a file.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from assess.messages.fragility_texts import FRAGILITY_TEXTS
 from assess.messages.geometry_texts import GEOMETRY_TEXTS
 from assess.messages.record_texts import RECORD_TEXTS
+from assess.messages.uncertainty_texts import UNCERTAINTY_TEXTS
 
 TEXTS: Mapping[str, str] = {
-    **FRAGILITY_TEXTS,
     **GEOMETRY_TEXTS,
     **RECORD_TEXTS,
+    **UNCERTAINTY_TEXTS,
+    "listed": "{first}; {others}",
     # remarks on checks
     "spread-would-pass": "with their numerical spread a share {share} of the draws passes, but the records as they are "
     "fail, and so does the answer",
@@ -19,210 +23,6 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "the body rocks before it slides, a case that A.1 does not cover",
     "ground-motion": "the ground motion is applied unamplified although the mechanism is above ground: "
     "unconservative where the building amplifies it",
-    # the annex of verification
-    "annex-other-sources": "the annex of verification {file} was made by other sources of the program than this run; "
-    "make it again with `assess verify`",
-    "annex-failures": "of the {cases} solved cases in the annex of verification {file}, {failures} fail; rely on no "
-    "result that they concern before the cause is known",
-    "annex-quick": "the annex of verification {file} contains only the quick cases; make it again without --quick",
-    "annex-left-aside": "the annex of verification {file} is left aside: {why}",
-    "annex-left-out": "the annex of verification {file} leaves out {number} of the program's cases that concern this "
-    "project; make it again with `assess verify`, without naming cases",
-    "annex-foreign": "the annex of verification {file} has {number} cases that are not as they come with the program",
-    "annex-pdf": "the PDF beside the annex of verification {file} is missing or is not the one written with it; make "
-    "both again with `assess verify`",
-    "annex-uncovered": "no solved case that passes in the annex of verification {file} and is more than indicative "
-    "exercises these things that the project uses: {uses}",
-    "listed": "{first}; {others}",
-    # loads
-    "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
-    "displacements and histories; give {missing} (until: the displacement of its point of application at which it "
-    'is lost, or "collapse"; source: a line for the mechanism or its loads in [report.sources])',
-    "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
-    "{strength}; check force and strength",
-    "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',
-    "unheld": "the mechanism is stable only because of {loads}, not shown to last to collapse, so its displacements "
-    "and histories cannot be evaluated; give until (for a tie also strength, length and fracture_strain) and a "
-    "source",
-    "lower-confidence-factor": "uses the given confidence factor {given}, below the code's {deciding}: for "
-    "comparison only",
-    "larger-usable-rotation": "uses the given usable share {given}, above the Guidelines' {deciding}: for "
-    "comparison only",
-    "held-from-sliding": "a pass is valid only if sliding is prevented: with the friction given, the body slides "
-    "before it rocks from PGA {pga} upwards",
-    "counts-at-rest": "a pass is valid only if every resisting tie and force acts in full as the motion starts: "
-    "they count in the multiplier, but are not shown to last",
-    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end, and what "
-    "it is anchored to holds it",
-    "seats-hold": "a pass at {state} is valid only if the seats that are not given are longer than what moves on them "
-    "at the displacement capacity: {seats}",
-    "seat-travel": "{what}: {moved}",
-    "not-scanned": "a pass by histories is valid only if no lower PGA is worse, which was not looked at: [analysis] "
-    "scan = true runs the histories at rising PGA",
-    # conditions and gaps of the verdict
-    "no-deciding-method": "no method that may decide {state} was requested or applies: {methods}",
-    "missing-key": "{key}: {text}",
-    "missing-of-mechanism": "{mechanism}: {procedure}: {reason}",
-    "missing-basis": "which code decides; the site's spectrum does not determine it",
-    "missing-class-by-state": "{state} is not satisfied, which decides in class of use IV",
-    "missing-target": "the share of the new building standard to be reached, 34, 67 or 100, has no default",
-    "missing-works": "a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "
-    '"none" for a target',
-    "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
-    "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",
-    "missing-index-before": "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)",
-    "missing-limit-state": "which limit state decides: {states}",
-    "missing-spectrum-of-state": "the hazard is that of Italian limit states; {state} is decided by the spectrum of "
-    "{states}: give it",
-    "missing-state-of-spectrum": "which limit state the site's single spectrum represents; {state} is decided by the "
-    "action of {states}",
-    "missing-action-of-state": "the site's spectrum is that of {given}; {state} asks for the action of {states}",
-    "missing-hazard": "the site's spectrum is that of {given}; {state} asks for the action of {states}: give the "
-    "hazard over return periods",
-    "missing-own-pga": "it scales the hazard to {share} of what the rows give, which decides nothing: remove it; "
-    "[analysis] levels study other PGA",
-    "missing-disintegration": "whether the masonry may disintegrate: the rigid chain is credible only where it does "
-    "not (C8.7.1.2)",
-    "missing-source": 'the source (survey, quality index, test) of {key} = "excluded"',
-    "either": "{first} or {second}",
-    "class-not-given": "a pass is valid for use classes I to III; class IV also requires {states}: give [building] "
-    "use_class",
-    "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
-    "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
-    "premise-anchorage": "a pass is valid only if the wall is anchored to floors and roof",
-    "premise-collar-joints": "a pass is valid only if the collar joints between the leaves are sound",
-    "premise-coursed": "a pass is valid for coursed masonry, not for rubble: state which it is in "
-    "procedures.asce41-13.masonry",
-    "premise-no-floors": "a pass is valid only for an element that carries no floor, such as a gable, parapet or "
-    "chimney",
-    "other-spectrum": "written for spectra of {codes}, here on one of {code}: for information",
-    "period-of": "{symbol} = {period}",
-    "period-or-building": "{symbol} = {period}, or T1 of the building,",
-    "period-or-floor": "b T1' = {period}",
-    # sources of loads
-    "load-overburden": "weight of {bodies} on the wall, {aside} from mid-thickness",
-    "load-not-shared": "not shared with {bodies}, which stands where the wall does",
-    "load-bears": "bears on {area}",
-    "load-pushes": "only pushes on {area}",
-    "load-bears-given": "bears (given; by its contact it {seen})",
-    "load-pushes-given": "only pushes (given; by its contact it {seen})",
-    "load-share-given": "share {share} (given)",
-    "load-share-beside": "share {share} (given; by statics {statics})",
-    "load-share-statics": "share {share} (statics; the rest on {bodies})",
-    "load-place-given": "place given (its contact is at x = {x}, z = {z})",
-    "load-measure": "{symbol} = {size} (found)",
-    "load-measure-given": "{symbol} = {size} (given)",
-    "load-mass-given": "{mass} (given; by its table {table})",
-    "load-mass-direct": "{mass} (direct values)",
-    "load-mass": "{mass} ({own})",
-    "load-ungewitter": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
-    "load-with-fill": "{own}, and fill {fill} x plan {plan}",
-    "load-thrust": "H = V x / f = {V} x {x} / {f} = {H}",
-    "load-along-motion": "{force} along the motion",
-    "load-lever-of-vault": "x to the weight of half the vault from its springing (L / 4 would give {even})",
-    # sources of restitution
-    "restitution-3-45": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
-    "restitution-other": '"{rule}" would give {value}',
-    "restitution-sliding": "{value} if the loads slide on their seats and pass on no horizontal momentum",
-    "restitution-positive": "positive: {source}",
-    "restitution-negative": "negative: {source}",
-    # remarks on requirements and on variables
-    "further-factor": "a further factor of {factor} on every record would do",
-    "target-known": "the target is known from {low} to {high} only",
-    "not-varied": "not varied: {why}",
-    "not-assessed-low": "not assessed at the low value, {value}: {why}",
-    "not-assessed-high": "not assessed at the high value, {value}: {why}",
-    # uncertain numbers
-    "uncertainty-means": "numbers with a scatter are used at their means ({keys}); a table [analysis.uncertainty] "
-    "shows how the answers spread",
-    "uncertainty-hinges-stay": "these hinges are given as points and do not move with the faces when {key} varies; "
-    "give their coordinates a scatter of the same group, or leave them out",
-    "uncertainty-left-out": "not sampled: {why}",
-    "uncertainty-thickness-left-out": "thickness not sampled: {why}",
-    "uncertainty-not-built": "{number} of {samples} samples could not be built and have no answer; the first: {why}",
-    "uncertainty-open": "{number} of {samples} samples not answered: {why}",
-    "uncertainty-no-influence": "{group} changes nothing: varied alone from its 5 % to its 95 % quantile, the answer "
-    "is the same",
-    "uncertainty-idle": "{keys}: no influence on any answer",
-    "uncertainty-cut-off": "a share of {share} of its distribution lies beyond what is possible; values are "
-    "drawn from the rest, whose mean is {mean} times the one given",
-    # folders of results
-    "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "
-    "place",
-    "writing-taken-back": "an earlier command was interrupted while writing its files, which do not match the files "
-    "there now: those were kept, and the unfinished output is in {place}",
-    "results-changed": "these results have been changed since the program wrote them, so their numbers cannot be "
-    "trusted; run the project again",
-    # automatic controls
-    "control-reactions": "sums over the whole mechanism as rocking about {hinge} starts, at {multiplier}",
-    "control-without-hinges": "not made: the mechanism is given by its rocking parameters, without faces at its hinges",
-    "control-energy-of-masses": "record {record} at {level}: energies from masses, heights and speeds, with the loss "
-    "at {impacts} impacts",
-    "control-energy-of-table": "record {record} at {level}: energies from the capacity curve, as joints deform, "
-    "forces end or the equation is linearised, with the loss at {impacts} impacts",
-    "control-free-rocking": "no history at the site's level rocks: free rocking from half the overturning rotation "
-    "to the first impact",
-    "control-no-impact": "not made: released at half its overturning rotation, the mechanism does not come back",
-    "control-moments": "by moments about the hinges, from masses and lever arms, as rocking about {hinge} starts",
-    "control-rigid-moments": "the largest multiplier on joints that deform or crush is {lower} below that of rigid "
-    "hinges, by moments: the resultant lies inside the edge; the two need not agree",
-    "control-coarser": "record {record} at {level}, again with half the rotations in the table and {factor} times "
-    "the error allowed in a step",
-    "control-coarser-table": "no history at the site's level rocks: from half the rotations in the table",
-    "control-without-table": "not made: the linearised equation has no table, and its steps have no error",
-    "control-not-in-equilibrium": "automatic control failed: the reactions differ from weights, loads and inertia by "
-    "{difference} of the weight ({tolerance} allowed); do not use the results of this mechanism until the cause is "
-    "found",
-    "control-energy-lost": "automatic control failed: the energy balance is off by {difference} of the largest "
-    "energy ({tolerance} allowed); do not use the histories of this mechanism until the cause is found",
-    "control-other-multiplier": "automatic control failed: the uplift multiplier differs by {difference} from that "
-    "by moments about the hinges ({tolerance} allowed); do not use the results of this mechanism until the cause is "
-    "found",
-    "control-not-converged": "automatic control failed: the response changes by {difference} with a coarser table "
-    "and coarser steps ({tolerance} allowed): it is sensitive to small differences; judge by the whole suite",
-    # directions
-    "direction-weaker": "the mechanism is clearly weaker towards {direction} than in the direction given: "
-    "multiplier {weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",
-    "direction-stopped": "towards {direction}, where its multiplier is {weaker}, the mechanism is blocked by "
-    "{bodies}, which touches it there: direction left out",
-    "direction-held": "{bodies} touches the mechanism towards {direction}, where its multiplier is {weaker}, and on "
-    "the opposite side; it is assumed free to move, as no other direction is nearly as weak: give `direction` if "
-    "the contact restrains it",
-    "direction-into": "the direction given, {direction}, points into {bodies}, which touches the mechanism there: "
-    "check it",
-    "direction-left-out": "towards {direction} the mechanism cannot rock as described, so that direction was left "
-    "out: {why}",
-    "sides-by-contact": "the mechanism rocks to one side only because {bodies} touches it behind; set `sides` to "
-    "override this",
-    # amplification
-    "by-floor-factor": "every record and pulse is multiplied by {factor}, at h = {height} of H = {building}, "
-    "according to {clause}",
-    "clause-3-49": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
-    "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: {assumptions}",
-    "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
-    "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",
-    # suites of records
-    "remedy-keys": "give {keys}",
-    "remedy-records": "give {number} more records",
-    "remedy-longer": "records must last {duration}",
-    "remedy-finer": "give artificial records at {step} or less",
-    "remedy-factor": "scale every record by {factor}",
-    "suite-empty": "there are no records: {remedy}",
-    "suite-not-named": "artificial records may decide only if [verdict] procedures lists {procedure}: {remedy}",
-    "suite-count": "{code} requires {limit} records, {found} are available: {remedy}",
-    "suite-step": "{code} {clause} requires a time step of at most {limit}, the longest is {found}: {remedy}",
-    "suite-duration": "{code} {clause} requires a duration of {limit}, the shortest record lasts {found}: {remedy}",
-    "suite-stationary": "{code} {clause} requires a stationary part of {limit}, the shortest lasts {found}: {remedy}",
-    "suite-usable": "{code}: the slowest mechanism has a period of {limit}, the records are usable up to {found}: "
-    "{remedy}",
-    "suite-mean-low": "{code} {clause}: between {low} and {high} the mean spectrum falls to {found} of the target, "
-    "at least {limit} is required: {remedy}",
-    "suite-mean-high": "{code} {clause}: between {low} and {high} the mean spectrum rises to {found} of the target, "
-    "at most {limit} is allowed: {remedy}",
-    "suite-run-below": "{code} {clause}: between {low} and {high} the mean spectrum is below the target at {found} "
-    "consecutive periods (a hundred per decade), at most {limit} are allowed: {remedy}",
-    "suite-out-of-reach": "{code} {clause} covers the mean spectrum from {low} to {high}, but the comparison ends "
-    "at {end}: {remedy}",
     # reasons of checks
     "within-capacity": "the demand is within {capacity}",
     "beyond-capacity": "the demand exceeds {capacity}",
@@ -289,6 +89,62 @@ TEXTS: Mapping[str, str] = {
     "no-allowable-sliding": "for information; give procedures.asce43-05.allowable_sliding to get a verdict",
     "sliding-unbounded": "the spectrum does not fall below c_s before it ends: extend its table, or give a higher "
     "friction",
+    # what a pass depends on
+    "lower-confidence-factor": "uses the given confidence factor {given}, below the code's {deciding}: for "
+    "comparison only",
+    "larger-usable-rotation": "uses the given usable share {given}, above the Guidelines' {deciding}: for "
+    "comparison only",
+    "held-from-sliding": "a pass is valid only if sliding is prevented: with the friction given, the body slides "
+    "before it rocks from PGA {pga} upwards",
+    "counts-at-rest": "a pass is valid only if every resisting tie and force acts in full as the motion starts: "
+    "they count in the multiplier, but are not shown to last",
+    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end, and what "
+    "it is anchored to holds it",
+    "seats-hold": "a pass at {state} is valid only if the seats that are not given are longer than what moves on them "
+    "at the displacement capacity: {seats}",
+    "seat-travel": "{what}: {moved}",
+    "not-scanned": "a pass by histories is valid only if no lower PGA is worse, which was not looked at: [analysis] "
+    "scan = true runs the histories at rising PGA",
+    # conditions and gaps of the verdict
+    "no-deciding-method": "no method that may decide {state} was requested or applies: {methods}",
+    "missing-key": "{key}: {text}",
+    "missing-of-mechanism": "{mechanism}: {procedure}: {reason}",
+    "missing-basis": "which code decides; the site's spectrum does not determine it",
+    "missing-class-by-state": "{state} is not satisfied, which decides in class of use IV",
+    "missing-target": "the share of the new building standard to be reached, 34, 67 or 100, has no default",
+    "missing-works": "a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "
+    '"none" for a target',
+    "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
+    "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",
+    "missing-index-before": "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)",
+    "missing-limit-state": "which limit state decides: {states}",
+    "missing-spectrum-of-state": "the hazard is that of Italian limit states; {state} is decided by the spectrum of "
+    "{states}: give it",
+    "missing-state-of-spectrum": "which limit state the site's single spectrum represents; {state} is decided by the "
+    "action of {states}",
+    "missing-action-of-state": "the site's spectrum is that of {given}; {state} asks for the action of {states}",
+    "missing-hazard": "the site's spectrum is that of {given}; {state} asks for the action of {states}: give the "
+    "hazard over return periods",
+    "missing-own-pga": "it scales the hazard to {share} of what the rows give, which decides nothing: remove it; "
+    "[analysis] levels study other PGA",
+    "missing-disintegration": "whether the masonry may disintegrate: the rigid chain is credible only where it does "
+    "not (C8.7.1.2)",
+    "missing-source": 'the source (survey, quality index, test) of {key} = "excluded"',
+    "either": "{first} or {second}",
+    "class-not-given": "a pass is valid for use classes I to III; class IV also requires {states}: give [building] "
+    "use_class",
+    "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
+    "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
+    "premise-anchorage": "a pass is valid only if the wall is anchored to floors and roof",
+    "premise-collar-joints": "a pass is valid only if the collar joints between the leaves are sound",
+    "premise-coursed": "a pass is valid for coursed masonry, not for rubble: state which it is in "
+    "procedures.asce41-13.masonry",
+    "premise-no-floors": "a pass is valid only for an element that carries no floor, such as a gable, parapet or "
+    "chimney",
+    "other-spectrum": "written for spectra of {codes}, here on one of {code}: for information",
+    "period-of": "{symbol} = {period}",
+    "period-or-building": "{symbol} = {period}, or T1 of the building,",
+    "period-or-floor": "b T1' = {period}",
     # warnings and notes of a project
     "box-size": "a number without a unit is in m, so this is {given}; if another unit was meant, write {likely}",
     "density-odd": "a density of {given} is outside what masonry and floors have, {least} to {most}; is a digit or a "
@@ -313,8 +169,52 @@ TEXTS: Mapping[str, str] = {
     "sweep": "swept: the mechanism is represented by its most critical case, {case} (cases evaluated: {cases})",
     "sweep-left-out": "not swept in the envelopes, which use the values in the file: {keys}; `assess run` evaluates "
     "every case",
-    # records
-    "artificial-records": "artificial records match the spectrum at every period at once, as no earthquake does; "
-    "prefer recorded motions",
-    "vertical-left-out": "vertical components are not used: {records}",
+    # automatic controls
+    "control-reactions": "sums over the whole mechanism as rocking about {hinge} starts, at {multiplier}",
+    "control-without-hinges": "not made: the mechanism is given by its rocking parameters, without faces at its hinges",
+    "control-energy-of-masses": "record {record} at {level}: energies from masses, heights and speeds, with the loss "
+    "at {impacts} impacts",
+    "control-energy-of-table": "record {record} at {level}: energies from the capacity curve, as joints deform, "
+    "forces end or the equation is linearised, with the loss at {impacts} impacts",
+    "control-free-rocking": "no history at the site's level rocks: free rocking from half the overturning rotation "
+    "to the first impact",
+    "control-no-impact": "not made: released at half its overturning rotation, the mechanism does not come back",
+    "control-moments": "by moments about the hinges, from masses and lever arms, as rocking about {hinge} starts",
+    "control-rigid-moments": "the largest multiplier on joints that deform or crush is {lower} below that of rigid "
+    "hinges, by moments: the resultant lies inside the edge; the two need not agree",
+    "control-coarser": "record {record} at {level}, again with half the rotations in the table and {factor} times "
+    "the error allowed in a step",
+    "control-coarser-table": "no history at the site's level rocks: from half the rotations in the table",
+    "control-without-table": "not made: the linearised equation has no table, and its steps have no error",
+    "control-not-in-equilibrium": "automatic control failed: the reactions differ from weights, loads and inertia by "
+    "{difference} of the weight ({tolerance} allowed); do not use the results of this mechanism until the cause is "
+    "found",
+    "control-energy-lost": "automatic control failed: the energy balance is off by {difference} of the largest "
+    "energy ({tolerance} allowed); do not use the histories of this mechanism until the cause is found",
+    "control-other-multiplier": "automatic control failed: the uplift multiplier differs by {difference} from that "
+    "by moments about the hinges ({tolerance} allowed); do not use the results of this mechanism until the cause is "
+    "found",
+    "control-not-converged": "automatic control failed: the response changes by {difference} with a coarser table "
+    "and coarser steps ({tolerance} allowed): it is sensitive to small differences; judge by the whole suite",
+    # the annex of verification
+    "annex-other-sources": "the annex of verification {file} was made by other sources of the program than this run; "
+    "make it again with `assess verify`",
+    "annex-failures": "of the {cases} solved cases in the annex of verification {file}, {failures} fail; rely on no "
+    "result that they concern before the cause is known",
+    "annex-quick": "the annex of verification {file} contains only the quick cases; make it again without --quick",
+    "annex-left-aside": "the annex of verification {file} is left aside: {why}",
+    "annex-left-out": "the annex of verification {file} leaves out {number} of the program's cases that concern this "
+    "project; make it again with `assess verify`, without naming cases",
+    "annex-foreign": "the annex of verification {file} has {number} cases that are not as they come with the program",
+    "annex-pdf": "the PDF beside the annex of verification {file} is missing or is not the one written with it; make "
+    "both again with `assess verify`",
+    "annex-uncovered": "no solved case that passes in the annex of verification {file} and is more than indicative "
+    "exercises these things that the project uses: {uses}",
+    # folders of results
+    "writing-finished": "an earlier command was interrupted while writing its files; the remaining files are now in "
+    "place",
+    "writing-taken-back": "an earlier command was interrupted while writing its files, which do not match the files "
+    "there now: those were kept, and the unfinished output is in {place}",
+    "results-changed": "these results have been changed since the program wrote them, so their numbers cannot be "
+    "trusted; run the project again",
 }

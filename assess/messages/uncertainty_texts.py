@@ -1,10 +1,10 @@
-"""The English text of messages on fragility and risk, by key."""
+"""The English text of messages on fragility, risk, sensitivity and uncertain numbers, by key."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-FRAGILITY_TEXTS: Mapping[str, str] = {
+UNCERTAINTY_TEXTS: Mapping[str, str] = {
     # why no lognormal curve is drawn
     "fragility-none-reach": "no record reaches this state: no lognormal curve",
     "fragility-all-reach": "every record reaches this state at every intensity: no lognormal curve",
@@ -63,4 +63,22 @@ FRAGILITY_TEXTS: Mapping[str, str] = {
     '"modal-filter" }}',
     "fragility-ground-motion": "above the ground, but shaken by the motion of the ground unamplified: rates may be too "
     'small, and no target is shown to be met; give amplification = {{ method = "modal-filter" }}',
+    # numbers that are varied
+    "not-varied": "not varied: {why}",
+    "not-assessed-low": "not assessed at the low value, {value}: {why}",
+    "not-assessed-high": "not assessed at the high value, {value}: {why}",
+    # uncertain numbers
+    "uncertainty-means": "numbers with a scatter are used at their means ({keys}); a table [analysis.uncertainty] "
+    "shows how the answers spread",
+    "uncertainty-hinges-stay": "these hinges are given as points and do not move with the faces when {key} varies; "
+    "give their coordinates a scatter of the same group, or leave them out",
+    "uncertainty-left-out": "not sampled: {why}",
+    "uncertainty-thickness-left-out": "thickness not sampled: {why}",
+    "uncertainty-not-built": "{number} of {samples} samples could not be built and have no answer; the first: {why}",
+    "uncertainty-open": "{number} of {samples} samples not answered: {why}",
+    "uncertainty-no-influence": "{group} changes nothing: varied alone from its 5 % to its 95 % quantile, the answer "
+    "is the same",
+    "uncertainty-idle": "{keys}: no influence on any answer",
+    "uncertainty-cut-off": "a share of {share} of its distribution lies beyond what is possible; values are "
+    "drawn from the rest, whose mean is {mean} times the one given",
 }

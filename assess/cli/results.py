@@ -51,7 +51,7 @@ def report(
     if results.name == FRAGILITY:
         rewrite_fragility(results, output or results.parent, png=png, language=language)
         return
-    from assess.outputs.found_results import open_results
+    from assess.results.files import open_results
 
     read = open_results(results, tell=print_message)
     found = read.results
@@ -95,7 +95,7 @@ def report(
 def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
     """Rewrite the report of `assess fragility` from its results at `path`."""
     from assess.cli.stderr import on_interruption, print_message, progress
-    from assess.outputs.found_results import open_fragility
+    from assess.results.files import open_fragility
     from assess.outputs.manifest import FRAGILITY
     from assess.outputs.writing import output_folder
     from reports.assessment import fragility_report, locale_of, results_without_mechanisms
@@ -154,7 +154,7 @@ def summary(
         mechanisms_json,
         mechanisms_table,
     )
-    from assess.outputs.found_results import open_results
+    from assess.results.files import open_results
 
     rows: list[MechanismRow] = []
     for run in runs:
@@ -188,7 +188,7 @@ def diff(
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     from assess.cli.stderr import print_message
     from assess.cli.tables.results import changes_csv, changes_json, changes_text
-    from assess.outputs.found_results import open_results
+    from assess.results.files import open_results
     from assess.results.diff import differences
 
     first, second = (open_results(each, tell=print_message) for each in (before, after))

@@ -106,7 +106,7 @@ class Message(ShortRepr):
 
 Value = Quantity | Term | Message | str
 
-Said = Term | Message
+Translatable = Term | Message
 """What is said in English that a language can say otherwise."""
 
 
@@ -130,9 +130,9 @@ def message(
     return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
 
 
-def text_of(said: Said | str) -> str:
+def text_of(text: Translatable | str) -> str:
     """Return the English sentence of a message; a text is returned unchanged."""
-    return str(said)
+    return str(text)
 
 
 def whole_number(number: int) -> Quantity:

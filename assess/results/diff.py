@@ -20,13 +20,15 @@ from assess.results.ground_motion import RecordResult
 from assess.results.mechanism import MechanismResult, OscillatorResult
 from assess.results.response import EnvelopeResult
 from assess.results.run import Results
-from assess.results.variations import QUANTILES, SensitivityResult, SweepResult, UncertaintyResult
+from assess.results.variations import QUANTILES, SensitivityResult, SweepResult, UncertainAnswer, UncertaintyResult
 
 Kind = Literal[
     "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity",
     "uncertainty", "other", "suite", "site", "project", "input", "warning", "program",
 ]  # fmt: skip
 KINDS: tuple[Kind, ...] = get_args(Kind)
+TOLERANCE = 1e-6  # relative: differences of rounding
+ZERO = 1e-12  # numbers nearer to 0 are 0
 
 
 @dataclass(frozen=True)
@@ -52,9 +54,6 @@ class Difference:
         return float(self.after / self.before - 1.0)
 
 
-TOLERANCE = 1e-6  # relative: differences of rounding
-
-
 def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE) -> tuple[Difference, ...]:
     """Return every difference between two runs, the most important kinds first.
 
@@ -67,14 +66,14 @@ def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE
 
     Returns
     -------
-    tuple of Change
+    tuple of Difference
         Sorted by kind, in the order of `KINDS`.
     """
-    found = (change for compare in COMPARED for change in compare(before, after))
-    different = [c for c in found if not same(c.before, c.after, tolerance=tolerance)]
-    if not any(KINDS.index(change.kind) < KINDS.index("other") for change in different):
-        different += compare_other_blocks(before, after, tolerance=tolerance)
-    return tuple(sorted(different, key=lambda change: KINDS.index(change.kind)))
+    compared = (each for compare in COMPARED for each in compare(before, after))
+    found = [each for each in compared if not same(each.before, each.after, tolerance=tolerance)]
+    if not any(KINDS.index(each.kind) < KINDS.index("other") for each in found):
+        found += compare_other_blocks(before, after, tolerance=tolerance)
+    return tuple(sorted(found, key=lambda each: KINDS.index(each.kind)))
 
 
 __all__ = ["COMPARED", "KINDS", "Difference", "Kind", "differences", "is_number", "same"]
@@ -135,6 +134,16 @@ def compare_histories(before: Results, after: Results) -> Iterator[Difference]:
                 yield Difference("history", one.name, f"{what} at {level}", *of_both(attrgetter(key), first, second))
 
 
+SUITE_STATISTICS = {
+    "overturned": "records that overturn",
+    "n": "records",
+    "mean_ratio": "mean of max φ/φ_ov",
+    "median_ratio": "median of max φ/φ_ov",
+    "p84_ratio": "84 % of max φ/φ_ov",
+    "max_ratio": "largest φ/φ_ov of those that stand",
+}
+
+
 def compare_envelopes(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the least pulse that overturns each mechanism [g], and how many pulses of the grid do."""
     for one, other in common_mechanisms(before, after):
@@ -178,7 +187,7 @@ def compare_suites(before: Results, after: Results) -> Iterator[Difference]:
     sides = [{record.id: record for record in results.records} for results in (before, after)]
     if set(sides[0]) != set(sides[1]):
         yield Difference("suite", "", "records", *of_both(lambda side: ", ".join(side) or None, *sides))
-    hashes = [{each.path: each.sha256 for each in results.inputs} for results in (before, after)]
+    hashes = [_sha256_by_path(results) for results in (before, after)]
     for id, one, other in pairs(*sides):
         where = f"record {id}"
         if one is not None and other is not None:
@@ -213,8 +222,7 @@ def compare_project_values(before: Results, after: Results) -> Iterator[Differen
 
 def compare_files(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the files read, by their SHA-256."""
-    sides = [{each.path: each.sha256 for each in results.inputs} for results in (before, after)]
-    for path, one, other in pairs(*sides):
+    for path, one, other in pairs(_sha256_by_path(before), _sha256_by_path(after)):
         yield Difference("input", path, "sha256", one, other)
 
 
@@ -228,6 +236,37 @@ def compare_warnings(before: Results, after: Results) -> Iterator[Difference]:
 def compare_programs(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the versions of the program."""
     yield Difference("program", before.program.name, "version", before.program.version, after.program.version)
+
+
+COMPARED_IN_DETAIL = {"schema_version", "program", "inputs", "warnings", "project", "mechanisms", "stamp"}
+
+
+def compare_other_blocks(before: Results, after: Results, *, tolerance: float) -> Iterator[Difference]:
+    """Yield one difference that names the blocks of results.json not compared in detail that differ, if any do."""
+    blocks = different_blocks(before, after, tolerance=tolerance)
+    for one, other in common_mechanisms(before, after):
+        blocks += [f"{name} of {one.name}" for name in different_blocks(one, other, tolerance=tolerance)]
+    if blocks:
+        yield Difference("other", "", "blocks that differ", None, ", ".join(blocks))
+
+
+def different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
+    """Return the names of the fields that differ, except those compared in detail."""
+    columns = ((each.name, getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
+    return [
+        name
+        for name, *ends in columns
+        if name not in COMPARED_IN_DETAIL
+        and ends[0] != ends[1]
+        and not same(*map(as_plain_data, ends), tolerance=tolerance)
+    ]
+
+
+def as_plain_data(value: Any) -> Any:
+    """Return the value with dicts in place of dataclasses."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return asdict(value)
+    return [as_plain_data(each) for each in value] if isinstance(value, list | tuple) else value
 
 
 COMPARED: tuple[Callable[[Results, Results], Iterator[Difference]], ...] = (
@@ -248,7 +287,6 @@ COMPARED: tuple[Callable[[Results, Results], Iterator[Difference]], ...] = (
     compare_warnings,
     compare_programs,
 )
-ZERO = 1e-12  # numbers nearer to 0 are 0
 
 
 def same(one: Any, other: Any, *, tolerance: float) -> bool:
@@ -322,16 +360,6 @@ def mechanism_statements(one: MechanismVerdict) -> Statements:
     return statements
 
 
-SUITE_STATISTICS = {
-    "overturned": "records that overturn",
-    "n": "records",
-    "mean_ratio": "mean of max φ/φ_ov",
-    "median_ratio": "median of max φ/φ_ov",
-    "p84_ratio": "84 % of max φ/φ_ov",
-    "max_ratio": "largest φ/φ_ov of those that stand",
-}
-
-
 def parameters_of(oscillator: OscillatorResult | None) -> dict[str, float | None]:
     """Return the rocking parameters of one branch by name."""
     if oscillator is None:
@@ -384,9 +412,7 @@ def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], f
     if not row.quantity:
         return
     unit = "g" if row.quantity == "capacity_pga_g" else ""
-    at = "" if row.level_pga_g is None else f" at {row.level_pga_g:.6g} g"
-    of = f"{row.procedure} {row.limit_state}".strip()
-    what = f"{row.index or row.quantity}, {of}{at}, {row.key or row.parameter}"
+    what = f"{row.index or row.quantity}, {answer_name(row)}, {row.key or row.parameter}"
     for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
         yield (row.mechanism, f"{what} {side}", unit), found
         yield (row.mechanism, f"verdict of {what} {side}", ""), verdict
@@ -394,21 +420,30 @@ def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], f
 
 def uncertain_statements(found: UncertaintyResult) -> dict[tuple[str, str, str], float | str | None]:
     """Return what is sampled and what the samples give, by mechanism, subject and unit."""
-    said: dict[tuple[str, str, str], float | str | None] = {
+    statements: dict[tuple[str, str, str], float | str | None] = {
         ("", "samples", ""): found.samples,
         ("", "seed", ""): found.seed,
     }
     for one in found.inputs:
-        said["", f"{one.key}, mean", one.unit.replace("-", "")] = one.mean
-        said["", f"{one.key}, cov", ""] = one.cov
-        said["", f"{one.key}, distribution and group", ""] = f"{one.distribution}, {one.group}"
+        statements["", f"{one.key}, mean", one.unit.replace("-", "")] = one.mean
+        statements["", f"{one.key}, cov", ""] = one.cov
+        statements["", f"{one.key}, distribution and group", ""] = f"{one.distribution}, {one.group}"
     for each in found.answers:
-        at = "" if each.level_pga_g is None else f" at {each.level_pga_g:.6g} g"
-        of = f"{each.procedure} {each.limit_state}".strip() + at
-        said[each.mechanism, f"probability of failing, {of}", ""] = each.probability
+        name = answer_name(each)
+        statements[each.mechanism, f"probability of failing, {name}", ""] = each.probability
         for percent, ratio in zip(QUANTILES, each.quantiles, strict=True):
-            said[each.mechanism, f"demand_capacity, {percent} %, {of}", ""] = ratio
-    return said
+            statements[each.mechanism, f"demand_capacity, {percent} %, {name}", ""] = ratio
+    return statements
+
+
+def answer_name(answer: SensitivityResult | UncertainAnswer) -> str:
+    """Return procedure, limit state and level of an answer, as far as it has them."""
+    at = "" if answer.level_pga_g is None else f" at {answer.level_pga_g:.6g} g"
+    return f"{answer.procedure} {answer.limit_state}".strip() + at
+
+
+def _sha256_by_path(results: Results) -> dict[str, str]:
+    return {each.path: each.sha256 for each in results.inputs}
 
 
 def _lock_file(results: Results) -> str | None:
@@ -443,37 +478,6 @@ def without_absent_keys(value: Any) -> Any:
     return {key: each for key, each in value.items() if each is not None} if isinstance(value, Mapping) else value
 
 
-COMPARED_IN_DETAIL = {"schema_version", "program", "inputs", "warnings", "project", "mechanisms", "stamp"}
-
-
-def compare_other_blocks(before: Results, after: Results, *, tolerance: float) -> Iterator[Difference]:
-    """Yield one change that names the blocks of results.json not compared in detail that differ, if any do."""
-    blocks = different_blocks(before, after, tolerance=tolerance)
-    for one, other in common_mechanisms(before, after):
-        blocks += [f"{name} of {one.name}" for name in different_blocks(one, other, tolerance=tolerance)]
-    if blocks:
-        yield Difference("other", "", "blocks that differ", None, ", ".join(blocks))
-
-
-def different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
-    """Return the names of the fields that differ, except those compared elsewhere."""
-    columns = ((each.name, getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
-    return [
-        name
-        for name, *ends in columns
-        if name not in COMPARED_IN_DETAIL
-        and ends[0] != ends[1]
-        and not same(*map(as_plain_data, ends), tolerance=tolerance)
-    ]
-
-
-def as_plain_data(value: Any) -> Any:
-    """Return the value with dicts in place of dataclasses."""
-    if is_dataclass(value) and not isinstance(value, type):
-        return asdict(value)
-    return [as_plain_data(each) for each in value] if isinstance(value, list | tuple) else value
-
-
 K = TypeVar("K")
 V = TypeVar("V")
 
@@ -484,9 +488,9 @@ def pairs(before: Mapping[K, V], after: Mapping[K, V]) -> Iterator[tuple[K, V | 
         yield key, before.get(key), after.get(key)
 
 
-def of_both(of: Callable[[V], Any], one: V | None, other: V | None) -> tuple[Any, Any]:
-    """Return `of(value)` for both sides, None for a side that is missing."""
-    return (None if one is None else of(one), None if other is None else of(other))
+def of_both(value_of: Callable[[V], Any], one: V | None, other: V | None) -> tuple[Any, Any]:
+    """Return `value_of` each side, None for a side that is missing."""
+    return (None if one is None else value_of(one), None if other is None else value_of(other))
 
 
 def common_mechanisms(before: Results, after: Results) -> Iterator[tuple[MechanismResult, MechanismResult]]:

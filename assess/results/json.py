@@ -27,6 +27,8 @@ from assess.results.fragility import FRAGILITY_VERSION, CurveBand, FragilityResu
 from assess.results.verification import VERIFICATION_VERSION, VerificationResults
 
 T = TypeVar("T")
+_adapter: Callable[[Any], TypeAdapter[Any]] = cache(TypeAdapter)
+"""What validates values of a type, made once in a process, which takes a while."""
 _NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
 REMEDY = "give a results.json that `assess run` wrote"
 AGAIN = "run the project again"
@@ -38,32 +40,28 @@ def dumps(results: Results) -> str:
 
     Raises ValueError for a number that is not finite or a value that is not of the type of its field.
     """
-    return _lines(_normal(results, _results_type()))
+    return _lines(_normal(results, Results))
 
 
 def dumps_fragility(results: FragilityResults) -> str:
     """Return the text of fragility.json, as `dumps` does that of results.json."""
-    return _lines(_normal(results, _fragility_type()))
+    return _lines(_normal(results, FragilityResults))
 
 
 def dumps_verification(results: VerificationResults) -> str:
     """Return the text of verification.json with its seal, as `dumps` does that of results.json."""
-    plain = _normal(replace(results, seal=""), _verification_type())
+    plain = _normal(replace(results, seal=""), VerificationResults)
     return _lines({**plain, "seal": sha256(_lines(plain).encode()).hexdigest()})
-
-
-def _lines(plain: Mapping[str, Any]) -> str:
-    return "{\n" + ",\n".join(_json({key: value})[1:-1] for key, value in plain.items()) + "\n}\n"
 
 
 def dumps_mechanisms(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Return the `mechanisms` of results.json alone."""
-    return _json(_normal(mechanisms, _mechanisms_type())) + "\n"
+    return _json(_normal(mechanisms, tuple[MechanismResult, ...])) + "\n"
 
 
 def dumps_spectrum(spectrum: SpectrumResult) -> str:
     """Return the `spectrum` of results.json alone."""
-    return _json(_normal(spectrum, _spectrum_type())) + "\n"
+    return _json(_normal(spectrum, SpectrumResult)) + "\n"
 
 
 def dumps_suite(records: tuple[RecordResult, ...], motion: GroundMotionResult) -> str:
@@ -81,14 +79,16 @@ def dumps_suite(records: tuple[RecordResult, ...], motion: GroundMotionResult) -
     str
         JSON, ending with a line break.
     """
-    return (
-        _json({"records": _normal(records, _records_type()), "ground_motion": _normal(motion, _motion_type())}) + "\n"
-    )
+    plain = {
+        "records": _normal(records, tuple[RecordResult, ...]),
+        "ground_motion": _normal(motion, GroundMotionResult),
+    }
+    return _json(plain) + "\n"
 
 
 def dumps_envelopes(results: Results) -> str:
     """Return the envelopes of results.json alone: `mechanisms`, each with name, label and envelope, and `critical`."""
-    plain = _normal(results, _results_type())
+    plain = _normal(results, Results)
     kept = [{key: each[key] for key in ("name", "label", "envelope")} for each in plain["mechanisms"]]
     return _json({"mechanisms": kept, "critical": plain["critical"]}) + "\n"
 
@@ -127,6 +127,21 @@ def loads_verification(text: str, *, source: str = "results") -> VerificationRes
     return found
 
 
+@dataclass(frozen=True)
+class Tree(Generic[T]):
+    """A tree of results: its type, its version, and what to do about a file that holds none, or another version."""
+
+    kind: type[T]
+    version: int
+    remedy: str
+    again: str
+
+
+RESULTS_TREE = Tree(Results, SCHEMA_VERSION, REMEDY, AGAIN)
+VERIFICATION_TREE = Tree(VerificationResults, VERIFICATION_VERSION, VERIFY_AGAIN, VERIFY_AGAIN)
+FRAGILITY_TREE = Tree(FragilityResults, FRAGILITY_VERSION, "give a fragility.json that `assess fragility` wrote", AGAIN)
+
+
 def _loads(text: str, source: str, tree: Tree[T]) -> T:
     found = _validate_at_once(text, tree) or _validate_step_by_step(text, source, tree)
     if wrong := next(faults(found), None):
@@ -139,7 +154,7 @@ def _validate_at_once(text: str, tree: Tree[T]) -> T | None:
     if _NOT_FINITE.search(text):  # in words, or as numbers, which are not JSON but would be read
         return None
     try:
-        found = tree.kind().validate_json(text)
+        found: T = _adapter(tree.kind).validate_json(text)
     except ValidationError:
         return None
     return found if getattr(found, "schema_version", None) == tree.version else None
@@ -151,10 +166,11 @@ def _validate_step_by_step(text: str, source: str, tree: Tree[T]) -> T:
     if version is None:
         raise ResultsError(f"{source}: not a results file of assess (no schema_version); {tree.remedy}")
     if version != tree.version:
-        found = json.dumps(version)[:40]
-        raise ResultsError(f"{source}: schema_version: {found}: this program reads {tree.version}; {tree.again}")
+        written = json.dumps(version)[:40]
+        raise ResultsError(f"{source}: schema_version: {written}: this program reads {tree.version}; {tree.again}")
     try:
-        return tree.kind().validate_python(data)
+        found: T = _adapter(tree.kind).validate_python(data)
+        return found
     except RecursionError:
         raise ResultsError(f"{source}: nested too deeply; {tree.remedy}") from None
     except ValidationError as error:
@@ -163,59 +179,14 @@ def _validate_step_by_step(text: str, source: str, tree: Tree[T]) -> T:
         raise ResultsError(f"{source}: {where}: {first['msg'][:1].lower()}{first['msg'][1:]}; {tree.remedy}") from None
 
 
-@cache
-def _results_type() -> TypeAdapter[Results]:
-    return TypeAdapter(Results)
-
-
-@cache
-def _fragility_type() -> TypeAdapter[FragilityResults]:
-    return TypeAdapter(FragilityResults)
-
-
-@cache
-def _verification_type() -> TypeAdapter[VerificationResults]:
-    return TypeAdapter(VerificationResults)
-
-
-@dataclass(frozen=True)
-class Tree(Generic[T]):
-    """A tree of results: its type, its version, and what to do about a file that holds none, or another version."""
-
-    kind: Callable[[], TypeAdapter[T]]
-    version: int
-    remedy: str
-    again: str
-
-
-RESULTS_TREE = Tree(_results_type, SCHEMA_VERSION, REMEDY, AGAIN)
-VERIFICATION_TREE = Tree(_verification_type, VERIFICATION_VERSION, VERIFY_AGAIN, VERIFY_AGAIN)
-FRAGILITY_TREE = Tree(_fragility_type, FRAGILITY_VERSION, "give a fragility.json that `assess fragility` wrote", AGAIN)
-
-
-@cache
-def _mechanisms_type() -> TypeAdapter[tuple[MechanismResult, ...]]:
-    return TypeAdapter(tuple[MechanismResult, ...])
-
-
-@cache
-def _spectrum_type() -> TypeAdapter[SpectrumResult]:
-    return TypeAdapter(SpectrumResult)
-
-
-@cache
-def _records_type() -> TypeAdapter[tuple[RecordResult, ...]]:
-    return TypeAdapter(tuple[RecordResult, ...])
-
-
-@cache
-def _motion_type() -> TypeAdapter[GroundMotionResult]:
-    return TypeAdapter(GroundMotionResult)
-
-
-def _normal(value: Any, adapter: TypeAdapter[Any]) -> Any:
+def _normal(value: Any, kind: Any) -> Any:
     """Return `value` as dicts and tuples, each number of the type of its field."""
+    adapter = _adapter(kind)
     return adapter.dump_python(adapter.validate_python(adapter.dump_python(value, warnings=False)))
+
+
+def _lines(plain: Mapping[str, Any]) -> str:
+    return "{\n" + ",\n".join(_json({key: value})[1:-1] for key, value in plain.items()) + "\n}\n"
 
 
 def _json(value: Any) -> str:
@@ -256,7 +227,6 @@ def _parse(text: str, source: str, remedy: str = REMEDY) -> Any:
 
 _SCALARS = {float, int, bool, str, type(None)}
 Groups = tuple[tuple[str, ...], ...]
-
 OF_ONE_LENGTH: Mapping[type, Groups] = {
     PgaCurve: (("rotation_ratio", "pga_g"),),
     r.SpectrumResult: (("period_s", "acceleration_g"),),

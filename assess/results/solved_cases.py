@@ -14,9 +14,12 @@ from assess.messages.message import Term
 
 CASES = Path(__file__).parents[1] / "verification" / "cases"
 """The folder of the program's solved cases, one TOML file for each; project files stand beside them."""
-
 OF_A_CASE = frozenset({"source", "solver", "quantities"})
 """Keys of which a case has one and a project file none."""
+KINDS = frozenset({"single-block", "two-block", "four-hinge", "arch", "equivalent-block"})
+JOINTS = frozenset({"rigid", "crushing", "flexible", "semi-flexible", "flexible-thesis"})
+ORDINARY = KINDS - {"arch"} | JOINTS - {"flexible-thesis"} | {"box", "exact", "linearised", "free motion"}
+"""What so many cases exercise that it says little to share it."""
 
 
 @cache
@@ -143,8 +146,3 @@ USES: Mapping[str, Term] = {
     "risk": Term("annual rates from fragility and hazard"),
 }
 """Each word with what it is."""
-KINDS = frozenset({"single-block", "two-block", "four-hinge", "arch", "equivalent-block"})
-JOINTS = frozenset({"rigid", "crushing", "flexible", "semi-flexible", "flexible-thesis"})
-
-ORDINARY = KINDS - {"arch"} | JOINTS - {"flexible-thesis"} | {"box", "exact", "linearised", "free motion"}
-"""What so many cases exercise that it says little to share it."""

@@ -54,7 +54,7 @@ def test_every_piece_of_a_run_has_a_repr_of_one_short_line(tmp_path: Path) -> No
     file.write_text(PROJECT)
     found = list(pieces(run_study(build(load(file)), jobs=1)))
     kinds = {type(each).__name__ for each in found}
-    assert {"Results", "Trace", "BranchCurve", "EnvelopeResult", "Check", "Message"} <= kinds
+    assert {"Results", "HistoryTrace", "BranchCurve", "EnvelopeResult", "Check", "Message"} <= kinds
     long = {type(each).__name__ for each in found if len(repr(each)) >= 200 or "\n" in repr(each)}
     assert not long
 

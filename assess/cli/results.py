@@ -95,9 +95,9 @@ def report(
 def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
     """Rewrite the report of `assess fragility` from its results at `path`."""
     from assess.cli.stderr import on_interruption, print_message, progress
-    from assess.results.files import open_fragility
     from assess.outputs.manifest import FRAGILITY
     from assess.outputs.writing import output_folder
+    from assess.results.files import open_fragility
     from reports.assessment import fragility_report, locale_of, results_without_mechanisms
     from reports.project_values import project_text
     from reports.writing import Form, write_document
@@ -188,8 +188,8 @@ def diff(
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     from assess.cli.stderr import print_message
     from assess.cli.tables.results import changes_csv, changes_json, changes_text
-    from assess.results.files import open_results
     from assess.results.diff import differences
+    from assess.results.files import open_results
 
     first, second = (open_results(each, tell=print_message) for each in (before, after))
     with first.blame_changes(), second.blame_changes():

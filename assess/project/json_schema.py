@@ -31,10 +31,23 @@ from assess.project.units import (
     reads_unit,
     unit_pattern,
 )
-from assess.project.values import INFINITE, PATTERN_MARK, SHARE_UNITS, QuantityForm, with_uncertain_numbers
+from assess.project.values import (
+    INFINITE,
+    PATTERN_MARK,
+    SHARE_UNITS,
+    UNCERTAIN_MARK,
+    QuantityForm,
+    UncertainNumber,
+    quantity_schema,
+)
 
 TITLE = "Project file of assess"
 """Title of the schema, by which its file is known."""
+_REFERENCE = "#/$defs/"
+OF_ACCELERATION = ("g", "gal")
+_LETTER = "[A-Za-z]"
+_PLAIN = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
+_BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
 
 
 def schema_text() -> str:
@@ -49,10 +62,63 @@ def json_schema() -> dict[str, Any]:
     return {**with_located_faults(found), **head}
 
 
-OF_ACCELERATION = ("g", "gal")
-_LETTER = "[A-Za-z]"
-_PLAIN = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
-_BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
+def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the JSON Schema of a project file with { mean, cov } allowed at every key that is marked."""
+    defined: dict[str, Any] = {}
+
+    def allow(node: Any) -> Any:
+        if isinstance(node, list):
+            return [allow(each) for each in node]
+        if not isinstance(node, dict):
+            return node
+        plain = {key: allow(each) for key, each in node.items() if key != UNCERTAIN_MARK}
+        if UNCERTAIN_MARK not in node:
+            return plain
+        kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
+        kind = _quantity_kind(plain)
+        name = f"{UncertainNumber.__name__}-of-{kind}".replace(" ", "-")
+        defined[name] = _uncertain_number_schema(kind)
+        return {"anyOf": [plain, {"$ref": f"#/$defs/{name}"}], **kept} if plain else kept
+
+    found = allow(schema)
+    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
+
+
+def _quantity_kind(node: dict[str, Any]) -> str:
+    """Return the kind of quantity that a key holds, a ratio where it has no unit, as a restitution."""
+    marks = (each[PATTERN_MARK] for each in (node, *node.get("anyOf", ())) if PATTERN_MARK in each)
+    kind: str = next(marks, ("ratio",))[0]
+    return kind
+
+
+def _uncertain_number_schema(kind: str) -> dict[str, Any]:
+    """Return the schema of an uncertain number of a kind of quantity."""
+    schema = UncertainNumber.model_json_schema()
+    mean, sd = (schema["properties"][key] for key in ("mean", "sd"))
+    mean.update(quantity_schema(kind))
+    sd["anyOf"][0].update(quantity_schema(kind))
+    return schema
+
+
+def with_quantity_patterns(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return a JSON Schema in which every marked key refers to the definition of its quantity."""
+    defined: dict[str, Any] = {}
+
+    def refer(node: Any) -> Any:
+        if isinstance(node, list):
+            return [refer(each) for each in node]
+        if not isinstance(node, dict):
+            return node
+        plain = {key: refer(each) for key, each in node.items() if key != PATTERN_MARK}
+        if PATTERN_MARK not in node:
+            return plain
+        kind, form = node[PATTERN_MARK]
+        name = f"{form} of {kind}".replace(" ", "-")
+        defined[name] = {"type": plain.pop("type"), "pattern": quantity_pattern(kind, form)}
+        return {"$ref": f"#/$defs/{name}", **plain}
+
+    found = refer(schema)
+    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
 
 
 @cache
@@ -108,30 +174,6 @@ def _any_of(texts: Iterable[str]) -> str:
 
 def _any_case(words: Iterable[str]) -> str:
     return "(?:" + "|".join("".join(f"[{c.lower()}{c.upper()}]" for c in word) for word in words) + ")"
-
-
-def with_quantity_patterns(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return a JSON Schema in which every marked key refers to the definition of its quantity."""
-    defined: dict[str, Any] = {}
-
-    def refer(node: Any) -> Any:
-        if isinstance(node, list):
-            return [refer(each) for each in node]
-        if not isinstance(node, dict):
-            return node
-        plain = {key: refer(each) for key, each in node.items() if key != PATTERN_MARK}
-        if PATTERN_MARK not in node:
-            return plain
-        kind, form = node[PATTERN_MARK]
-        name = f"{form} of {kind}".replace(" ", "-")
-        defined[name] = {"type": plain.pop("type"), "pattern": quantity_pattern(kind, form)}
-        return {"$ref": f"#/$defs/{name}", **plain}
-
-    found = refer(schema)
-    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
-
-
-_REFERENCE = "#/$defs/"
 
 
 def with_located_faults(schema: dict[str, Any]) -> dict[str, Any]:

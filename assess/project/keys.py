@@ -22,7 +22,7 @@ from pydantic.fields import FieldInfo
 
 from assess.errors import ProjectError
 from assess.messages.message import escape_text
-from assess.project.section import ProjectSection, error_line, key_text, value_text
+from assess.project.section import KeyPath, ProjectSection, error_line, key_text, value_text
 from assess.project.sections.analysis import Sweep
 from assess.project.sections.content import Content
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
@@ -32,10 +32,16 @@ from assess.project.values import UncertainMark, UncertainNumber
 from assess.results.variations import Distribution, UncertainInput
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
-KeyPath = tuple[str | int, ...]
 WrittenNumber = int | float | str
 Marks = tuple[Kind | None, UncertainMark | None]
 NO_MARKS: Marks = (None, None)
+WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
+"""Tables without numbers that may scatter."""
+MAY_BE_UNCERTAIN = (
+    "sizes of boxes, lengths of profiles, hinges, densities, moduli and strengths of materials, friction, stiffness, "
+    "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent "
+    "blocks, and the building's period"
+)
 
 
 @dataclass(frozen=True)
@@ -53,9 +59,21 @@ class KeyedValue:
         return self.kind is not None or is_number(self.value)
 
 
+def is_number(value: object) -> bool:
+    """Whether a value is a number; true and false are not."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def one_number(value: Any) -> bool:
+    """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
+    if isinstance(value, ProjectSection):
+        return all(is_number(item) for _, item in value)
+    return is_number(value)
+
+
 def keyed_values(content: Content) -> dict[str, KeyedValue]:
     """Return every key of the project, with dots and items of lists counted from 0, defaults included."""
-    return {".".join(map(str, place.path)): place for place in _keyed_values_below((), content, NO_MARKS)}
+    return {".".join(map(str, entry.path)): entry for entry in _keyed_values_below((), content, NO_MARKS)}
 
 
 def _keyed_values_below(path: KeyPath, value: Any, marks: Marks) -> Iterator[KeyedValue]:
@@ -96,22 +114,22 @@ def _metadata(annotation: Any) -> Iterator[Any]:
         yield from _metadata(part)
 
 
-def swept_value(key: str, places: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
-    """Return the place that a sweep names; raise ProjectError if it does not exist or holds no number."""
-    place = places.get(key) or places.get(count_from_0(key))
-    if place is not None and (place.is_number or isinstance(place.value, ProjectSection)):
-        return place
-    what = "unknown key" if place is None else "holds no number"
-    raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, places)}")
+def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
+    """Return what stands at the key that a sweep names; raise ProjectError if it does not exist or holds no number."""
+    entry = by_key.get(key) or by_key.get(count_from_0(key))
+    if entry is not None and (entry.is_number or isinstance(entry.value, ProjectSection)):
+        return entry
+    what = "unknown key" if entry is None else "holds no number"
+    raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, by_key)}")
 
 
-def _remedy(key: str, places: Mapping[str, KeyedValue]) -> str:
+def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
     """Say what to write instead of a key that does not exist or holds no number."""
     table, _, last = key.rpartition(".")
-    above = places.get(table)
+    above = by_key.get(table)
     if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
         return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
-    near = get_close_matches(key, [name for name, place in places.items() if place.is_number], n=1)
+    near = get_close_matches(key, [name for name, entry in by_key.items() if entry.is_number], n=1)
     remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
 
@@ -152,13 +170,6 @@ def _as_written(value: Any) -> Any:
 def value_at(content: Content, path: KeyPath) -> Any:
     """Return the validated value at a key."""
     return reduce(_step_down, path, content)
-
-
-def one_number(value: Any) -> bool:
-    """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
-    if isinstance(value, ProjectSection):
-        return all(is_number(item) for _, item in value)
-    return is_number(value)
 
 
 def dependents(
@@ -240,29 +251,29 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
     sweeps = content.analysis.sweeps
     if not sweeps:
         return ()
-    places = keyed_values(content)
+    by_key = keyed_values(content)
     single = isinstance(content.analysis.sweep, Sweep)
     names = ["analysis.sweep"] if single else [f"analysis.sweep[{i}]" for i in range(1, len(sweeps) + 1)]
     return tuple(
-        _key_sweep(sweep, swept_value(sweep.key, places, where=where), content, raw, folder, where=where)
+        _key_sweep(sweep, swept_value(sweep.key, by_key, where=where), content, raw, folder, where=where)
         for sweep, where in zip(sweeps, names, strict=True)
     )
 
 
 def _key_sweep(
-    sweep: Sweep, place: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
+    sweep: Sweep, entry: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
 ) -> KeySweep:
     variants, units = [], []
     for given in sweep.values or _values_in_range(sweep, where=where):
         name = f"{where}: {sweep.key} = {value_text(given)}"
-        read = read_case(with_value(raw, place.path, given, content), folder, place.path, given, name=name)
+        read = read_case(with_value(raw, entry.path, given, content), folder, entry.path, given, name=name)
         number, unit = _number_and_unit_of(given, where=name)
         units.append(unit)
         if unit != units[0]:
             raise ProjectError(f"{name}: not in the unit of the first value; write all in one unit")
         variants.append(ProjectVariant(number, name, read))
-    symbol = "-" if place.kind is None else place.kind.symbol.replace("no unit", "-")
-    return KeySweep(where, sweep.key, place.path, units[0] or symbol, tuple(variants))
+    symbol = "-" if entry.kind is None else entry.kind.symbol.replace("no unit", "-")
+    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, tuple(variants))
 
 
 def _values_in_range(sweep: Sweep, *, where: str) -> tuple[WrittenNumber, ...]:
@@ -306,16 +317,6 @@ def read_case(raw: Mapping[str, Any], folder: Path, path: KeyPath, value: Any, *
     return content
 
 
-MAY_BE_UNCERTAIN = (
-    "sizes of boxes, lengths of profiles, hinges, densities, moduli and strengths of materials, friction, stiffness, "
-    "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent "
-    "blocks, and the building's period"
-)
-
-WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
-"""Tables without numbers that may scatter."""
-
-
 @dataclass(frozen=True)
 class UncertainValue:
     """A number of the project that scatters.
@@ -333,7 +334,7 @@ StatedUncertainNumbers = tuple[tuple[KeyPath, UncertainNumber], ...]
 
 
 def take_means(raw: Mapping[str, Any], folder: Path) -> tuple[dict[str, Any], StatedUncertainNumbers]:
-    """Return what the file says with the mean in place of each uncertain number, and these numbers.
+    """Return what the file says with the mean in entry of each uncertain number, and these numbers.
 
     Raises ProjectError for a table with a mean that is none of an uncertain number.
     """
@@ -341,7 +342,7 @@ def take_means(raw: Mapping[str, Any], folder: Path) -> tuple[dict[str, Any], St
 
     def plain(value: Any, path: KeyPath) -> Any:
         if isinstance(value, list):
-            return [plain(item, (*path, place)) for place, item in enumerate(value)]
+            return [plain(item, (*path, index)) for index, item in enumerate(value)]
         if not isinstance(value, Mapping):
             return value
         if not _is_uncertain(value):
@@ -373,21 +374,21 @@ def uncertain_values(content: Content, stated: StatedUncertainNumbers) -> tuple[
     """
     if not stated:
         return ()
-    places = keyed_values(content)
-    return tuple(_uncertain_value(path, number, places, content) for path, number in stated)
+    by_key = keyed_values(content)
+    return tuple(_uncertain_value(path, number, by_key, content) for path, number in stated)
 
 
 def _uncertain_value(
-    path: KeyPath, number: UncertainNumber, places: Mapping[str, KeyedValue], content: Content
+    path: KeyPath, number: UncertainNumber, by_key: Mapping[str, KeyedValue], content: Content
 ) -> UncertainValue:
-    key, place = key_text(path), places.get(".".join(map(str, path)))
-    if place is None or place.uncertain is None:
+    key, entry = key_text(path), by_key.get(".".join(map(str, path)))
+    if entry is None or entry.uncertain is None:
         raise ProjectError(f"{key}: must be one number; only these may be {{ mean, cov }}: {MAY_BE_UNCERTAIN}")
     mean = si_mean(content, path)
     if not isinstance(mean, float) or mean == 0.0 or not isfinite(mean):
         raise ProjectError(f"{key}.mean: {value_text(number.mean)}: no number to scatter about; write it without cov")
-    kind = place.kind or KINDS["ratio"]
-    limits = place.uncertain
+    kind = entry.kind or KINDS["ratio"]
+    limits = entry.uncertain
     cov = number.cov if number.cov is not None else _cov_of_deviation(number, mean, kind, key)
     distribution: Distribution = number.distribution or ("normal" if limits.crosses_zero else "lognormal")
     if not limits.crosses_zero:
@@ -428,7 +429,3 @@ def _check_positive(distribution: Distribution, cov: float, key: str) -> None:
 def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
     """Return the coefficient of variation of each uncertain number, by its key written with dots."""
     return {".".join(map(str, value.path)): value.given.cov for value in values}
-
-
-def is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

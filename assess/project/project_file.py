@@ -33,7 +33,7 @@ from assess.project.keys import (
     take_means,
     uncertain_values,
 )
-from assess.project.section import Key, ProjectSection, error_line, key_text, look_up, value_text
+from assess.project.section import KeyPath, ProjectSection, error_line, key_text, look_up, value_text
 from assess.project.sections.content import Content
 from assess.project.units import KINDS, USUAL, is_weight
 from assess.results import ResolvedValue
@@ -259,8 +259,8 @@ HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant i
 BUILT = {"thickness": (0.1, 6.0), "length": (0.2, HUGE), "height": (0.2, HUGE)}  # m, of what is assessed
 SHORTER = ("mm", "in", "cm", "ft")  # units that sizes are typed in, besides m
 WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
-SPECTRUM: Key = ("site", "spectrum")
-ACCELERATION_KEYS: tuple[Key, ...] = (
+SPECTRUM: KeyPath = ("site", "spectrum")
+ACCELERATION_KEYS: tuple[KeyPath, ...] = (
     ("site", "pga"),
     *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")),
 )
@@ -292,7 +292,7 @@ def _entries_of(table: object) -> Iterable[tuple[str, Any]]:
     return table.items() if isinstance(table, Mapping) else ()
 
 
-def _size_messages(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
+def _size_messages(body: KeyPath, raw: Mapping[str, Any]) -> Iterator[Message]:
     """Warn of each size of a box or profile if one of them is huge and all are written without a unit."""
     sizes = {key: (words, size) for key, words, size in _sizes(raw) if is_number(size)}
     if not any(size > HUGE for _, size in sizes.values()):
@@ -304,7 +304,7 @@ def _size_messages(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
             yield warning("box-size", key_text((*body, *key)), given=Quantity(size, "length"), likely=likely)
 
 
-def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[Key, str, Any]]:
+def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str, Any]]:
     """Yield the sizes of a body with their keys and names."""
     for name, size in _entries_of(raw.get("box")):
         if name in BUILT:
@@ -327,7 +327,7 @@ def _is_built(words: str, size: float, unit: str) -> bool:
     return least <= size * float(USUAL["length"][unit]) <= most
 
 
-def _material_messages(material: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
+def _material_messages(material: KeyPath, raw: Mapping[str, Any]) -> Iterator[Message]:
     """Warn of each number of a material that no masonry has, with the unit that was likely meant."""
     for name, (dimension, ranges) in MATERIALS.items():
         value: Any = raw.get(name)
@@ -342,7 +342,7 @@ def _material_messages(material: Key, raw: Mapping[str, Any]) -> Iterator[Messag
 def _acceleration_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
     levels = look_up(raw, ("analysis", "levels"))[1] or ()
     rows = look_up(raw, (*SPECTRUM, "hazard"))[1] or ()
-    listed: list[Key] = [("analysis", "levels", place) for place in range(len(levels))]
+    listed: list[KeyPath] = [("analysis", "levels", place) for place in range(len(levels))]
     listed += [(*SPECTRUM, "hazard", place, "a_g") for place in range(len(rows))]
     for key in (*ACCELERATION_KEYS, *listed):
         value = look_up(raw, key)[1]

@@ -22,17 +22,9 @@ from pydantic_core import CoreSchema, ErrorDetails, PydanticCustomError
 
 from assess.messages.message import escape_text
 
-
-def error_at(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
-    """Return an error at `key`, one or more steps below the table that is being read."""
-    return PydanticCustomError(
-        "project", "{reason}", {"key": (key,) if isinstance(key, str) else key, "reason": reason}
-    )
-
-
-def quote_names(names: Mapping[str, Any] | tuple[str, ...]) -> str:
-    """Write names in quotes, for a sentence."""
-    return ", ".join(f'"{name}"' for name in names)
+KeyPath = tuple[str | int, ...]
+"""A key by its steps from the top of the file; items of lists are counted from 0."""
+_LONGEST = 60  # characters of a value in an error
 
 
 class ProjectSection(BaseModel):
@@ -55,8 +47,8 @@ class ProjectSection(BaseModel):
         below: dict[str, str] = {}
         for table in reversed(cls.__mro__):
             below |= descriptions(table) if issubclass(table, ProjectSection) else {}
-        said = {name: field.description or below.get(name) for name, field in cls.model_fields.items()}
-        return {cls.model_fields[name].alias or name: text for name, text in said.items() if text}
+        meanings = {name: field.description or below.get(name) for name, field in cls.model_fields.items()}
+        return {cls.model_fields[name].alias or name: text for name, text in meanings.items() if text}
 
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -98,8 +90,32 @@ class ProjectSection(BaseModel):
         return key in self.model_fields_set
 
 
-_LONGEST = 60
-Key = tuple[str | int, ...]
+@cache
+def descriptions(table: type) -> dict[str, str]:
+    """Return the sentence below each attribute that the class `table` itself declares.
+
+    It is read from the source when needed; pydantic would read it at every import (0.1 s).
+    """
+    found = {}
+    (body,) = ast.parse(dedent(inspect.getsource(table))).body
+    assert isinstance(body, ast.ClassDef)
+    for attribute, below in pairwise(body.body):
+        match attribute, below:
+            case ast.AnnAssign(target=ast.Name(name)), ast.Expr(value=ast.Constant(value=str(sentence))):
+                found[name] = inspect.cleandoc(sentence)
+    return found
+
+
+def error_at(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
+    """Return an error at `key`, one or more steps below the table that is being read."""
+    return PydanticCustomError(
+        "project", "{reason}", {"key": (key,) if isinstance(key, str) else key, "reason": reason}
+    )
+
+
+def quote_names(names: Mapping[str, Any] | tuple[str, ...]) -> str:
+    """Write names in quotes, for a sentence."""
+    return ", ".join(f'"{name}"' for name in names)
 
 
 def _plain_quotes(expected: str) -> str:
@@ -125,7 +141,7 @@ _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
 
 def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     """Return the first error as "key: value: what is wrong; remedy", and how many more the `raw` content has."""
-    by_key: dict[Key, ErrorDetails] = {}
+    by_key: dict[KeyPath, ErrorDetails] = {}
     for found in error.errors(include_url=False):
         if found["type"] != "default_factory_not_called":
             by_key.setdefault(_key_in_file(found, raw), found)
@@ -136,7 +152,7 @@ def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
 
 
-def key_text(key: Key) -> str:
+def key_text(key: KeyPath) -> str:
     """Write a key as users do: `mechanisms.W1.hinges.A[2]`."""
     text = "".join(f"[{step + 1}]" if isinstance(step, int) else f".{escape_text(step)}" for step in key)
     return text.lstrip(".")
@@ -148,7 +164,7 @@ def value_text(value: Any) -> str:
     return text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…"
 
 
-def _key_in_file(error: ErrorDetails, raw: Mapping[str, Any]) -> Key:
+def _key_in_file(error: ErrorDetails, raw: Mapping[str, Any]) -> KeyPath:
     """Return the key of the error in the file, without the tags of pydantic's unions."""
     below = tuple(error.get("ctx", {}).get("key", ()))
     key: list[str | int] = []
@@ -156,26 +172,18 @@ def _key_in_file(error: ErrorDetails, raw: Mapping[str, Any]) -> Key:
         known, value = look_up(raw, tuple(key))
         if not (isinstance(value, Mapping | Sequence) and not isinstance(value, str)) and known:
             break
-        if not (
-            isinstance(step, str)
-            and step.startswith("<")
-            and step.endswith(">")
-            and step not in _table_or_nothing(value)
-        ):
+        is_tag = isinstance(step, str) and step.startswith("<") and step.endswith(">")
+        if not is_tag or (isinstance(value, Mapping) and step in value):
             key.append(step)
     return (*(step for step in key if step != "[key]"), *below)
 
 
-def _is_below(key: Key, table: Key) -> bool:
+def _is_below(key: KeyPath, table: KeyPath) -> bool:
     """Whether a key lies within another, of which a fault is then the consequence: a list too short, say."""
     return len(key) > len(table) and key[: len(table)] == table
 
 
-def _table_or_nothing(value: Any) -> Mapping[str, Any]:
-    return value if isinstance(value, Mapping) else {}
-
-
-def look_up(raw: Mapping[str, Any], key: Key) -> tuple[bool, Any]:
+def look_up(raw: Mapping[str, Any], key: KeyPath) -> tuple[bool, Any]:
     """Whether the file holds `key`, and its value."""
     value: Any = raw
     for step in key:
@@ -196,19 +204,3 @@ def _sentence(error: ErrorDetails, *, known: bool) -> str:
         return str(context["error"])
     sentence = _SENTENCES.get(error["type"])
     return sentence(context) if sentence else f"{error['msg'][:1].lower()}{error['msg'][1:]}"
-
-
-@cache
-def descriptions(table: type) -> dict[str, str]:
-    """Return the sentence below each attribute that the class `table` itself declares.
-
-    It is read from the source when needed; pydantic would read it at every import (0.1 s).
-    """
-    found = {}
-    (body,) = ast.parse(dedent(inspect.getsource(table))).body
-    assert isinstance(body, ast.ClassDef)
-    for attribute, below in pairwise(body.body):
-        match attribute, below:
-            case ast.AnnAssign(target=ast.Name(name)), ast.Expr(value=ast.Constant(value=str(sentence))):
-                found[name] = inspect.cleandoc(sentence)
-    return found

@@ -7,7 +7,6 @@ import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import date
-from math import inf, pi
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeVar
 
@@ -38,6 +37,18 @@ from assess.results.variations import Distribution
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 T = TypeVar("T")
+QuantityForm = Literal["quantity", "quantity or infinite", "change", "unit"]
+PATTERN_MARK = "pattern of"
+"""Stands in the schema of a marked key, with its kind and form, until `with_quantity_patterns` has replaced it."""
+UNCERTAIN_MARK = "or { mean, cov }"
+"""Stands in the schema of a marked key until `with_uncertain_numbers` has replaced it."""
+SHARE_UNITS = ("", "%", "percent", "permille")
+"""The units of a change that is a share of a number, and no amount."""
+INFINITE = ("inf", "infinite")
+LONGEST_LINE = 200  # characters
+LONGEST_PARAGRAPH = 1000  # characters
+REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+"""Characters that show a text in another order than it is written."""
 
 
 def _read(kind: str) -> BeforeValidator:
@@ -56,11 +67,6 @@ def _described(kind: str, form: QuantityForm = "quantity") -> WithJsonSchema:
     return WithJsonSchema({**quantity_schema(kind), "description": words, PATTERN_MARK: [kind, form]})
 
 
-QuantityForm = Literal["quantity", "quantity or infinite", "change", "unit"]
-
-PATTERN_MARK = "pattern of"
-"""Stands in the schema of a marked key, with its kind and form, until `with_quantity_patterns` has replaced it."""
-
 # the kind stands beside its reader, so that the unit of a key can be told from the type of the key
 Length = Annotated[float, _read("length"), _described("length"), KINDS["length"]]
 Mass = Annotated[float, _read("mass"), _described("mass"), KINDS["mass"]]
@@ -77,6 +83,7 @@ Frequency = Annotated[float, _read("frequency"), _described("frequency"), KINDS[
 Angle = Annotated[float, _read("angle"), _described("angle"), KINDS["angle"]]
 Ratio = Annotated[float, _read("ratio"), _described("ratio"), KINDS["ratio"]]
 Years = Annotated[float, _read("duration"), _described("duration"), KINDS["duration"]]
+
 PositiveLength = Annotated[Length, Field(gt=0)]
 NotNegativeLength = Annotated[Length, Field(ge=0)]
 PositiveMass = Annotated[Mass, Field(gt=0)]
@@ -107,15 +114,11 @@ def _or_infinite(kind: str) -> BeforeValidator:
     return BeforeValidator(read)
 
 
-def _described_or_infinite(kind: str) -> WithJsonSchema:
-    return _described(kind, "quantity or infinite")
-
-
-INFINITE = ("inf", "infinite")
-Strength = Annotated[float, Field(gt=0), _or_infinite("stress"), _described_or_infinite("stress"), KINDS["stress"]]
-
+Strength = Annotated[
+    float, Field(gt=0), _or_infinite("stress"), _described("stress", "quantity or infinite"), KINDS["stress"]
+]
 JointStiffness = Annotated[
-    float, Field(gt=0), _or_infinite("stiffness"), _described_or_infinite("stiffness"), KINDS["stiffness"]
+    float, Field(gt=0), _or_infinite("stiffness"), _described("stiffness", "quantity or infinite"), KINDS["stiffness"]
 ]
 
 
@@ -309,11 +312,6 @@ InputFiles = Annotated[
         }
     ),
 ]
-LONGEST_LINE = 200  # characters
-LONGEST_PARAGRAPH = 1000  # characters
-
-REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-"""Characters that show a text in another order than it is written."""
 
 
 def _fits_in(most: int, *, line_breaks: bool) -> Callable[[str], str]:
@@ -333,7 +331,8 @@ def _fits_in(most: int, *, line_breaks: bool) -> Callable[[str], str]:
     return check
 
 
-def _text_or_date(value: Any) -> Any:
+def text_of_date(value: Any) -> Any:
+    """Return a date of TOML as its text, and all else unchanged."""
     return value.isoformat() if isinstance(value, date) else value
 
 
@@ -343,13 +342,10 @@ def _text_or_number(value: Any) -> Any:
 
 TextLine = Annotated[StrictStr, AfterValidator(_fits_in(LONGEST_LINE, line_breaks=False))]
 """A text of one line."""
-
 Paragraph = Annotated[StrictStr, AfterValidator(_fits_in(LONGEST_PARAGRAPH, line_breaks=True))]
 """A text of a few lines."""
-
-DateText = Annotated[TextLine, BeforeValidator(_text_or_date)]
+DateText = Annotated[TextLine, BeforeValidator(text_of_date)]
 """A date as TOML has them, or in the user's own words."""
-
 NumberText = Annotated[
     TextLine,
     BeforeValidator(_text_or_number),
@@ -395,7 +391,6 @@ def _listed(value: Any) -> Any:
 
 
 _AN_ITEM = {"type": ["string", "integer"]}
-
 ItemKeys = Annotated[
     tuple[TextLine, ...],
     BeforeValidator(_listed),
@@ -405,9 +400,6 @@ ItemKeys = Annotated[
 ]
 """Items of the list of possible mechanisms: one or several, by key, or by number for churches."""
 
-UNCERTAIN_MARK = "or { mean, cov }"
-"""Stands in the schema of a marked key until `with_uncertain_numbers` has replaced it."""
-
 
 @dataclass(frozen=True)
 class UncertainMark:
@@ -416,7 +408,7 @@ class UncertainMark:
     most : the largest size that it can have [SI]; crosses_zero : whether its values may change sign, as coordinates
     """
 
-    most: float = inf
+    most: float = math.inf
     crosses_zero: bool = False
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -426,18 +418,22 @@ class UncertainMark:
 UNCERTAIN = UncertainMark()
 UNCERTAIN_COORDINATE = UncertainMark(crosses_zero=True)
 UNCERTAIN_RESTITUTION = UncertainMark(most=1.0)
-UNCERTAIN_UPLIFT = UncertainMark(most=pi / 2.0)
+UNCERTAIN_UPLIFT = UncertainMark(most=math.pi / 2.0)
 
 
-def _written_quantity(value: Any) -> Any:
-    if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise ValueError("not a number or a quantity; write it as without scatter")
-    return value
+def number_or_text(remedy: str) -> PlainValidator:
+    """Return a check that a value is a number or a text, which is read where it is known what it measures."""
+
+    def check(value: Any) -> Any:
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            raise ValueError(f"not a number or a quantity; {remedy}")
+        return value
+
+    return PlainValidator(check)
 
 
-WrittenQuantity = Annotated[
-    int | float | str, PlainValidator(_written_quantity), WithJsonSchema({"type": ["number", "string"]})
-]
+WRITTEN_QUANTITY_SCHEMA = WithJsonSchema({"type": ["number", "string"]})
+WrittenQuantity = Annotated[int | float | str, number_or_text("write it as without scatter"), WRITTEN_QUANTITY_SCHEMA]
 
 
 class UncertainNumber(ProjectSection):
@@ -459,45 +455,3 @@ class UncertainNumber(ProjectSection):
         if (self.cov is None) == (self.sd is None):
             raise error_at("cov", "give either cov, a share of the mean like 0.05, or sd, in the unit of the mean")
         return self
-
-
-def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return the JSON Schema of a project file with { mean, cov } allowed at every key that is marked."""
-    defined: dict[str, Any] = {}
-
-    def allow(node: Any) -> Any:
-        if isinstance(node, list):
-            return [allow(each) for each in node]
-        if not isinstance(node, dict):
-            return node
-        plain = {key: allow(each) for key, each in node.items() if key != UNCERTAIN_MARK}
-        if UNCERTAIN_MARK not in node:
-            return plain
-        kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
-        kind = _quantity_kind(plain)
-        name = f"{UncertainNumber.__name__}-of-{kind}".replace(" ", "-")
-        defined[name] = _uncertain_number_schema(kind)
-        return {"anyOf": [plain, {"$ref": f"#/$defs/{name}"}], **kept} if plain else kept
-
-    found = allow(schema)
-    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
-
-
-def _quantity_kind(node: dict[str, Any]) -> str:
-    """Return the kind of quantity that a key holds, a ratio where it has no unit, as a restitution."""
-    marks = (each[PATTERN_MARK] for each in (node, *node.get("anyOf", ())) if PATTERN_MARK in each)
-    kind: str = next(marks, ("ratio",))[0]
-    return kind
-
-
-def _uncertain_number_schema(kind: str) -> dict[str, Any]:
-    """Return the schema of an uncertain number of a kind of quantity."""
-    schema = UncertainNumber.model_json_schema()
-    mean, sd = (schema["properties"][key] for key in ("mean", "sd"))
-    mean.update(quantity_schema(kind))
-    sd["anyOf"][0].update(quantity_schema(kind))
-    return schema
-
-
-SHARE_UNITS = ("", "%", "percent", "permille")
-"""The units of a change that is a share of a number, and no amount."""

@@ -8,7 +8,6 @@ from assess.project.sections.analysis import (
     Change,
     Fragility,
     Pulses,
-    Records,
     Risk,
     Sensitivity,
     Uncertainty,
@@ -32,7 +31,7 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.procedures import FreeElement, Italian, VerdictSection
-from assess.project.sections.select import Select
+from assess.project.sections.records import Records, Select
 from assess.project.sections.site import (
     Asce7MappedSpectrum,
     Asce7Spectrum,

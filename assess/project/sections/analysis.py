@@ -12,7 +12,6 @@ from pydantic import (
     BeforeValidator,
     Discriminator,
     Field,
-    PlainValidator,
     StrictBool,
     StrictInt,
     StrictStr,
@@ -22,101 +21,28 @@ from pydantic import (
 )
 from scipy.constants import g
 
-from assess.codes.asce41_13 import Masonry, Position, Seismicity
 from assess.project.section import ProjectSection, error_at, quote_names
-from assess.project.sections.procedures import Dmi2008, Ntc2018, Procedure
-from assess.project.sections.select import Select
+from assess.project.sections.procedures import Procedure
 from assess.project.units import KINDS, QuantityError, key_value, number_and_unit
 from assess.project.values import (
     PATTERN_MARK,
+    SHARE_UNITS,
+    WRITTEN_QUANTITY_SCHEMA,
     Acceleration,
-    AccelerationUnit,
     Angle,
-    Count,
-    FilePlace,
     InputFile,
-    InputFiles,
     Name,
     PositiveAcceleration,
     PositiveFrequency,
-    PositiveLength,
     PositiveRatio,
-    PositiveTime,
     PositiveYears,
     Ratio,
-    Share,
+    number_or_text,
     unique,
 )
-from assess.project.values import SHARE_UNITS as UNITS_OF_SHARES
-
-
-class Synthetic(ProjectSection):
-    """Artificial records that fit the site's spectrum."""
-
-    count: Annotated[Count, Field(le=1000)] = 7
-    """how many"""
-    seed: Annotated[StrictInt, Field(ge=0)] = 1
-    """of the random numbers: the same seed makes the same records"""
-    duration: Annotated[PositiveTime, Field(ge=8, le=600)] = 25.0
-    """length of each record, like "25 s", which NTC 2018 asks for; ASCE 43-05 asks for 20 s"""
-
-
-class Records(ProjectSection):
-    """The ground motions: from files, artificial, or both; artificial ones where nothing is said."""
-
-    files: InputFiles = ()
-    """record files of any format known, names or patterns relative to the project file; their horizontal components;
-    with `select` also folders"""
-    select: Select | None = None
-    """{ count, periods, scale_limits, one_per_event, … }: the best suite out of `files`; all of them if absent"""
-    flatfile: InputFile | None = None
-    """PEER flatfile in CSV, with magnitude, distance and Vs30 of the recordings, for `select`"""
-    unit: AccelerationUnit | None = None
-    """unit of acceleration, only for files that do not say theirs"""
-    step: PositiveTime | None = None
-    """time step, only for files that do not say theirs"""
-    response: InputFile | None = None
-    """StationXML of the instruments, for MiniSEED and SAC files in counts"""
-    synthetic: Synthetic | None = Field(default_factory=lambda values: None if values["files"] else Synthetic())
-    """{ count, seed, duration } of artificial records"""
-    scale_to: Literal["spectrum", "pga", "none"] = "spectrum"
-    """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
-    factor: PositiveRatio = 1.0
-    """further factor on every record, like 1.05, where the mean of the suite falls short of what its code asks"""
-    lock: FilePlace | None = None
-    """file like "records.lock.toml", written by `assess records select PROJECT --lock`: its records and factors are
-    used, and the other keys here say how it is made"""
-
-    @property
-    def selection(self) -> Select | None:
-        """What the suite is selected by; nothing is selected for a locked one."""
-        return self.select if self.lock is None else None
-
-    @property
-    def made(self) -> Synthetic | None:
-        """The artificial records that are made; those of a lock are its own."""
-        return self.synthetic if self.lock is None else None
-
-    @property
-    def further_factor(self) -> float:
-        """The factor on every record; those of a lock include it."""
-        return self.factor if self.lock is None else 1.0
-
-    @model_validator(mode="after")
-    def _select_has_files(self) -> Records:
-        folders = [path for path in self.files if path.is_dir()]
-        if self.select is None and folders:
-            raise error_at("files", f'{folders[0]} is a folder; add `select`, or write a pattern like "records/*.AT2"')
-        if self.select is not None and not self.files:
-            raise error_at("select", "there are no files to choose from; add files")
-        if self.select is not None and self.select.code is not None and self.synthetic is not None:
-            raise error_at(
-                "synthetic", "beside select.for, which makes a suite of recorded motions; remove one of them"
-            )
-        return self
-
 
 MOST_PULSES = 1000  # frequencies or amplitudes
+WITH_GAMMA = "mavroeidis-papageorgiou"
 
 
 class Frequencies(ProjectSection):
@@ -180,14 +106,8 @@ class Pulses(ProjectSection):
 MOST_CASES = 1000  # cases of one sweep
 
 
-def _swept_quantity(value: Any) -> Any:
-    if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise ValueError("not a number or a quantity; write one as at the key that is swept")
-    return value
-
-
 SweptQuantity = Annotated[
-    int | float | str, PlainValidator(_swept_quantity), WithJsonSchema({"type": ["number", "string"]})
+    int | float | str, number_or_text("write one as at the key that is swept"), WRITTEN_QUANTITY_SCHEMA
 ]
 
 
@@ -226,18 +146,21 @@ Sweeps = Annotated[
     Annotated[Sweep, Tag("<one>")] | Annotated[tuple[Sweep, ...], Tag("<several>")],
     Discriminator(_sweeps_tag),
 ]
-VaryingShare = Annotated[Ratio, Field(ge=0, lt=1)]
-
-
-def _default_share(parameter: str) -> Any:
-    def share(values: dict[str, Any]) -> Change:
-        everywhere = values.get("vary")
-        return Change(DEFAULT_SHARES[parameter] if everywhere is None else everywhere)
-
-    return Field(default_factory=share)
-
-
 SHARE = "share"
+DEFAULT_SHARES: Mapping[str, float] = {
+    "thickness": 0.05,
+    "density": 0.10,
+    "compressive_strength": 0.30,
+    "stiffness": 0.50,
+    "friction": 0.20,
+    "restitution": 0.05,
+    "tie_force": 0.20,
+    "loads": 0.20,
+    "uplift": 0.05,
+    "p": 0.05,
+}
+"""By how much each parameter is varied where the project does not say it: judgement, not taken from a standard."""
+VaryingShare = Annotated[Ratio, Field(ge=0, lt=1)]
 
 
 class Change(NamedTuple):
@@ -254,7 +177,7 @@ def _change(kind: str) -> Callable[[Any], Any]:
         if value is False or value is None or isinstance(value, Change):
             return value or None
         try:
-            absolute = isinstance(value, str) and number_and_unit(value)[1] not in UNITS_OF_SHARES
+            absolute = isinstance(value, str) and number_and_unit(value)[1] not in SHARE_UNITS
             found = Change(key_value(value, KINDS[kind]), KINDS[kind].symbol) if absolute else _share(value)
         except QuantityError:
             raise ValueError(f'not a change; write a share like 0.05 or "5 %"{_or_amount(kind)}, or false') from None
@@ -263,13 +186,6 @@ def _change(kind: str) -> Callable[[Any], Any]:
         return found
 
     return read
-
-
-def _described(kind: str) -> WithJsonSchema:
-    words = f"a share like 0.05{_or_amount(kind)}; false: not varied"
-    return WithJsonSchema(
-        {"type": ["number", "string", "boolean"], "description": words, PATTERN_MARK: [kind, "change"]}
-    )
 
 
 def _share(value: Any) -> Change:
@@ -284,25 +200,26 @@ def _or_amount(kind: str) -> str:
     return "" if kind == "ratio" else f', or an amount like "{KINDS[kind].example}"'
 
 
+def _described(kind: str) -> WithJsonSchema:
+    words = f"a share like 0.05{_or_amount(kind)}; false: not varied"
+    return WithJsonSchema(
+        {"type": ["number", "string", "boolean"], "description": words, PATTERN_MARK: [kind, "change"]}
+    )
+
+
+def _default_share(parameter: str) -> Any:
+    def share(values: dict[str, Any]) -> Change:
+        everywhere = values.get("vary")
+        return Change(DEFAULT_SHARES[parameter] if everywhere is None else everywhere)
+
+    return Field(default_factory=share)
+
+
 LengthChange = Annotated[Change | None, BeforeValidator(_change("length")), _described("length")]
 DensityChange = Annotated[Change | None, BeforeValidator(_change("density")), _described("density")]
 StressChange = Annotated[Change | None, BeforeValidator(_change("stress")), _described("stress")]
 ShareChange = Annotated[Change | None, BeforeValidator(_change("ratio")), _described("ratio")]
 ForceChange = Annotated[Change | None, BeforeValidator(_change("force")), _described("force")]
-
-DEFAULT_SHARES: Mapping[str, float] = {
-    "thickness": 0.05,
-    "density": 0.10,
-    "compressive_strength": 0.30,
-    "stiffness": 0.50,
-    "friction": 0.20,
-    "restitution": 0.05,
-    "tie_force": 0.20,
-    "loads": 0.20,
-    "uplift": 0.05,
-    "p": 0.05,
-}
-"""By how much each parameter is varied where the project does not say it: judgement, not taken from a standard."""
 
 
 class Sensitivity(ProjectSection):
@@ -364,13 +281,37 @@ class Uncertainty(ProjectSection):
     thickness is no number of this file, as meshes"""
 
 
+PLAIN_MEASURES = ("pga", "pgv", "sa-average", "pga/(g tan alpha)", "p pgv/(g tan alpha)")
+KIND_OF = {"pga": "acceleration", "sa": "acceleration", "sa-average": "acceleration", "pgv": "speed"}
+"""The kind of quantity of a measure's intensities; the others are ratios."""
+STATE_NAMES = ("rocking", "overturning")
+_SPECTRAL_MEASURE = re.compile(r"(sa|sa-average)\((.+)\)")
+_MEASURE_REMEDY = f'write one of {quote_names(PLAIN_MEASURES)}, or "sa(0.5 s)", "sa-average(0.2 s, 0.5 s, 1 s)"'
+
+
+def measure_of(text: Any) -> tuple[str, tuple[float, ...]]:
+    """Return the key of a measure and its periods [s]; raise ValueError for what is none.
+
+    Parameters
+    ----------
+    text : such as "pga" or "sa(0.5 s)"
+    """
+    if text in PLAIN_MEASURES:
+        return str(text), ()
+    found = _SPECTRAL_MEASURE.fullmatch(text) if isinstance(text, str) else None
+    if found is None:
+        raise ValueError(f"not a measure of intensity; {_MEASURE_REMEDY}")
+    periods = tuple(key_value(each.strip(), KINDS["time"]) for each in found[2].split(","))
+    if any(not 0.0 < period <= 10.0 for period in periods):
+        raise ValueError(f"a period is not above 0 and up to 10 s; {_MEASURE_REMEDY}")
+    if (found[1] == "sa") != (len(periods) == 1):
+        raise ValueError(f"sa has one period, and sa-average several; {_MEASURE_REMEDY}")
+    return found[1], tuple(sorted(periods))
+
+
 def _a_measure(text: Any) -> Any:
     measure_of(text)
     return text
-
-
-Measure = Annotated[str, BeforeValidator(_a_measure)]
-STATE_NAMES = ("rocking", "overturning")
 
 
 def _a_state(value: Any) -> Any:
@@ -383,6 +324,7 @@ def _a_state(value: Any) -> Any:
     return float(value)
 
 
+Measure = Annotated[str, BeforeValidator(_a_measure)]
 State = Annotated[
     str | float,
     BeforeValidator(_a_state),
@@ -536,92 +478,3 @@ class Analysis(ProjectSection):
     def sweeps(self) -> tuple[Sweep, ...]:
         """All sweeps, in order."""
         return self.sweep if isinstance(self.sweep, tuple) else (self.sweep,)
-
-
-class Nzsee2017(ProjectSection):
-    """Options of the face-loaded walls of NZSEE 2017, C8."""
-
-    usable: Share | None = None
-    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free; a
-    larger one is shown for comparison"""
-    risk_factor: Annotated[Ratio, Field(ge=0.9)] = 1.0
-    """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
-    c_0: PositiveAcceleration | None = None
-    """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
-
-
-class Asce41(ProjectSection):
-    """Options of the permissible h/t of ASCE 41-13."""
-
-    position: Position | None = None
-    """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
-    masonry: Masonry | None = None
-    """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
-    seismicity: Seismicity = "high"
-    """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
-    s_x1: PositiveAcceleration | None = None
-    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
-
-
-class Ec8(ProjectSection):
-    """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
-
-    behaviour_factor: Annotated[Ratio, Field(ge=1, le=2)] | None = None
-    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
-    importance_factor: Annotated[Ratio, Field(ge=1)] = 1.0
-    """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
-    alpha_s: PositiveAcceleration | None = None
-    """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
-
-
-class Asce4305(ProjectSection):
-    """Options of ASCE/SEI 43-05."""
-
-    allowable_sliding: PositiveLength | None = None
-    """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
-
-
-class Procedures(ProjectSection):
-    """Options of the code procedures, one table each."""
-
-    asce43_05: Asce4305 = Field(alias="asce43-05", default_factory=Asce4305)
-    """options of asce43-05-sliding"""
-    dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
-    """options of the procedures dmi2008-…"""
-    ntc2018: Ntc2018 = Field(default_factory=Ntc2018)
-    """options of the procedures ntc2018-…"""
-    nzsee2017: Nzsee2017 = Field(default_factory=Nzsee2017)
-    """options of nzsee2017-face-loaded"""
-    asce41_13: Asce41 = Field(default_factory=Asce41, alias="asce41-13")
-    """options of asce41-13-ht"""
-    ec8: Ec8 = Field(default_factory=Ec8)
-    """options of ec8-element"""
-
-
-WITH_GAMMA = "mavroeidis-papageorgiou"
-PLAIN_MEASURES = ("pga", "pgv", "sa-average", "pga/(g tan alpha)", "p pgv/(g tan alpha)")
-
-KIND_OF = {"pga": "acceleration", "sa": "acceleration", "sa-average": "acceleration", "pgv": "speed"}
-"""The kind of quantity of a measure's intensities; the others are ratios."""
-_SPECTRAL_MEASURE = re.compile(r"(sa|sa-average)\((.+)\)")
-_MEASURE_REMEDY = f'write one of {quote_names(PLAIN_MEASURES)}, or "sa(0.5 s)", "sa-average(0.2 s, 0.5 s, 1 s)"'
-
-
-def measure_of(text: Any) -> tuple[str, tuple[float, ...]]:
-    """Return the key of a measure and its periods [s]; raise ValueError for what is none.
-
-    Parameters
-    ----------
-    text : such as "pga" or "sa(0.5 s)"
-    """
-    if text in PLAIN_MEASURES:
-        return str(text), ()
-    found = _SPECTRAL_MEASURE.fullmatch(text) if isinstance(text, str) else None
-    if found is None:
-        raise ValueError(f"not a measure of intensity; {_MEASURE_REMEDY}")
-    periods = tuple(key_value(each.strip(), KINDS["time"]) for each in found[2].split(","))
-    if any(not 0.0 < period <= 10.0 for period in periods):
-        raise ValueError(f"a period is not above 0 and up to 10 s; {_MEASURE_REMEDY}")
-    if (found[1] == "sa") != (len(periods) == 1):
-        raise ValueError(f"sa has one period, and sa-average several; {_MEASURE_REMEDY}")
-    return found[1], tuple(sorted(periods))

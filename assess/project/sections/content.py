@@ -7,7 +7,6 @@ have: examined, absent, or possible and not examined.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from datetime import date
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
 
@@ -16,8 +15,8 @@ from pydantic_core import PydanticCustomError
 
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
 from assess.codes.procedures import procedures_of_site
-from assess.project.section import ProjectSection, error_at, quote_names, value_text
-from assess.project.sections.analysis import Analysis, Procedures, Records
+from assess.project.section import KeyPath, ProjectSection, error_at, quote_names, value_text
+from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies import BodySection, DirectBody, Material
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
 from assess.project.sections.mechanisms import (
@@ -29,7 +28,8 @@ from assess.project.sections.mechanisms import (
     SingleBlock,
     TwoBlock,
 )
-from assess.project.sections.procedures import VerdictSection
+from assess.project.sections.procedures import Procedures, VerdictSection
+from assess.project.sections.records import Records
 from assess.project.sections.site import Building, Site
 from assess.project.values import (
     DateText,
@@ -40,15 +40,12 @@ from assess.project.values import (
     NumberText,
     Paragraph,
     TextLine,
+    text_of_date,
 )
 from assess.results import ChecklistItem
 
 ALIKE = ("client", "checker", "date", "reference")
 """Keys that may stand at the top of the file or in [report]."""
-
-
-def _title_date(value: Any) -> Any:
-    return value.isoformat() if isinstance(value, date) else value
 
 
 MOST_FIGURES = 12
@@ -166,7 +163,7 @@ class Content(ProjectSection):
     """the office's number of the job"""
     client: StrictStr = ""
     """for whom"""
-    date: Annotated[StrictStr, BeforeValidator(_title_date)] = ""
+    date: Annotated[StrictStr, BeforeValidator(text_of_date)] = ""
     """date of the report"""
     notes: StrictStr = ""
     """remarks for the report"""
@@ -258,7 +255,6 @@ def _known_names(table: str, names: Mapping[str, Any]) -> str:
 
 
 SOURCE_KINDS = ("measured", "literature", "assumed")
-Key = tuple[str | int, ...]
 
 
 def checklist(report: Report, mechanisms: Mapping[str, Mechanism]) -> tuple[ChecklistItem, ...]:
@@ -301,7 +297,10 @@ def _item(
 
 def _refuse_items(report: Report, mechanisms: Mapping[str, Mechanism]) -> None:
     """Refuse items of a list where the file does not say which list."""
-    named: dict[Key, object] = {("report", "absent"): report.absent, ("report", "not_examined"): report.not_examined}
+    named: dict[KeyPath, object] = {
+        ("report", "absent"): report.absent,
+        ("report", "not_examined"): report.not_examined,
+    }
     named |= {("mechanisms", name, "examines"): each.examines for name, each in mechanisms.items()}
     for key, items in named.items():
         if items:
@@ -314,7 +313,7 @@ def _examined(building_type: BuildingType, mechanisms: Mapping[str, Mechanism]) 
     for name, mechanism in mechanisms.items():
         given = mechanism.examines
         for key in _items_by_kind(building_type, mechanism) if given is None else given:
-            where: Key = ("mechanisms", name, "examines")
+            where: KeyPath = ("mechanisms", name, "examines")
             item = _listed_item(building_type, key, where)
             if item.in_plane:
                 raise error_at(where, f'"{item.key}": no mechanism here is of damage in the plane of walls; remove it')
@@ -337,7 +336,7 @@ def _items_by_kind(building_type: BuildingType, mechanism: Mechanism) -> tuple[s
 
 
 def _absent(report: Report, building_type: BuildingType, examined: Mapping[str, Sequence[str]]) -> list[str]:
-    where: Key = ("report", "absent")
+    where: KeyPath = ("report", "absent")
     keys = [_listed_item(building_type, key, where).key for key in report.absent]
     for place, key in enumerate(keys):
         if key in keys[:place]:
@@ -352,7 +351,7 @@ def _reasons(report: Report, building_type: BuildingType, absent: Sequence[str])
     """Return why items are not examined, by their keys."""
     found: dict[str, str] = {}
     for written, reason in report.not_examined.items():
-        where: Key = ("report", "not_examined", written)
+        where: KeyPath = ("report", "not_examined", written)
         key = _listed_item(building_type, written, where).key
         if not reason.strip():
             raise error_at(where, 'no reason; write why it was not examined, like "no access"')
@@ -364,7 +363,7 @@ def _reasons(report: Report, building_type: BuildingType, absent: Sequence[str])
     return found
 
 
-def _listed_item(building_type: BuildingType, key: str, where: Key) -> PossibleMechanism:
+def _listed_item(building_type: BuildingType, key: str, where: KeyPath) -> PossibleMechanism:
     found = possible_mechanism(building_type, key)
     if found is None:
         raise error_at(where, f'"{key}" is none of the list for a {building_type}; {_item_remedy(building_type, key)}')

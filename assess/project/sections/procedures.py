@@ -4,24 +4,33 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, get_args
 
-from pydantic import AfterValidator, Discriminator, Field, StrictStr, Tag, model_validator
+from pydantic import (
+    AfterValidator,
+    Discriminator,
+    Field,
+    StrictStr,
+    Tag,
+    model_validator,
+)
 
+from assess.codes.asce41_13 import Masonry, Position, Seismicity
 from assess.codes.bases import BASES
 from assess.project.section import ProjectSection, error_at, quote_names
 from assess.project.values import (
     Name,
     NotNegativeLength,
+    PositiveAcceleration,
     PositiveDensity,
     PositiveLength,
     PositiveRatio,
     PositiveStress,
     PositiveTime,
     Ratio,
+    Share,
     unique,
 )
 
 BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
-
 Procedure = Literal[
     "asce43-05-spectrum",
     "asce43-05-spectrum-thesis",
@@ -148,3 +157,63 @@ class Ntc2018(Italian):
     free_periods: dict[Name, GivenFreePeriod] = Field(default_factory=dict)
     """{ MECHANISM = "0.2 s" }: period before uplift of those that vibrate freely, as parapets and pinnacles do; or in
     place of the period { length, thickness, young_modulus, density, support }"""
+
+
+class Nzsee2017(ProjectSection):
+    """Options of the face-loaded walls of NZSEE 2017, C8."""
+
+    usable: Share | None = None
+    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free; a
+    larger one is shown for comparison"""
+    risk_factor: Annotated[Ratio, Field(ge=0.9)] = 1.0
+    """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
+    c_0: PositiveAcceleration | None = None
+    """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
+
+
+class Asce41(ProjectSection):
+    """Options of the permissible h/t of ASCE 41-13."""
+
+    position: Position | None = None
+    """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
+    masonry: Masonry | None = None
+    """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
+    seismicity: Seismicity = "high"
+    """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
+    s_x1: PositiveAcceleration | None = None
+    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
+
+
+class Ec8(ProjectSection):
+    """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
+
+    behaviour_factor: Annotated[Ratio, Field(ge=1, le=2)] | None = None
+    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
+    importance_factor: Annotated[Ratio, Field(ge=1)] = 1.0
+    """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
+    alpha_s: PositiveAcceleration | None = None
+    """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
+
+
+class Asce4305(ProjectSection):
+    """Options of ASCE/SEI 43-05."""
+
+    allowable_sliding: PositiveLength | None = None
+    """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
+
+
+class Procedures(ProjectSection):
+    """Options of the code procedures, one table each."""
+
+    asce43_05: Asce4305 = Field(alias="asce43-05", default_factory=Asce4305)
+    """options of asce43-05-sliding"""
+    dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
+    """options of the procedures dmi2008-…"""
+    ntc2018: Ntc2018 = Field(default_factory=Ntc2018)
+    """options of the procedures ntc2018-…"""
+    nzsee2017: Nzsee2017 = Field(default_factory=Nzsee2017)
+    """options of nzsee2017-face-loaded"""
+    asce41_13: Asce41 = Field(default_factory=Asce41, alias="asce41-13")
+    """options of asce41-13-ht"""
+    ec8: Ec8 = Field(default_factory=Ec8)
+    """options of ec8-element"""

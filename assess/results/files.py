@@ -12,9 +12,9 @@ from assess.errors import AssessError, ResultsError
 from assess.messages.message import Message, warning
 from assess.outputs.journal import recover_for_reading
 from assess.outputs.manifest import is_changed
+from assess.results import Results
 from assess.results.fragility import FragilityResults
 from assess.results.json import REMEDY, VERIFY_AGAIN, loads, loads_fragility, loads_verification
-from assess.results.run import Results
 from assess.results.verification import VerificationResults
 
 NAMES = ("results.json", "envelopes.json")

@@ -14,6 +14,7 @@ from scipy.constants import g
 from assess.codes.context import Building, StatedFirstMode
 from assess.codes.italian_limit_states import LARGEST_FACTOR
 from assess.codes.question import Question
+from assess.dynamics.packing import Equation
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.dimensions import size_warning
 from assess.geometry.formats.readers import WITHOUT_UNIT
@@ -69,7 +70,6 @@ from assess.study.mechanism_results import load_messages
 from assess.study.record_set import ALL_PERIODS, RecordSet, record_messages
 from assess.study.study import (
     ArtificialRecords,
-    EquationOfMotion,
     Fitting,
     PulseGrid,
     Study,
@@ -368,9 +368,9 @@ def structure_below(section: sections.Building | None) -> Building | None:
     return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=stated)
 
 
-def equation_of(section: sections.Mechanism, content: sections.Content) -> EquationOfMotion:
+def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
     """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
-    default: EquationOfMotion = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
+    default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
 
 
@@ -484,7 +484,7 @@ def _first_mode_messages(content: sections.Content) -> Iterator[Message]:
         )
 
 
-def _equation_messages(equation: EquationOfMotion | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
+def _equation_messages(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
     """Warn that the linearised equation leaves out the flexibility of joints."""
     soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
     if equation == "linearised" and soft:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
+from assess.dynamics.packing import Equation
 from assess.errors import MechanismError
 from assess.geometry.cut import Scene
 from assess.interfaces.contact import Interface
@@ -25,7 +26,6 @@ from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
 from assess.study.amplification import lowest_body
 from assess.study.mechanism_results import oscillator_result, rigid_branches
-from assess.study.study import EquationOfMotion
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class Block:
         return found
 
     @property
-    def equation(self) -> EquationOfMotion:
+    def equation(self) -> Equation:
         """The equation of motion of its histories: linearised for published parameters, else exact."""
         return "linearised" if isinstance(self.definition, EquivalentBlock) else "exact"
 

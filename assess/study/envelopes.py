@@ -25,7 +25,6 @@ from assess.study.ground_motion import record_result, spectrum_result, with_prim
 from assess.study.mechanism_results import parameters
 from assess.study.record_set import motions_of
 from assess.study.study import (
-    EquationOfMotion,
     Progress,
     PulseGrid,
     Study,
@@ -113,7 +112,7 @@ class EnvelopeCase(ShortRepr):
 
     name: str
     oscillator: Oscillator
-    equation: EquationOfMotion
+    equation: Equation
     factor: Callable[[FloatArray], FloatArray]
     case: str = ""
 

@@ -36,7 +36,7 @@ from assess.oscillator import Oscillator, elastic_frequency, linear_multiplier
 from assess.results import HistoryResult, HistoryTrace
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
-from assess.study.study import EquationOfMotion, ScaledRecord, Study
+from assess.study.study import ScaledRecord, Study
 from records.errors import RecordError
 from records.record import STRONGEST, Record
 from spectra.arrays import BoolArray, FloatArray, IntArray, is_number
@@ -220,7 +220,7 @@ class RockingCase(ShortRepr):
 
     name: str
     oscillator: Oscillator
-    equation: EquationOfMotion
+    equation: Equation
     base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
 

@@ -29,6 +29,7 @@ from scipy.constants import g
 
 from assess.amplification import base_motion
 from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, peaks, product, trace_with_events
+from assess.dynamics.packing import Equation
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
@@ -39,7 +40,7 @@ from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.controls import control_not_made, make_control
 from assess.study.histories import with_restitution_factor
-from assess.study.study import EquationOfMotion, ScaledRecord
+from assess.study.study import ScaledRecord
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray
 
@@ -56,7 +57,7 @@ class GoverningHistory(ShortRepr):
     oscillator: Oscillator
     motion: Record
     scale: float
-    equation: EquationOfMotion
+    equation: Equation
 
 
 def governing_history(
@@ -65,7 +66,7 @@ def governing_history(
     motions: Mapping[str, ScaledRecord],
     amplified: MechanismAmplification,
     *,
-    equation: EquationOfMotion,
+    equation: Equation,
     site_pga: float,
 ) -> GoverningHistory | None:
     """Return the worst history at the level nearest to the site's PGA; None if none rocks there.
@@ -130,7 +131,7 @@ class EnergyBalance:
         return int(np.argmax(np.abs(self.energy + self.lost - self.work)))
 
 
-def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, equation: EquationOfMotion) -> Control:
+def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, equation: Equation) -> Control:
     """Return the balance of energy of the governing history, or of free rocking.
 
     Parameters
@@ -176,7 +177,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     )
 
 
-def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: EquationOfMotion) -> tuple[EnergiesAt, ...]:
+def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) -> tuple[EnergiesAt, ...]:
     """Return the energies of each branch: of the masses of a rigid chain with all its actions, else of the table."""
     if equation == "linearised":
         return tuple(energies_of_linearised(branch.linearised) for branch in oscillator.branches)
@@ -285,7 +286,7 @@ def _comes_to_rest(times: FloatArray, impact: BoolArray, path: Trace) -> BoolArr
     return np.asarray(np.where(sooner, ~np.append(impact[1:], [True]), still))
 
 
-def _free_rocking_control(mechanism: Mechanism, *, equation: EquationOfMotion) -> Control:
+def _free_rocking_control(mechanism: Mechanism, *, equation: Equation) -> Control:
     """Compare the kinetic energy at the first impact of free rocking with the potential energy at its release."""
     oscillator = mechanism.variants.deciding
     branch = oscillator.positive

@@ -16,6 +16,7 @@ from scipy.constants import g
 from assess.amplification import BaseMotion, ModalFilter
 from assess.codes.check import Check
 from assess.codes.histories import FIGURES, standing_figures
+from assess.dynamics.packing import Equation
 from assess.errors import locate_errors
 from assess.geometry.cut import Scene
 from assess.hinge_forces import HingeForces
@@ -55,7 +56,7 @@ from assess.results import (
 from assess.study.amplification import HeightAboveGround, MechanismAmplification
 from assess.study.drawing import draw, view_in_space
 from assess.study.joint_results import interface_curves, interface_results, sheets_of_joints
-from assess.study.study import EquationOfMotion, ScaledRecord, Study, case_text
+from assess.study.study import ScaledRecord, Study, case_text
 from records.record import Record
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
@@ -94,7 +95,7 @@ def mechanism_result(
     mechanism: Mechanism,
     oscillator: Oscillator,
     *,
-    equation: EquationOfMotion,
+    equation: Equation,
     scene: Scene | None = None,
     checks: Sequence[Check] = (),
     histories: Sequence[Sequence[HistoryResult]] = (),

@@ -16,6 +16,7 @@ from assess.codes.check import Check, Family
 from assess.codes.procedures import FAMILIES, history_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
+from assess.dynamics.packing import Equation
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
 from assess.oscillator import Oscillator, elastic_frequency
@@ -40,7 +41,6 @@ from assess.study.mechanism_results import comparison_rows
 from assess.study.record_set import motions_of
 from assess.study.sensitivity import sensitivities, survey_tolerances
 from assess.study.study import (
-    EquationOfMotion,
     Progress,
     ScaledRecord,
     Study,
@@ -362,7 +362,7 @@ def coarse_record_messages(cases: Sequence[EnvelopeCase], motions: Sequence[Scal
             )
 
 
-def longest_step(oscillator: Oscillator, *, equation: EquationOfMotion) -> tuple[float, Message]:
+def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, Message]:
     """Return the longest step of a record for an oscillator [s], and the motion that requires it.
 
     The linearised equation has no vibration about rest.

@@ -11,6 +11,7 @@ from assess.codes.check import Family
 from assess.codes.context import Building, FreePeriod, SiteHazard
 from assess.codes.procedures import FAMILIES, CodeOptions
 from assess.codes.question import Missing, Question, find_limit_states, methods_of
+from assess.dynamics.packing import Equation
 from assess.errors import ProjectError
 from assess.geometry.cut import Scene
 from assess.mechanisms.mechanism import Mechanism
@@ -33,7 +34,6 @@ from records.selection import Selection, TargetMark
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
-EquationOfMotion = Literal["exact", "linearised"]
 ScaleTo = Literal["spectrum", "pga", "none"]
 FRAGILITY_STATES = (StateResult("rocking"), StateResult("rotation", 0.5), StateResult("overturning"))
 
@@ -116,7 +116,7 @@ class Study:
     offered: tuple[str, ...]
     options: CodeOptions
     mechanisms: tuple[Mechanism, ...]
-    equations: dict[str, EquationOfMotion]
+    equations: dict[str, Equation]
     amplified: dict[str, MechanismAmplification]
     scenes: dict[str, Scene]
     inputs: tuple[Input, ...]

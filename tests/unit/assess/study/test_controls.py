@@ -11,6 +11,7 @@ import pytest
 from scipy.constants import g
 
 from assess.dynamics.history import Jobs, peaks, trace_with_events
+from assess.dynamics.packing import Equation
 from assess.geometry.planar import planar_body_from_values
 from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
@@ -40,7 +41,6 @@ from assess.study.history_controls import (
     sampled_finely,
 )
 from assess.study.run import run_study
-from assess.study.study import EquationOfMotion
 from tests.support.motions import noise, write_noise
 from tests.support.projects import ASCE7, block, project_toml, published, study_of
 
@@ -106,7 +106,7 @@ def motion():
     return noise(7, npts=900, dt=0.01, peak=5.0, smooth=31, bell=1.0)
 
 
-def governing(oscillator: Oscillator, *, scale: float, equation: EquationOfMotion = "exact") -> GoverningHistory:
+def governing(oscillator: Oscillator, *, scale: float, equation: Equation = "exact") -> GoverningHistory:
     job = Jobs(np.zeros(1, int), np.zeros(1, int), np.array([scale]))
     found = peaks([oscillator], [motion()], job, equation=equation, threads=1)
     over = bool(found.overturned[0])

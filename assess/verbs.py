@@ -141,7 +141,7 @@ def envelope(
     -------
     The outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2]
     """
-    from assess.study.envelopes import find_envelope as find
+    from assess.study.histories import find_envelope as find
 
     _check_block(block)
     _check_jobs(jobs)
@@ -188,7 +188,7 @@ def answers(
     ProcedureError : a procedure or a level of knowledge is not known, or a record is vertical
     RecordError : something is no record of finite samples
     """
-    from assess.study.checks import answers as find
+    from assess.study.block import answers as find
 
     _check_block(block)
     _check_jobs(jobs)

@@ -181,7 +181,7 @@ def envelope(
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps
-    from assess.study.envelopes import run_envelopes as envelope_of_study
+    from assess.study.run import run_envelopes as envelope_of_study
     from assess.workers import available_cores, process_pool
 
     wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")

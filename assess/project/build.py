@@ -67,7 +67,6 @@ from assess.results.inputs import file_sha256
 from assess.results.verification import AnnexResult
 from assess.study.amplification import MechanismAmplification, MechanismInPlace, amplify
 from assess.study.mechanism_results import load_messages
-from assess.study.record_set import ALL_PERIODS, RecordSet, record_messages
 from assess.study.study import (
     ArtificialRecords,
     Fitting,
@@ -78,6 +77,7 @@ from assess.study.study import (
     levels_with_site,
     may_follow_motion,
 )
+from assess.study.suites import ALL_PERIODS, RecordSet, record_messages
 from records.pulses import pulse_shape
 from records.reading import relative_path
 from records.record import Record

@@ -18,19 +18,24 @@ from assess.project import sections
 from assess.project.sections.records import Records
 from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, LockedRecord, SuiteLock, read_lock
 from assess.results.inputs import file_sha256
-from assess.study.record_set import (
+from assess.study.study import Fitting, GivenFactors, Study
+from assess.study.suites import (
+    ABOVE,
     ALL_PERIODS,
+    BELOW,
+    RULES,
     RecordSet,
     candidate_records,
+    equivalent_periods,
+    extreme_periods,
     offer_messages,
     read_candidate,
     record_messages,
     record_set,
+    spectrum_of_rules,
     with_given_factors,
     with_unique_names,
 )
-from assess.study.study import Fitting, GivenFactors, Study
-from assess.study.suite_rules import ABOVE, BELOW, RULES, equivalent_periods, extreme_periods, spectrum_of_rules
 from records.candidates import PERIODS
 from records.code_suites import SuiteTarget, band_for, select_for
 from records.compliance import SELECTION_RULES

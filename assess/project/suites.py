@@ -19,11 +19,10 @@ from assess.project.record_set import horizontal_records, overrides_of
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.project.suite_lock import LOCK_NAME, suite_text, write_lock
 from assess.results import GroundMotionResult, RecordResult
-from assess.study import record_set
+from assess.study import suites
 from assess.study.ground_motion import ground_motion, ground_motion_result, record_result
-from assess.study.record_set import apply_given_factors, motions_of, scale_together
 from assess.study.study import Fitting, ScaledRecord, Study, require_spectrum
-from assess.study.suite_rules import ABOVE, BELOW, made_band
+from assess.study.suites import ABOVE, BELOW, apply_given_factors, made_band, motions_of, scale_together
 from records.candidates import PERIODS
 from records.code_suites import SuiteTarget, band_for, select_for
 from records.compliance import REQUIREMENTS, SELECTION_RULES, CodeName
@@ -193,10 +192,10 @@ def select_for_target(
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
-    offer = record_set.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
+    offer = suites.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
     if wanted.code is None:
         found, own = select(offer.candidates, spectrum, criteria), {}
-        chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
+        chosen = suites.record_set(found, criteria.band, folder=Path.cwd())
         motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     else:
         code: CodeName = _one_of("for", wanted.code, CodeName)
@@ -205,13 +204,13 @@ def select_for_target(
         goal = SuiteTarget(spectrum, spectrum, low / BELOW, high / ABOVE)
         criteria = replace(criteria, band=band_for(making, goal))
         own = dict.fromkeys(REQUIREMENTS, (goal.shortest, goal.longest))
-        found = select_for(offer.candidates, making, goal, criteria, read=record_set.read_candidate)
-        chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
-        chosen = record_set.with_given_factors(chosen, found, spectrum, code=code)
+        found = select_for(offer.candidates, making, goal, criteria, read=suites.read_candidate)
+        chosen = suites.record_set(found, criteria.band, folder=Path.cwd())
+        chosen = suites.with_given_factors(chosen, found, spectrum, code=code)
         assert chosen.fitting.given is not None
         motions = apply_given_factors(chosen.records, spectrum, chosen.fitting.given, band=criteria.band)
     motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={}, own=own)
-    messages = (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records))
+    messages = (*suites.offer_messages(offer), *suites.record_messages(chosen.records))
     suite = ScaledSuite(results_of(motions, spectrum, chosen.fitting), motion, messages)
     return SelectedSuite(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
@@ -264,7 +263,7 @@ def write_scaled_files(
     """
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    found = record_set.with_unique_names([record for file in files for record in read_with_overrides(file, overrides)])
+    found = suites.with_unique_names([record for file in files for record in read_with_overrides(file, overrides)])
     records = horizontal_records(found)
     if at is None:
         motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
@@ -274,9 +273,7 @@ def write_scaled_files(
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
         motions = tuple(ScaledRecord(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = ground_motion_result(motions, spectrum, fitting, source="given", equivalent={})
-    return motions, ScaledSuite(
-        results_of(motions, spectrum, fitting), motion, tuple(record_set.record_messages(records))
-    )
+    return motions, ScaledSuite(results_of(motions, spectrum, fitting), motion, tuple(suites.record_messages(records)))
 
 
 def _check_period(at: float | None) -> None:

@@ -29,8 +29,8 @@ from assess.project.section import KeyPath, error_line, key_text
 from assess.project.structure import bodies_of, definition_of
 from assess.results.variations import UncertainInput
 from assess.study.amplification import MechanismAmplification
-from assess.study.sensitivity import Survey
 from assess.study.study import SampledNumber, Sampling, Study, UnvariedNumber, Variable
+from assess.study.variations import Survey
 
 StudyOfMechanism = Callable[[str, sections.Content, Mapping[str, Solid]], Study]
 AT_MOST_1 = "at most 1: more would add velocity at the impact"

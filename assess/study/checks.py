@@ -1,6 +1,12 @@
-"""The checks of mechanisms by the procedures of codes, and the verdict on them.
+"""The checks of mechanisms by the procedures of codes, what these may know of a mechanism, and the verdict on them.
 
-Mechanisms are those of a study, or one alone on one spectrum as a Python session has it, by the same rules.
+What they may know is the site, the motions, the building, the mechanism itself and the wall that it is part of, and
+above the ground the floor spectrum, for the method that has no clause on floor spectra. If the suite is filtered by the
+first mode, the latter is the envelope of the response spectra at the base, with peaks broadened by 15 % to both sides
+for the uncertainty of the building's period. The mean would be lower; the clause that allows it could not be read, and
+one record that is low at the building's period would reduce it, so the envelope is taken. Otherwise it is C7.2.5 of
+Circolare 7/2019, if the building's height and storeys are known, its period varied by 15 % too. Neither is taken below
+the spectrum of the ground: a suite is finite, and one mode neglects the others.
 """
 
 from __future__ import annotations
@@ -8,30 +14,31 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from math import isfinite
+from functools import lru_cache
+from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification import Unamplified
-from assess.codes.check import Check, Outcome
-from assess.codes.context import Building, Context
-from assess.codes.histories import SuiteResponse
-from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
-from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, apply_procedure, procedure, uses_histories
-from assess.codes.question import Action, MechanismChecks, Question
+from assess.amplification import BaseMotion, FirstMode, ModalFilter
+from assess.codes.check import BranchName, Check, Outcome, Reason, reason_message
+from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Support, Transfer, Wall
+from assess.codes.procedures import apply_procedure, procedure, uses_histories
+from assess.codes.question import MechanismChecks, Question
 from assess.codes.verdict import Verdict, mark_deciding, verdict
-from assess.errors import ProcedureError
-from assess.mechanisms.mechanism import Mechanism
+from assess.geometry.planar import Outline
+from assess.loads.load import Force, Load, Point, PointMass, upward
+from assess.mechanisms.chain import Chain, virtual_work
+from assess.mechanisms.hinge_forces import hinge_forces
+from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
+from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator
 from assess.results import MechanismResult
-from assess.study.amplification import GroundLevel, HeightAboveGround, MechanismAmplification, find_height
-from assess.study.context import context_of
+from assess.study.amplification import MechanismAmplification
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
-    check_record,
     further_levels,
     mechanism_histories,
     rocking_case,
@@ -39,15 +46,13 @@ from assess.study.histories import (
     vibrates,
     with_governing_trace,
 )
-from assess.study.mechanism_results import amplification_result, mechanism_result
-from assess.study.record_set import motions_of
-from assess.study.study import Fitting, Progress, ScaledRecord, Study
-from assess.study.suite_rules import suite_faults
+from assess.study.mechanism_results import amplification_result, mechanism_result, unsupported_messages
+from assess.study.study import Progress, ScaledRecord, Study
 from assess.workers import available_cores
-from records.errors import RecordError
-from records.record import Record, is_vertical
-from records.scaling import SCALING_PERIODS, Band
-from spectra.arrays import is_number
+from records.record import Record, scale
+from records.response import response_spectrum
+from spectra.arrays import FloatArray
+from spectra.floor import Mode, circolare2019_floor_spectrum, first_mode_factor
 from spectra.spectrum import Spectrum
 
 
@@ -198,153 +203,308 @@ def mark_result(found: Verdict, question: Question, mechanism: MechanismResult) 
     return replace(mechanism, checks=mark_deciding(mechanism.checks, one, question.basis, question.action))
 
 
-EVERY_PERIOD = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
+ASCE43 = "asce43-05"  # whose rules for suites apply to a floor spectrum made of one
+NEAR_SUPPORT = 0.9  # of the height of the supports: motion amplified only below it counts as that of the ground
 
 
-def answers(
-    mechanism: Mechanism,
-    spectrum: Spectrum,
-    *,
-    procedures: Sequence[str],
-    knowledge_level: str | None = None,
-    records: Record | Sequence[Record] = (),
-    base_elevation: float | None = None,
-    lowest: float | None = None,
-    building: Building | None = None,
-    options: CodeOptions | None = None,
-    threads: int = 0,
-) -> tuple[Check, ...]:
-    """Return what the procedures say of a mechanism at the spectrum's peak ground acceleration.
-
-    The rules are those of a project: a check that lacks an input is not answered, and its reason names the remedy.
-
-    Parameters
-    ----------
-    mechanism : the collapse mechanism
-    spectrum : elastic spectrum of the site, at its own peak ground acceleration
-    procedures : names of `assess.codes.procedures.PROCEDURES`
-    knowledge_level : "LC1", "LC2" or "LC3", which the Italian codes ask for where crushing is modelled; None: not given
-    records : horizontal ground motions, taken unscaled as those of the spectrum; without any, procedures by time
-        histories are not answered
-    base_elevation : height of the base of the mechanism above the ground [m]; None: as it is drawn over `lowest`
-    lowest : elevation of the lowest body [m], which stands on the ground; None: the ground is at elevation 0
-    building : the structure below the mechanism; None: not known
-    options : of the codes; None for their defaults
-    threads : that share the time histories; 0 for all cores
-
-    Returns
-    -------
-    tuple of Check
-        In the order of `procedures`, the controlling branch of each limit state.
-
-    Raises
-    ------
-    ProcedureError
-        Where a procedure or the level of knowledge is not known, no procedure is named, or a record is vertical.
-    """
-    suite = (records,) if isinstance(records, Record) else records
-    if not isinstance(suite, Sequence) or isinstance(suite, str):
-        raise RecordError(f"records = {records!r:.60}: give one record, or a list of them")
-    suite = tuple(suite)
-    _check_inputs(procedures, knowledge_level, suite, base_elevation)
-    grounded = _height_above_ground(mechanism, base_elevation, lowest, building)
-    study = Study(
-        spectrum=spectrum,
-        vertical_ratio=0.0,
-        building=building,
-        records=suite,
-        fitting=Fitting(EVERY_PERIOD),
-        artificial=None,
-        scale_to="none",
-        levels=(spectrum.pga,),
-        procedures=tuple(dict.fromkeys(procedures)),
-        offered=(),
-        options=options or CodeOptions(),
-        mechanisms=(mechanism,),
-        equations={mechanism.name: "linearised" if mechanism.kind == "equivalent-block" else "exact"},
-        amplified={mechanism.name: MechanismAmplification("none", None, Unamplified(), ())},
-        scenes={},
-        inputs=(),
-        resolved={},
-        messages=(),
-        sweeps=(),
-        pulses=None,
-        hazard=None,
-        free_periods={},
-        knowledge={
-            mechanism.name: dict.fromkeys(set(KNOWLEDGE_CODES.values()), knowledge_level) if knowledge_level else {}
-        },
-        limit_state=None,
-        question=Question(None, Action(spectrum.pga / g, None)),
-        facts={},
-        grounded={mechanism.name: grounded},
-    )
-    return _checks_of_one(study, mechanism, spectrum, threads=threads)
-
-
-def _height_above_ground(
-    mechanism: Mechanism, base_elevation: float | None, lowest: float | None, building: Building | None
-) -> HeightAboveGround:
-    """Return where a mechanism stands: at the height given, else as drawn over the lowest body or elevation 0."""
-    height = 0.0 if building is None else building.height
-    if base_elevation is not None:
-        return find_height(GroundLevel(None, lowest, height), mechanism, base_elevation=base_elevation)
-    return find_height(GroundLevel(0.0 if lowest is None else lowest, lowest, height), mechanism)
-
-
-def _check_inputs(
-    procedures: Sequence[str],
-    knowledge_level: str | None,
-    records: Sequence[Record],
-    base_elevation: float | None,
-) -> None:
-    """Raise ProcedureError for an unknown name, a vertical record or a height that is not finite."""
-    if isinstance(procedures, str):
-        raise ProcedureError(f'procedures: "{procedures}" given; give a list of names, ["{procedures}"]')
-    if base_elevation is not None and not (is_number(base_elevation) and isfinite(base_elevation)):
-        raise ProcedureError(f"base_elevation = {base_elevation}: give a finite height above the ground [m]")
-    if not isinstance(procedures, Sequence):
-        raise ProcedureError(
-            f"procedures = {procedures!r:.60}: give a list of names; known are: {', '.join(PROCEDURES)}"
-        )
-    if not procedures:
-        raise ProcedureError(f"procedures: name one at least; known are: {', '.join(PROCEDURES)}")
-    for name in procedures:
-        if name not in tuple(PROCEDURES):
-            raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
-    if knowledge_level is not None and knowledge_level not in FACTORS_BY_LEVEL:
-        raise ProcedureError(
-            f'knowledge_level "{knowledge_level}" is not known; known are: {", ".join(FACTORS_BY_LEVEL)}'
-        )
-    for record in records:
-        check_record(record)
-        if is_vertical(record.component):
-            raise ProcedureError(f'record "{record.id}" is a vertical one: give horizontal ground motions')
-
-
-def _checks_of_one(study: Study, mechanism: Mechanism, spectrum: Spectrum, *, threads: int) -> tuple[Check, ...]:
-    """Return the checks of the study's only mechanism."""
-    motions = motions_of(study, spectrum)
-    study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
-    case = rocking_case(study, mechanism, motions)
-    histories = _histories_of_one(study, spectrum, mechanism, case, motions, threads=threads)
-    return checks_of(study, case.oscillator, context_of(study, spectrum, mechanism, histories, case.base, motions))
-
-
-def _histories_of_one(
+def context_of(
     study: Study,
     spectrum: Spectrum,
     mechanism: Mechanism,
-    case: RockingCase,
+    rocked: RockingHistories,
+    base: tuple[BaseMotion, ...],
     motions: tuple[ScaledRecord, ...],
+) -> Context:
+    """Return what the procedures may know of one mechanism.
+
+    Parameters
+    ----------
+    study : Study
+        The study that the mechanism is part of.
+    spectrum : Spectrum
+        The site's elastic spectrum.
+    mechanism : Mechanism
+        The mechanism to be assessed.
+    rocked : RockingHistories
+        Its time histories; empty where no procedure needs them.
+    base : tuple of BaseMotion
+        Every motion as it acts at the base of the mechanism.
+    motions : tuple of ScaledRecord
+        The same motions at the ground, with their factors.
+
+    Returns
+    -------
+    Context
+        With a floor spectrum where the mechanism is above the ground.
+    """
+    context = _context_without_floor_spectrum(study, spectrum, mechanism, rocked, base)
+    if not context.above_ground:
+        return context
+    amplification = study.amplified[mechanism.name].amplification
+    by_mode = context.transfer == "by a filter" and not context.suite_faults.get(ASCE43)
+    floor = floor_spectrum(
+        spectrum,
+        height=context.support_height,
+        filtered=amplification if by_mode and isinstance(amplification, ModalFilter) else None,
+        base=base,
+        motions=motions,
+        building=study.building,
+    )
+    return replace(context, floor_spectrum=floor)
+
+
+def _context_without_floor_spectrum(
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
+) -> Context:
+    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
+    amplified = study.amplified[mechanism.name]
+    return Context(
+        spectrum=spectrum,
+        levels=study.levels,
+        vertical_ratio=study.vertical_ratio,
+        support=SUPPORTS[mechanism.kind],
+        carries_floors=carries_floors(mechanism),
+        actions=tuple(load.name for load in mechanism.positive.loads if not isinstance(load, PointMass)),
+        wall=wall_of(mechanism),
+        elevation=grounded.base,
+        rise=rise,
+        building=study.building,
+        suites=rocked.suites,
+        histories_at="ground" if amplified.height is None else "mechanism base",
+        transfer=transfer_to_support(amplified, support=grounded.support),
+        crushing=mechanism.crushing,
+        starting=ways.starting,
+        breaking=ways.breaking,
+        limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
+        open_seats=tuple(OpenSeat(**vars(each)) for each in open_seats(mechanism)),
+        knowledge=study.knowledge.get(mechanism.name, {}),
+        limit_state=study.limit_state if study.hazard is None else None,
+        impossible=grounded.unknown,
+        not_lasting=unsupported_messages(mechanism),
+        suite_faults=study.suite_faults,
+        impossible_by_histories=reasons_against_histories(mechanism),
+        amplification=max((each.factor for each in base), default=1.0),
+        linearised=study.equations[mechanism.name] == "linearised",
+        extra_suites=rocked.besides,
+        hinges=hinge_forces(mechanism),
+        incremental=tuple(sorted((*rocked.scan, *rocked.suites), key=lambda suite: suite.pga)) if rocked.scan else (),
+        hazard=study.hazard,
+        free_period=study.free_periods.get(mechanism.name),
+    )
+
+
+def transfer_to_support(amplified: MechanismAmplification, *, support: float) -> Transfer:
+    """Return how the motion of the histories is amplified up to the `support` of a mechanism [m above the ground].
+
+    Motion that is amplified only part of the way counts as that of the ground.
+    """
+    if amplified.height is None or amplified.height < NEAR_SUPPORT * support:
+        return "not"
+    return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"
+
+
+def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
+    """Return why histories cannot assess the mechanism: the first impact would bring it to rest."""
+    if mechanism.stopped is None:
+        return ()
+    return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
+
+
+SUPPORTS: Mapping[str, Support] = {
+    "single-block": "free",
+    "equivalent-block": "free",
+    "two-block": "spanning",
+    "four-hinge": "hinged",
+}
+JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
+
+
+def wall_of(mechanism: Mechanism) -> Wall | None:
+    """Return the wall across its plane; None for mechanisms that are not walls, or without geometry.
+
+    The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
+    the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
+    to one side only, the width of its outline just above.
+    """
+    hinges = mechanism.positive.hinges
+    if mechanism.kind == "two-block":
+        size = _wall_across(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
+        return None if size is None else replace(size, gravity=gravity_of(mechanism))
+    if mechanism.kind != "single-block" or not mechanism.outlines[0]:
+        return None
+    top = max(z for ring in mechanism.outlines[0] for _, z in ring)
+    return _wall_across(mechanism, height=top - hinges[0][1], at=0)
+
+
+def carries_floors(mechanism: Mechanism) -> bool:
+    """Return whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
+    return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
+
+
+def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
+    """Return the gravity moments of a wall and of the loads that press on it, by branch."""
+    rocker = mechanism.variants.deciding
+    found: dict[BranchName, Gravity] = {"positive": _gravity_of_branch(mechanism.positive, rocker.positive.unstable)}
+    if mechanism.negative is not None and rocker.negative is not None:
+        found["negative"] = _gravity_of_branch(mechanism.negative, rocker.negative.unstable)
+    return found
+
+
+def _gravity_of_branch(chain: Chain, instability: float) -> Gravity:
+    """Return the gravity moments of one branch, whose restoring moment falls to zero at `instability` [rad].
+
+    Bearing masses and the vertical part of applied forces press; ties and horizontal forces are ignored.
+    """
+    pressing = tuple(pressed for load in chain.loads if (pressed := _pressing_part(load)) is not None)
+    at = np.array([0.0, instability])
+    own = virtual_work(replace(chain, loads=(), joints=()), at)
+    both = virtual_work(replace(chain, loads=pressing, joints=()), at)
+    weight = g * sum(block.mass for block in chain.blocks)
+    return Gravity(
+        overburden_ratio=sum(-upward(load) for load in pressing) / weight,
+        own_moment=float(own.restoring[0]),
+        moment=float(both.restoring[0] - own.restoring[0]),
+        own_slope=float(own.restoring[0] - own.restoring[1]) / instability,
+        own_inertia=float(own.inertia[0]),
+        inertia=float(both.inertia[0] - own.inertia[0]),
+        own_excitation=float(own.excitation[0]),
+    )
+
+
+def _pressing_part(load: Load) -> Load | None:
+    """Return the part of a load that presses on the wall; None if there is none."""
+    if upward(load) >= 0.0 or not isinstance(load, PointMass | Force):
+        return None
+    return load if isinstance(load, PointMass) else replace(load, force=(0.0, load.force[1]))
+
+
+def _wall_across(mechanism: Mechanism, *, height: float, at: int) -> Wall | None:
+    hinge = mechanism.positive.hinges[at]
+    if mechanism.negative is not None:
+        thickness = abs(hinge[0] + mechanism.negative.hinges[at][0])  # the negative chain is mirrored
+    else:
+        thickness = _width_at(mechanism.outlines[at], hinge[1] + JUST_ABOVE * height)
+    return Wall(height, thickness) if height > 0.0 and thickness > 0.0 else None
+
+
+def _width_at(rings: Outline, level: float) -> float:
+    """Return the extent along x of closed rings at an elevation [m]; 0 if they do not reach it."""
+    crossed = [x for ring in rings for a, b in pairwise(ring) for x in _crossing_of_edge(a, b, level)]
+    return max(crossed) - min(crossed) if crossed else 0.0
+
+
+def _crossing_of_edge(a: Point, b: Point, level: float) -> list[float]:
+    if (a[1] - level) * (b[1] - level) > 0.0 or a[1] == b[1]:
+        return []
+    return [a[0] + (b[0] - a[0]) * (level - a[1]) / (b[1] - a[1])]
+
+
+LEAST_RECORDS = 5  # of the response-history method of the same standard
+BROADENING = 0.15  # of the period, to both sides
+
+SHORTEST_PERIOD, LONGEST_PERIOD, PERIOD_RATIO = (
+    0.02,
+    15.0,
+    1.03,
+)  # s, s, and the ratio of two periods at which the motions are asked
+NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
+PERIOD_VARIATION = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
+MOST_DAMPING = 0.99  # of an oscillator that still swings
+OF_SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
+OF_CIRCOLARE = "Circolare 7/2019, C7.2.5, first mode"
+DAMPING_OF_SUITE = "response of the motions themselves at that damping"
+DAMPING_OF_CIRCOLARE = "Circolare 7/2019, C7.2.6, with the rule for damping of the spectrum of the ground"
+
+
+def floor_spectrum(
+    ground: Spectrum,
     *,
-    threads: int,
-) -> RockingHistories:
-    """Return the time histories that the procedures ask for; suites without records where there are none."""
-    if not any(map(uses_histories, study.procedures)):
-        return RockingHistories((), ())
-    if motions:
-        return mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
-    levels, further = study.levels, further_levels(study, spectrum, mechanism)
-    empty = [SuiteResponse(level, (), "positive") for level in (*levels, *further)]
-    return RockingHistories((), tuple(empty[: len(levels)]), tuple(empty[len(levels) :]))
+    height: float,
+    filtered: ModalFilter | None,
+    base: Sequence[BaseMotion],
+    motions: Sequence[ScaledRecord],
+    building: Building | None,
+) -> Spectrum | None:
+    """Return the floor spectrum at a height, at the PGA of the ground's spectrum.
+
+    Parameters
+    ----------
+    ground : Spectrum
+        The spectrum of the ground.
+    height : float
+        Height above the ground [m].
+    filtered : ModalFilter, optional
+        The filter through which the motions reached the base, if they did and the suite meets the rules.
+    base, motions : sequence
+        The motions at the base, and their factors.
+    building : Building, optional
+        The building, with its height and storeys.
+
+    Returns
+    -------
+    Spectrum or None
+        None if neither the suite nor the building gives one.
+    """
+    if filtered is not None and len(motions) >= LEAST_RECORDS:
+        records = [scale(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
+        return suite_spectrum(ground, records, mode=filtered.mode)
+    if building is not None and building.storeys is not None and height <= building.height:
+        return circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
+    return None
+
+
+def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
+    """Return the envelope of the response spectra at the base, with its peaks broadened.
+
+    The response is computed once for each damping that a procedure uses.
+    """
+    periods = np.unique(np.concatenate(([0.0], _sample_periods(), NEAR_MODE / mode.frequency)))
+
+    @lru_cache(maxsize=8)
+    def broadened(damping: float) -> FloatArray:
+        at = min(damping, MOST_DAMPING)
+        return broaden(periods, np.max([response_spectrum(record, periods, damping=at) for record in records], axis=0))
+
+    def ordinates(period: FloatArray, damping: float) -> FloatArray:
+        T = np.asarray(period, dtype=np.float64)
+        return np.maximum(np.interp(T, periods, broadened(damping)), ground.acceleration(T, damping=damping))
+
+    parameters = {"records": float(len(records)), "first mode": 1.0 / mode.frequency}
+    return Spectrum(
+        "floor", parameters, ground.damping, DAMPING_OF_SUITE, ordinates, OF_SUITE, longest_period=ground.longest_period
+    )
+
+
+def circolare_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
+    """Return the spectrum of C7.2.5 at a height [m]: first mode linear over the height, envelope within 15 % of T_1."""
+    share = first_mode_factor(storeys) * height / building.height
+    modes = [Mode(building.period * factor, building.damping, share) for factor in PERIOD_VARIATION]
+
+    def ordinates(period: FloatArray, damping: float) -> FloatArray:
+        T = np.asarray(period, dtype=np.float64)
+        above = [circolare2019_floor_spectrum(T, spectrum=ground, modes=(mode,), damping=damping) for mode in modes]
+        largest: FloatArray = np.maximum(np.max(above, axis=0), ground.acceleration(T, damping=damping))
+        return largest
+
+    parameters = {"T_1": building.period, "share of the mode": share}
+    return Spectrum(
+        "floor",
+        parameters,
+        ground.damping,
+        DAMPING_OF_CIRCOLARE,
+        ordinates,
+        OF_CIRCOLARE,
+        longest_period=ground.longest_period,
+    )
+
+
+def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
+    """Return the largest ordinate within 15 % of each period, to both sides [n]."""
+    low = np.searchsorted(period, period * (1.0 - BROADENING), side="left")
+    high = np.searchsorted(period, period / (1.0 - BROADENING), side="right")
+    return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
+
+
+def _sample_periods() -> FloatArray:
+    count = int(np.ceil(np.log(LONGEST_PERIOD / SHORTEST_PERIOD) / np.log(PERIOD_RATIO))) + 1
+    return np.geomspace(SHORTEST_PERIOD, LONGEST_PERIOD, count)

@@ -44,16 +44,18 @@ from assess.risk.exports import (
 )
 from assess.risk.lognormal import Lognormal
 from assess.short_repr import ShortRepr
-from assess.study.envelopes import envelope_cases, envelope_messages
 from assess.study.fragility_curves import (
     Origins,
     compare_measure,
     convert_curve,
+    epistemic_messages,
     factor_between,
     fragility_curve,
+    hazard_messages,
+    measure_name,
     origins_of,
+    risks,
 )
-from assess.study.fragility_risk import epistemic_messages, hazard_messages, measure_name, risks
 from assess.study.fragility_runs import (
     FragilityRuns,
     Intensities,
@@ -66,9 +68,9 @@ from assess.study.fragility_runs import (
     run_once,
 )
 from assess.study.histories import RockingCase, vibrates
-from assess.study.record_set import motions_of
-from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages
+from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages, envelope_cases, envelope_messages
 from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, report_nothing
+from assess.study.suites import motions_of
 from assess.workers import available_cores
 from records.record import Record
 from records.scaling import Scaling

@@ -26,7 +26,7 @@ from assess.results import (
 )
 from assess.study.mechanism_results import floats
 from assess.study.study import Fitting, PulseGrid, ScaledRecord, Study
-from assess.study.suite_rules import ABOVE, BELOW, FITTED_OVER, RULES, equivalent_periods, extreme_periods
+from assess.study.suites import ABOVE, BELOW, FITTED_OVER, RULES, equivalent_periods, extreme_periods
 from records.candidates import sequence_number
 from records.compliance import SELECTION_RULES, all_requirements
 from records.compliance.suite import DAMPING, Requirement, suite_of

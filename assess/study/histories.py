@@ -29,15 +29,21 @@ from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_u
 from assess.codes.italian_histories import required_pga
 from assess.codes.italian_limit_states import confidence_factors
 from assess.codes.procedures import history_rules, uses_histories
+from assess.dynamics import pulses
 from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
+from assess.dynamics.pulses import Envelope
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Oscillator, elastic_frequency, linear_multiplier
-from assess.results import HistoryResult, HistoryTrace
+from assess.results import (
+    HistoryResult,
+    HistoryTrace,
+)
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.study import ScaledRecord, Study
 from records.errors import RecordError
+from records.pulses import PulseShape, pulse_shape
 from records.record import STRONGEST, Record
 from spectra.arrays import BoolArray, FloatArray, IntArray, is_number
 from spectra.spectrum import Spectrum
@@ -405,6 +411,7 @@ TWIN_EXPONENTS = (3, 4, 5, 6)
 
 TWIN_FACTORS = np.array([1.0, *(1.0 + sign * 10.0**-u for u in TWIN_EXPONENTS for sign in (1.0, -1.0))])
 """On the PGA: of the record as it is, then of its eight twins [9]."""
+
 ALL_TWINS, OUTER_TWINS, INNER_TWINS = (
     slice(1, 9),
     slice(1, 3),
@@ -529,3 +536,71 @@ def check_record(record: Record) -> None:
         raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
     if not (is_number(record.dt) and isfinite(record.dt) and record.dt > 0.0):
         raise RecordError(f'record "{record.id}": time step {record.dt} s; give one greater than 0')
+
+
+LEAST_ABOVE_ZERO = 5e-324  # the least number above 0
+
+
+def find_envelope(
+    oscillator: Oscillator,
+    pulse: str | PulseShape,
+    *,
+    frequency: Sequence[float] | FloatArray,
+    amplitude: Sequence[float] | FloatArray,
+    equation: Equation = "exact",
+    threads: int = 0,
+) -> Envelope:
+    """Find which pulses of a grid overturn an oscillator, in the worse polarity, and the least that does.
+
+    Parameters
+    ----------
+    oscillator : Oscillator
+        The branches of the mechanism, or of a rigid block.
+    pulse : str or Shape
+        Name of a pulse of `records.pulses.PULSE_SHAPES`, or a shape made by `records.pulses.pulse_shape`.
+    frequency : array
+        Rising frequencies of the pulse [n] [Hz].
+    amplitude : array
+        Rising peak accelerations [m] [m/s2].
+    equation : {"exact", "linearised"}
+        The equation of motion.
+    threads : int
+        Number of threads; 0 for all cores. The results do not depend on it.
+
+    Returns
+    -------
+    Envelope
+        Outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2].
+
+    Raises
+    ------
+    RecordError
+        If no pulse has that name, or frequencies or amplitudes are not finite, positive and rising.
+    MechanismError
+        If a branch cannot rock.
+        If frequencies or amplitudes are not finite, positive and rising.
+    """
+    made = pulse_shape(pulse) if isinstance(pulse, str) else pulse
+    if not isinstance(made, PulseShape):
+        raise RecordError(f'pulse = {pulse!r:.60}: give the name of a pulse, such as "sine"')
+    return pulses.envelope(
+        oscillator,
+        made,
+        _rising_axis("frequency", frequency, least=LEAST_ABOVE_ZERO),
+        _rising_axis("amplitude", amplitude, least=0.0),
+        equation=equation,
+        threads=threads,
+    )
+
+
+def _rising_axis(name: str, given: Sequence[float] | FloatArray, *, least: float) -> FloatArray:
+    """Return an axis of the grid; raise RecordError where it is not finite, rising, or within its bounds."""
+    try:
+        values = np.atleast_1d(np.array(given, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise RecordError(f"{name} = {given!r:.60}: give rising numbers above 0") from None
+    if values.ndim != 1 or not values.size or not np.isfinite(values).all():
+        raise RecordError(f"{name}: give one finite number or more")
+    if values[0] < least or values[-1] <= 0.0 or (np.diff(values) <= 0.0).any():
+        raise RecordError(f"{name}: {values[0]:g} to {values[-1]:g}: give rising numbers above 0")
+    return values

@@ -1,4 +1,4 @@
-"""A run of a study: from its plain data to its results, or to the verdict alone.
+"""A run of a study: from its plain data to its results, to the verdict alone, or to its overturning envelopes alone.
 
 The results do not depend on the number of jobs. They hold automatic controls of every mechanism (NTC 2018, 10.2.1:
 controls that the report lists). For the verdict alone, as of one of ten thousand walls, only what decides is computed:
@@ -8,25 +8,38 @@ mechanism depends on them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.amplification import pulse_factor
 from assess.codes.check import Check, Family
 from assess.codes.procedures import FAMILIES, history_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
+from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_critical
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
 from assess.oscillator import Oscillator, elastic_frequency
-from assess.results import SCHEMA_VERSION, Control, MechanismResult, Results
+from assess.results import (
+    SCHEMA_VERSION,
+    Control,
+    CriticalBand,
+    CriticalResult,
+    EnvelopeResult,
+    MechanismResult,
+    Results,
+)
 from assess.results.inputs import describe_program, stamp
 from assess.short_repr import ShortRepr
-from assess.study.checks import assess_mechanisms, checks_of, decide, mark_result
-from assess.study.context import context_of
+from assess.study.checks import assess_mechanisms, checks_of, context_of, decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
-from assess.study.envelopes import EnvelopeCase, critical_result, envelope_cases, map_envelopes
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
 from assess.study.histories import (
     RockingCase,
@@ -37,28 +50,32 @@ from assess.study.histories import (
     run_levels,
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
-from assess.study.mechanism_results import comparison_rows
-from assess.study.record_set import motions_of
-from assess.study.sensitivity import sensitivities, survey_tolerances
+from assess.study.mechanism_results import comparison_rows, parameters
 from assess.study.study import (
     Progress,
+    PulseGrid,
     ScaledRecord,
     Study,
+    case_text,
     may_follow_motion,
     report_nothing,
     require_spectrum,
 )
-from assess.study.suite_rules import suite_faults
-from assess.study.sweeps import (
+from assess.study.suites import motions_of, suite_faults
+from assess.study.uncertainty import uncertainty
+from assess.study.variations import (
     MechanismSweep,
     case_messages,
     controlling_cases,
     motions_of_case,
     run_sweeps,
+    sensitivities,
+    survey_tolerances,
     sweep_results,
 )
-from assess.study.uncertainty import uncertainty
 from assess.workers import available_cores
+from records.pulses import PULSE_SHAPES
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
 
@@ -374,3 +391,174 @@ def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, 
             "motion-elastic", {"frequency": Quantity(elastic, "frequency", 3)}
         )
     return 1.0 / (FEWEST_ROCKING * p), message("motion-rocking", {"p": Quantity(p, "angular frequency", 3)})
+
+
+def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = report_nothing) -> Results:
+    """Find the overturning envelopes of a study, without spectrum, records or checks.
+
+    Mechanisms are those of the project file, without the cases of its sweeps.
+
+    Parameters
+    ----------
+    study : Study
+        The study; its own pulses are used, or the default ones.
+    jobs : int
+        Number of threads; 0 for all cores. The results do not depend on it.
+    progress : Progress
+        Called with the stage, the number of its parts done, and their total.
+
+    Returns
+    -------
+    Results
+        Parameters and envelope of each mechanism, and the critical mechanism at each frequency.
+    """
+    grid = study.pulses or DEFAULT_GRID
+    envelopes = map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
+    progress("primary pulses", 0, 1)
+    recorded = tuple(record for record in study.records if not record.artificial)
+    given = replace(study, artificial=None, records=recorded)
+    motions = () if study.spectrum is None else motions_of(given, study.spectrum)
+    records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
+    program = describe_program()
+    return Results(
+        schema_version=SCHEMA_VERSION,
+        program=program,
+        inputs=study.inputs,
+        warnings=envelope_messages(study),
+        project=study.resolved,
+        spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
+        records=with_primary_pulses(records, motions, grid),
+        mechanisms=tuple(replace(each, envelope=envelopes.get(each.name)) for each in parameters(study)),
+        critical=critical_result(envelopes),
+        comparison=(),
+        sweeps=(),
+        stamp=stamp("envelope", program, study.inputs),
+    )
+
+
+def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[EnvelopeCase, ...]:
+    """Return the mechanisms whose envelopes are sought, swept ones in their controlling case.
+
+    Mechanisms that fall at rest without actions that are not shown to last are left out.
+    """
+    found = []
+    for mechanism in study.mechanisms:
+        sweep = controlling.get(mechanism.name)
+        of = study if sweep is None else sweep.case.study
+        case = "" if sweep is None else case_text(sweep.sweep, sweep.case, sweep.mechanism)
+        used = next(each for each in of.mechanisms if each.name == mechanism.name)
+        oscillator = used.variants.collapse
+        if oscillator is None:
+            continue
+        factor = partial(pulse_factor, of.amplified[used.name].amplification)
+        found.append(EnvelopeCase(used.name, oscillator, of.equations[used.name], factor, case))
+    return tuple(found)
+
+
+DEFAULT_GRID = PulseGrid(PULSE_SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))
+
+
+@dataclass(frozen=True, repr=False)
+class EnvelopeCase(ShortRepr):
+    """A mechanism whose envelope is sought.
+
+    factor : amplification to its base at given frequencies [n] [Hz] -> [n]
+    case : the case of a sweep in words, else empty
+    """
+
+    name: str
+    oscillator: Oscillator
+    equation: Equation
+    factor: Callable[[FloatArray], FloatArray]
+    case: str = ""
+
+
+def map_envelopes(
+    cases: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
+) -> dict[str, EnvelopeResult]:
+    """Return the envelope of every mechanism by name; empty without a grid of pulses."""
+    if grid is None:
+        return {}
+    found = {}
+    for count, case in enumerate(cases):
+        progress("overturning envelopes", count, len(cases))
+        made = envelope(
+            case.oscillator,
+            grid.shape,
+            grid.frequency,
+            grid.amplitude,
+            equation=case.equation,
+            factor=case.factor(grid.frequency),
+            threads=jobs,
+        )
+        found[case.name] = replace(envelope_result(made, case.oscillator), case=case.case)
+    progress("overturning envelopes", len(cases), len(cases))
+    return found
+
+
+def envelope_result(made: Envelope, oscillator: Oscillator) -> EnvelopeResult:
+    """Return the envelope in the units of results."""
+    form = min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
+    bound = made.lower_bound / g
+    above = made.amplitude[None, :] > made.lower_bound[:, None]  # nowhere, if nothing overturns
+    return EnvelopeResult(
+        shape=made.shape.name,
+        gamma=made.shape.gamma,
+        nu_rad=made.shape.nu,
+        equation=made.equation,
+        frequency_hz=tuple(made.frequency.tolist()),
+        amplitude_g=tuple((made.amplitude / g).tolist()),
+        overturned=tuple(tuple(row) for row in made.overturned.tolist()),
+        lower_bound_g=none_for_nan(bound),
+        polarity=tuple(made.polarity.tolist()),
+        islands=tuple((above & ~made.overturned).sum(axis=1).tolist()),
+        uplift_g=tuple((made.uplift / g).tolist()),
+        factor=tuple(made.factor.tolist()),
+        omega=tuple((2 * np.pi * made.frequency / form.p).tolist()),
+        lower_bound_ratio=none_for_nan(bound * made.factor / form.multiplier),
+    )
+
+
+def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
+    """Return which mechanism is critical at each frequency; None without mechanisms."""
+    if not found:
+        return None
+    names = list(found)
+    frequency = np.array(next(iter(found.values())).frequency_hz)
+    bounds = np.array([[np.nan if b is None else b for b in each.lower_bound_g] for each in found.values()])
+    order = find_critical(frequency, bounds)
+    return CriticalResult(
+        frequency_hz=tuple(frequency.tolist()),
+        mechanism=_names(order.mechanism, names),
+        lower_bound_g=none_for_nan(order.lower_bound),
+        runner_up=_names(order.runner_up, names),
+        margin=none_for_nan(order.margin),
+        near=tuple(tuple(name for name, is_near in zip(names, row, strict=True) if is_near) for row in order.near.T),
+        bands=_bands(order, names),
+    )
+
+
+def _bands(order: CriticalMechanism, names: Sequence[str]) -> tuple[CriticalBand, ...]:
+    return tuple(
+        CriticalBand(None if band.mechanism is None else names[band.mechanism], band.start, band.end)
+        for band in order.bands
+    )
+
+
+def _names(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, ...]:
+    """Return the names of mechanisms by index, None for a negative one."""
+    return tuple(names[i] if i >= 0 else None for i in index)
+
+
+def none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
+    """Return numbers [n], None in place of nan."""
+    return tuple(None if np.isnan(value) else float(value) for value in values)
+
+
+def envelope_messages(study: Study) -> tuple[Message, ...]:
+    """Return the messages on envelopes, where no procedure of a code is used."""
+    kept = tuple(message for message in study.messages if message.key != "confidence-factor")
+    if not study.sweeps:
+        return kept
+    keys = ", ".join(sweep.key for sweep in study.sweeps)
+    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))

@@ -28,8 +28,8 @@ from assess.results import MechanismResult
 from assess.results.variations import QUANTILES, Distribution, Influence, UncertainAnswer, UncertaintyResult
 from assess.risk.empirical import wilson_interval
 from assess.study.checks import checks_without_scan
-from assess.study.sensitivity import CheckKey, checks_by_key
 from assess.study.study import Progress, SampledNumber, Sampling, ScaledRecord, Study
+from assess.study.variations import CheckKey, checks_by_key
 from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum

@@ -87,9 +87,9 @@ CONSTANTS: Mapping[str, tuple[str, ...]] = {
         *("BY_BUILDING", "BY_MECHANISM", "BY_TABLE", "BY_BODIES", "UNKNOWN"),
         *("FLOOR_FACTORS", "FIRST_MODES", "ASSUMPTIONS", "RAYLEIGH"),
     ),
-    "assess/study/context.py": ("OF_SUITE", "OF_CIRCOLARE", "DAMPING_OF_SUITE", "DAMPING_OF_CIRCOLARE"),
+    "assess/study/checks.py": ("OF_SUITE", "OF_CIRCOLARE", "DAMPING_OF_SUITE", "DAMPING_OF_CIRCOLARE"),
     "spectra/ntc.py": ("CLAUSES",),
-    "assess/study/suite_rules.py": ("FITTED_OVER",),
+    "assess/study/suites.py": ("FITTED_OVER",),
     "assess/project/variables.py": ("FULL", "SWEPT"),
     "assess/study/history_controls.py": (
         *("LARGEST_ROTATION", "OVERTURNING_TIME", "OVERTURNING_ROTATION", "ENERGY_BALANCE"),

@@ -15,7 +15,7 @@ from assess.model.assembly import BUILDERS
 from assess.project import sections
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
 from assess.project.structure import CHAINED
-from assess.study.context import SUPPORTS
+from assess.study.checks import SUPPORTS
 from reports.chapters.mechanism_page import KINDS
 from tests.properties.test_mechanisms import CASES
 
@@ -33,7 +33,7 @@ def test_tables_by_kind(kind: str) -> None:
     tables = (
         ("TWO_SIDED of assess/mechanisms/restitution.py", TWO_SIDED),
         ("ONE_SIDED of assess/mechanisms/restitution.py", ONE_SIDED),
-        ("SUPPORTS of assess/study/context.py", SUPPORTS),
+        ("SUPPORTS of assess/study/checks.py", SUPPORTS),
         ("the unions at the end of assess/project/sections/mechanisms.py", SECTIONS),
         ("KINDS of reports/chapters/mechanism_page.py", KINDS),
     )

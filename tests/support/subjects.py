@@ -29,7 +29,7 @@ from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
-from assess.study.context import SUPPORTS, wall_of
+from assess.study.checks import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum

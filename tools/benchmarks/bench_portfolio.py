@@ -23,9 +23,9 @@ from assess.examples import copy_example
 from assess.portfolio.projects import Task, find_tasks, project_tree
 from assess.project.build import build, build_to_decide
 from assess.project.project_file import load, load_tree
-from assess.study.record_set import motions_of
 from assess.study.run import find_verdict
 from assess.study.study import require_spectrum
+from assess.study.suites import motions_of
 
 PROCESSES, WALLS, ALL = 2, 500, 10_000
 ARTIFICIAL = 'synthetic = { count = 7, seed = 1, duration = "25 s" }'

@@ -20,7 +20,7 @@ from assess.cli.tables.text_table import text_table
 from assess.errors import AssessError
 from assess.messages.message import escape_text
 from assess.results.inputs import origin
-from assess.study.record_set import candidate_records, cell_message
+from assess.study.suites import candidate_records, cell_message
 from records.candidates import DAMPING, PERIODS
 from records.flatfile import FlatfileMatch
 from records.formats.header import HeaderOverrides

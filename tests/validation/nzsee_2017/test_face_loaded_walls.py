@@ -31,7 +31,7 @@ from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.study.context import wall_of
+from assess.study.checks import wall_of
 from spectra.nzs1170_5 import site_spectrum
 from spectra.table import table_spectrum
 

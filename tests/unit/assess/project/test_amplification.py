@@ -21,8 +21,7 @@ from assess.amplification import (
 )
 from assess.errors import ProjectError
 from assess.geometry.solid import box
-from assess.study.envelopes import run_envelopes
-from assess.study.run import run_study
+from assess.study.run import run_envelopes, run_study
 from assess.study.study import Study
 from tests.support import projects
 from tests.support.projects import project_toml, wall

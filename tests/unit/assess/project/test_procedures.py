@@ -11,8 +11,8 @@ from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.checks import checks_without_scan
-from assess.study.record_set import motions_of
 from assess.study.run import run_study
+from assess.study.suites import motions_of
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
 

@@ -13,7 +13,7 @@ from assess.results import Results
 from assess.results.json import dumps, loads
 from assess.study.run import run_study
 from assess.study.study import Study
-from assess.study.suite_rules import equivalent_periods
+from assess.study.suites import equivalent_periods
 from records.catalogue import NAME
 from records.errors import RecordError
 from records.processing import at2_text

@@ -14,9 +14,8 @@ from assess.project.suite_lock import LOCK_NAME, is_sealed
 from assess.results import Results
 from assess.results.diff import differences
 from assess.results.json import dumps, loads
-from assess.study.record_set import motions_of
 from assess.study.run import run_study
-from assess.study.suite_rules import suite_faults
+from assess.study.suites import motions_of, suite_faults
 from records.processing import at2_text
 from records.record import make_record
 from reports.chapters import suite

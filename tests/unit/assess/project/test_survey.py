@@ -9,7 +9,7 @@ import pytest
 from assess.codes.question import MechanismChecks
 from assess.codes.verdict import verdict
 from assess.study.run import run_study
-from assess.study.sensitivity import survey_tolerances
+from assess.study.variations import survey_tolerances
 from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
 

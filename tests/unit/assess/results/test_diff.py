@@ -14,8 +14,7 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.results import ResolvedValue, Results, SensitivityResult, SweepResult
 from assess.results.diff import KINDS, Difference, differences, same
-from assess.study.envelopes import run_envelopes
-from assess.study.run import run_study
+from assess.study.run import run_envelopes, run_study
 from tests.support.projects import ASCE7, block, project_toml, published, wall
 
 PROJECT = project_toml(

@@ -12,8 +12,7 @@ from assess.oscillator import Oscillator, RockingBlock, elastic_frequency, plain
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.results import Results
-from assess.study.envelopes import EnvelopeCase
-from assess.study.run import coarse_record_messages, longest_step, run_study
+from assess.study.run import EnvelopeCase, coarse_record_messages, longest_step, run_study
 from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling

@@ -12,8 +12,8 @@ from assess.examples import EXAMPLES, copy_example
 from assess.project.build import build, build_to_decide
 from assess.project.project_file import load
 from assess.study import run
-from assess.study.record_set import motions_of
 from assess.study.run import find_verdict, run_study
+from assess.study.suites import motions_of
 from tests.support.projects import NTC, project_toml
 
 

@@ -11,12 +11,10 @@ from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.procedures import FAMILIES
 from assess.errors import AssessError
-from assess.study.checks import checks_without_scan
-from assess.study.context import context_of
-from assess.study.envelopes import run_envelopes
+from assess.study.checks import checks_without_scan, context_of
 from assess.study.histories import RockingHistories
 from assess.study.mechanism_results import parameters
-from assess.study.run import run_study
+from assess.study.run import run_envelopes, run_study
 from tests.support import projects
 from tests.support.projects import NTC, block, lines, project_toml, wall
 

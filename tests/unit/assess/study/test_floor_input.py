@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.amplification import FirstMode, ModalFilter, base_motion
 from assess.codes.context import Building
-from assess.study.context import broaden, floor_spectrum
+from assess.study.checks import broaden, floor_spectrum
 from assess.study.study import ScaledRecord
 from records.record import scale
 from records.response import response_spectrum

@@ -12,10 +12,9 @@ from scipy.constants import g
 from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.envelopes import find_envelope
-from assess.study.histories import respond, with_restitution_factor
-from assess.study.record_set import motions_of
+from assess.study.histories import find_envelope, respond, with_restitution_factor
 from assess.study.run import run_study
+from assess.study.suites import motions_of
 from records.errors import RecordError
 from records.record import make_record
 from tests.support.projects import EC8, block, project_toml, wall

@@ -16,9 +16,9 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.histories import RockingCase, scan_levels
 from assess.study.mechanism_results import parameters
-from assess.study.record_set import motions_of
 from assess.study.run import run_study
 from assess.study.study import Study
+from assess.study.suites import motions_of
 from records.response import response_spectrum
 from tests.support import projects
 from tests.support.motions import write_noise

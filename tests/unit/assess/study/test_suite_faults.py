@@ -14,10 +14,9 @@ from scipy.constants import g
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.record_set import motions_of, raise_artificial
 from assess.study.run import run_study
 from assess.study.study import ScaledRecord, Study
-from assess.study.suite_rules import made_band, spectrum_of_rules, suite_faults
+from assess.study.suites import made_band, motions_of, raise_artificial, spectrum_of_rules, suite_faults
 from records.record import Record
 from records.scaling import Scaling
 from records.synthetic import artificial_records

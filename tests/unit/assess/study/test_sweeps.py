@@ -19,7 +19,7 @@ from assess.results import MechanismResult
 from assess.results.json import dumps
 from assess.study.mechanism_results import case_parameters, parameters
 from assess.study.run import run_study
-from assess.study.sweeps import MechanismInCase, controlling_index
+from assess.study.variations import MechanismInCase, controlling_index
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, block, project_toml, study_of, wall
 

@@ -9,7 +9,7 @@ from assess.codes.context import Wall
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import load as load_project
-from assess.study.context import carries_floors, wall_of
+from assess.study.checks import carries_floors, wall_of
 from assess.study.run import run_study
 from tests.support.projects import block, project_toml, published, wall
 

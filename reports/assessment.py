@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Literal
 from assess.errors import AssessError
 from assess.results import SCHEMA_VERSION, Results
 from assess.results.fragility import FragilityResults
-from assess.results.inputs import ResolvedValue
+from assess.results.provenance import ResolvedValue
 from assess.results.verification import VerificationResults
 from reports.chapters import (
     annex_envelopes,

@@ -101,7 +101,7 @@ def schema(
     Editors with TOML support check and complete a project file by it, units of quantities included. They find it by the
     first line of the project file, `#:schema ./project.schema.json`; `assess new` writes both.
     """
-    from assess.project.json_schema import schema_text
+    from assess.project.project_file import schema_text
 
     if output is None:
         print(schema_text(), end="")
@@ -115,7 +115,7 @@ def schema(
 
 def _is_schema(path: Path) -> bool:
     """Whether a file is a schema that this command wrote."""
-    from assess.project.json_schema import TITLE
+    from assess.project.project_file import TITLE
 
     try:
         content = json.loads(path.read_text(encoding="utf-8"))

@@ -197,7 +197,7 @@ def convert(
     if azimuth is not None and rotd is not None:
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
     from assess.cli.stderr import print_warnings
-    from assess.results.inputs import stamp_of_files
+    from assess.results.provenance import stamp_of_files
     from records.plausibility import record_warning, warnings_among
     from records.processing import Processing, choose_records, process, record_text
     from records.reading import read_records

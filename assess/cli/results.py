@@ -51,7 +51,7 @@ def report(
     if results.name == FRAGILITY:
         rewrite_fragility(results, output or results.parent, png=png, language=language)
         return
-    from assess.results.files import open_results
+    from assess.results.json import open_results
 
     read = open_results(results, tell=print_message)
     found = read.results
@@ -97,7 +97,7 @@ def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language
     from assess.cli.stderr import on_interruption, print_message, progress
     from assess.outputs.manifest import FRAGILITY
     from assess.outputs.writing import output_folder
-    from assess.results.files import open_fragility
+    from assess.results.json import open_fragility
     from reports.assessment import fragility_report, locale_of, results_without_mechanisms
     from reports.project_values import project_text
     from reports.writing import Form, write_document
@@ -154,7 +154,7 @@ def summary(
         mechanisms_json,
         mechanisms_table,
     )
-    from assess.results.files import open_results
+    from assess.results.json import open_results
 
     rows: list[MechanismRow] = []
     for run in runs:
@@ -189,7 +189,7 @@ def diff(
     from assess.cli.stderr import print_message
     from assess.cli.tables.results import changes_csv, changes_json, changes_text
     from assess.results.diff import differences
-    from assess.results.files import open_results
+    from assess.results.json import open_results
 
     first, second = (open_results(each, tell=print_message) for each in (before, after))
     with first.blame_changes(), second.blame_changes():

@@ -107,7 +107,13 @@ def spectrum(
     options = {key: value for key, value in context.params.items() if key not in NOT_KEYS and value is not None}
     _check_options(project, options, as_json=as_json, as_csv=as_csv, output=output)
     from assess.cli.tables.spectrum import print_spectrum_warnings, spectrum_csv, spectrum_json, spectrum_table
-    from assess.project.site_spectrum import read_site_options, site_of, site_option_messages, spectrum_of, vertical_of
+    from assess.project.site_and_structure import (
+        read_site_options,
+        site_of,
+        site_option_messages,
+        spectrum_of,
+        vertical_of,
+    )
 
     site = read_site_options(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)

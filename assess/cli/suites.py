@@ -225,7 +225,7 @@ def scale(
     from assess.outputs.manifest import RECORDS
     from assess.outputs.writing import output_folder
     from assess.project.suites import write_scaled_files
-    from assess.results.inputs import stamp_of_files
+    from assess.results.provenance import stamp_of_files
     from records.formats.header import HeaderOverrides
     from records.processing import csv_text as record_text
     from records.record import scale

@@ -161,7 +161,7 @@ def _list_cases(cases: tuple[CaseFile, ...]) -> str:
 
 def complete_cases(incomplete: str) -> Sequence[str]:
     """Complete the key of a solved case, or of all cases of one source."""
-    from assess.results.solved_cases import exercised_by_case
+    from assess.results.verification import exercised_by_case
 
     keys = set(exercised_by_case())
     return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]

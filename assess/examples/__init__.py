@@ -11,7 +11,7 @@ from pathlib import Path
 from assess.errors import ProjectError
 from assess.examples import casa_grande, house, street, surfaces
 from assess.examples.surfaces import Surface, ply
-from assess.outputs.journal import MADE, make_stage, remove_abandoned
+from assess.outputs.writing import MADE, make_stage, remove_abandoned
 
 SCHEMA = "project.schema.json"
 """The schema of project files, beside that of an example: editors that know `#:schema` check and complete with it."""
@@ -124,7 +124,7 @@ def _write(name: str, folder: Path) -> None:
 
 def _name_schema(folder: Path, file: str) -> None:
     """Write the schema beside a project file, and name it in the file's first line, where editors look for it."""
-    from assess.project.json_schema import schema_text
+    from assess.project.project_file import schema_text
 
     (folder / SCHEMA).write_text(schema_text(), encoding="utf-8", newline="\n")
     project = folder / file

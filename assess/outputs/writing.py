@@ -1,21 +1,28 @@
 """Files written whole or not at all: a set of files into a folder, or one file that the user names.
 
-One command at a time writes into a folder, and files of others are never touched.
+One command at a time writes into a folder, and files of others are never touched. The files are made in a stage, a
+hidden folder on the same disk, which holds the new ones in `made`. A journal written there lists every move with the
+SHA-256 of the new and of the old file; only then are files moved, replaced ones into `old`. Every step can be repeated:
+the next command that finds a stage with a journal finishes the moves, or takes them back if the folder was changed
+meanwhile. A stage without a journal was never finished, or is done with.
 """
 
 from __future__ import annotations
 
+import json
 import os
+import shutil
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from secrets import token_hex
 
 from assess.errors import OutputError
-from assess.messages.message import Message
-from assess.outputs import journal
-from assess.outputs.journal import MADE, Move, Tell, files_in, flush, keep_beside, make_stage, recover, remove_abandoned
-from assess.outputs.lock import hold_lock
-from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest, link_above, read, state
+from assess.messages.message import Message, note
+from assess.outputs.lock import LOCK, hold_lock, is_abandoned
+from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest, link_above, read, state, stays_inside
 from assess.outputs.signals import defer_signals
 
 _MOST_NAMES = 5  # of files in an error
@@ -162,10 +169,10 @@ def _move_into_place(names: Sequence[str], place: Path, folder: Path) -> None:
             for path in (made / name for name in names):
                 if path.exists():
                     flush(path)
-            journal.begin(place, moves)
-            journal.finish(place, folder, moves)
+            begin(place, moves)
+            finish(place, folder, moves)
         except OSError as error:
-            journal.take_back(place, folder, moves)
+            take_back(place, folder, moves)
             left = keep_beside(place, folder)
             where = error.filename2 or error.filename or folder
             raise OutputError(
@@ -265,3 +272,301 @@ def _name_finished_file(made: Path, path: Path) -> None:
 def _refuse_another(made: Path, path: Path) -> None:
     if digest(path) != digest(made):
         raise OutputError(f"{path}: is there already and holds something else; move it away, or give another name")
+
+
+PREFIX = ".assess-partial-"
+MADE, OLD, JOURNAL = "made", "old", "journal.json"
+_DAY = 86400.0  # s
+Tell = Callable[[Message], None]
+
+
+def recover_for_reading(folder: Path, *, tell: Tell) -> None:
+    """Recover a folder for a command that only reads in it.
+
+    Waits for a command that is moving files at this moment; does nothing if no command was stopped there.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    tell : callable
+        Called with a message on what was recovered.
+    """
+    if any((each / JOURNAL).is_file() for each in _stages(folder)):
+        with hold_lock(folder, command="a command that reads there", patient=True):
+            recover(folder, tell=tell)
+
+
+def recover(folder: Path, *, tell: Tell) -> None:
+    """Recover a folder whose lock the caller holds; remove stages that are left behind."""
+    for stage in left_behind(folder, locked=True):
+        if (stage / JOURNAL).is_file() and not stage.is_symlink():
+            with defer_signals():
+                tell(_finish_or_take_back(stage, folder))
+        remove_stage(stage)
+
+
+def keep_beside(stage: Path, folder: Path) -> Path:
+    """Move the files of a stage into a new folder beside `folder`, or within it, and return the new folder.
+
+    Old files whose place is taken by others go with them.
+    """
+    if (stage / OLD).is_dir() and files_in(stage / OLD):
+        (stage / OLD).rename(stage / MADE / OLD)
+    beside = folder.absolute()
+    for parent, name in ((beside.parent, f"{beside.name}-new"), (beside, "new")):
+        number = next(n for n in range(1, 10_000) if not (parent / f"{name}-{n}").exists())
+        try:
+            return (stage / MADE).rename(parent / f"{name}-{number}")
+        except OSError:
+            continue
+    return stage / MADE
+
+
+def _finish_or_take_back(stage: Path, folder: Path) -> Message:
+    moves = read_moves(stage)
+    if moves is not None and can_finish(stage, folder, moves):
+        finish(stage, folder, moves)
+        return note("writing-finished", str(folder))
+    take_back(stage, folder, guess_moves(stage, folder) if moves is None else moves)
+    left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
+    place = keep_beside(stage, folder) if left else folder
+    return note("writing-taken-back", str(folder), place=str(place))
+
+
+@dataclass(frozen=True)
+class Move:
+    """The move of one file: `name` below the folder, SHA-256 of the new and of the old file, None for no file."""
+
+    name: str
+    new: str | None
+    old: str | None
+
+
+def begin(stage: Path, moves: Sequence[Move]) -> None:
+    """Write the journal, once all files it lists are on the disk."""
+    for folder in [stage / MADE, *(path for path in (stage / MADE).rglob("*") if path.is_dir())]:
+        flush(folder)
+    draft = stage / f"{JOURNAL}.draft"
+    with draft.open("w", encoding="utf-8") as file:
+        json.dump({"format": 1, "moves": [asdict(move) for move in moves]}, file)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(draft, stage / JOURNAL)
+    flush(stage)
+
+
+def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+    """Carry out the moves that are not done yet."""
+    for move in moves:
+        made, saved, target = _made_saved_target(stage, folder, move)
+        if made.exists() or move.new is None:
+            _save(target, saved)
+        if made.exists():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(made, target)
+        elif move.new is None:
+            target.unlink(missing_ok=True)
+    _remove_empty(folder, [move.name for move in moves if move.new is None])
+    _close(stage, folder, moves)
+
+
+def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+    """Undo the moves that are done; files whose place is taken stay in the stage."""
+    for move in reversed(moves):
+        made, saved, target = _made_saved_target(stage, folder, move)
+        now = digest(target)
+        if now is not None and now == move.new and not made.exists():
+            made.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(target, made)
+            now = None
+        if saved.exists() and now is None:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(saved, target)
+        elif saved.exists() and now == move.old:
+            saved.unlink()
+    _remove_empty(folder, [move.name for move in moves if move.old is None])
+    _close(stage, folder, moves)
+
+
+def read_moves(stage: Path) -> list[Move] | None:
+    """Return the moves in the journal of a stage; None if it cannot be read."""
+    try:
+        content = json.loads((stage / JOURNAL).read_text(encoding="utf-8"))
+        moves = [Move(str(each["name"]), each["new"], each["old"]) for each in content["moves"]]
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
+        return None
+    return moves if content.get("format") == 1 and all(stays_inside(move.name) for move in moves) else None
+
+
+def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
+    """Return whether all new files are whole, and no unknown file is in their place."""
+    for move in moves:
+        made, _, target = _made_saved_target(stage, folder, move)
+        now = digest(target)
+        if now not in (None, move.new, move.old):
+            return False
+        if move.new is not None and move.new not in (digest(made), now):
+            return False
+    return True
+
+
+def guess_moves(stage: Path, folder: Path) -> list[Move]:
+    """Return the moves as the files show them, for a damaged journal: files in `old` were in the folder."""
+    moves = []
+    for name in files_in(stage / OLD) if (stage / OLD).is_dir() else []:
+        was = digest(stage / OLD / name)
+        now = digest(folder / name)
+        moves.append(Move(name, None if now == was else now, was))
+    return moves
+
+
+def _made_saved_target(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
+    """Return where a file is made, saved and wanted; raise OutputError if a link leads out of the folder."""
+    places = stage / MADE / move.name, stage / OLD / move.name, folder / move.name
+    for root, place in zip((stage, stage, folder), places, strict=True):
+        if link := link_above(place, root):
+            raise OutputError(f"{link}: is a link, which leads out of {root}; remove it")
+    return places
+
+
+def _save(target: Path, saved: Path) -> None:
+    """Save the file in the folder; it also stays there if the disk has links, so that readers never miss it."""
+    if saved.exists() or not target.exists():
+        return
+    saved.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        os.link(target, saved)
+    except OSError:
+        os.replace(target, saved)
+
+
+def _close(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+    """Flush the folders and remove the journal: from now on the stage is done with."""
+    for place in sorted({(folder / move.name).parent for move in moves} | {folder}):
+        if place.is_dir():
+            flush(place)
+    (stage / JOURNAL).unlink(missing_ok=True)
+    flush(stage)
+
+
+def _remove_empty(folder: Path, names: Sequence[str]) -> None:
+    """Remove the empty folders below `folder` that held, or were to hold, `names`."""
+    for parent in sorted({(folder / name).parent for name in names} - {folder}, reverse=True):
+        with suppress(OSError):
+            parent.rmdir()
+
+
+@contextmanager
+def make_stage(place: Path, *, command: str) -> Iterator[Path]:
+    """Give a new hidden folder in `place`, with an empty folder `made`; it is removed unless its journal is open.
+
+    Parameters
+    ----------
+    place : Path
+        The folder to make it in.
+    command : str
+        The command that uses it, named in its lock.
+
+    Yields
+    ------
+    Path
+        The stage.
+
+    Raises
+    ------
+    OutputError
+        If nothing can be written in `place`.
+    """
+    folder = place / f"{PREFIX}{token_hex(6)}"
+    try:
+        _make_hidden_folder(folder)
+        with hold_lock(folder, command=command):
+            try:
+                (folder / MADE).mkdir()
+                yield folder
+            finally:
+                with defer_signals():
+                    _empty(folder)
+    finally:
+        with defer_signals():
+            if not (folder / JOURNAL).exists():
+                remove_stage(folder)
+
+
+def _make_hidden_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(mode=0o700)
+    except OSError as error:
+        raise OutputError(
+            f"{folder.parent}: nothing can be written there ({error.strerror}); give another place"
+        ) from None
+
+
+def _empty(folder: Path) -> None:
+    """Remove the files of a stage except its lock, which goes last; none while moves are unfinished."""
+    for each in () if (folder / JOURNAL).exists() else folder.iterdir():
+        if each.name != LOCK:
+            remove_stage(each)
+
+
+def _stages(place: Path) -> list[Path]:
+    try:
+        return sorted(place.glob(f"{PREFIX}*"))
+    except OSError:
+        return []
+
+
+def left_behind(place: Path, *, locked: bool = False) -> list[Path]:
+    """Return the stages in `place` that no command uses; locked: no other command can begin one there now."""
+    return [each for each in _stages(place) if _is_left_behind(each, locked=locked)]
+
+
+def _is_left_behind(found: Path, *, locked: bool) -> bool:
+    """Return whether a stage is abandoned; one without a signed lock may just be beginning, or was stopped then."""
+    lock = found / LOCK
+    try:
+        if lock.is_file():
+            return is_abandoned(lock, unsigned=locked or _is_older_than_a_day(lock))
+        return locked or _is_older_than_a_day(found)
+    except OSError:
+        return False
+
+
+def _is_older_than_a_day(path: Path) -> bool:
+    return time.time() - path.lstat().st_mtime > _DAY
+
+
+def remove_abandoned(place: Path) -> None:
+    """Remove the abandoned stages in `place` that hold no old files."""
+    for each in left_behind(place):
+        if not (each / OLD).exists():
+            remove_stage(each)
+
+
+def remove_stage(found: Path) -> None:
+    """Remove a stage; a link is removed, not followed."""
+    if found.is_dir() and not found.is_symlink():
+        shutil.rmtree(found, ignore_errors=True)
+        return
+    with suppress(OSError):
+        found.unlink()
+
+
+def files_in(folder: Path) -> list[str]:
+    """Return every file below `folder`, as a sorted list of paths with slashes."""
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
+
+
+def flush(path: Path) -> None:
+    """Flush a file, or the names in a folder, to the disk."""
+    if os.name == "nt" and path.is_dir():
+        return  # Windows opens no folders
+    handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
+    try:
+        os.fsync(handle)
+    except OSError:
+        if not path.is_dir():  # some network disks flush files only
+            raise
+    finally:
+        os.close(handle)

@@ -26,7 +26,7 @@ from assess.portfolio.executors import Engine, compute_all
 from assess.portfolio.projects import Task
 from assess.portfolio.row import ProjectRow
 from assess.portfolio.tasks import Job, Keep, Runner
-from assess.results.inputs import describe_program
+from assess.results.provenance import describe_program
 
 COMMAND = "assess batch"
 TABLE = "ranked.html"

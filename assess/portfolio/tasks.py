@@ -18,7 +18,7 @@ from assess.errors import AssessError, HeldError
 from assess.messages.message import Message, Severity
 from assess.portfolio.projects import Task
 from assess.portfolio.row import ProjectRow, RowOutcome
-from assess.results.inputs import describe_program
+from assess.results.provenance import describe_program
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 

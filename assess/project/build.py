@@ -49,21 +49,23 @@ from assess.project.record_set import (
 )
 from assess.project.report import annex_files, annex_of, picture_files, report_matter_of, uses_of
 from assess.project.section import value_text
-from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
-from assess.project.structure import (
+from assess.project.site_and_structure import (
     amplification_method_of,
     base_elevation_of,
     bodies_of,
     definitions_of,
     ground_mechanism,
     ground_of,
+    hazard_over_periods,
     models_of,
+    site_in,
     solid_of,
+    spectrum_of,
     structure_of,
 )
 from assess.project.variables import Cases, sampling_of, survey_of, uncertainty_messages, variables_of
 from assess.results import Input
-from assess.results.inputs import file_sha256
+from assess.results.provenance import file_sha256
 from assess.results.verification import AnnexResult
 from assess.study.amplification import MechanismAmplification, MechanismInPlace, amplify
 from assess.study.mechanism_results import load_messages
@@ -128,7 +130,7 @@ def build_to_decide(project: Project) -> Study:
 
 
 def uses_of_project(project: Project) -> tuple[str, ...]:
-    """Return what a project uses of the program, in the words of `assess.results.solved_cases`.
+    """Return what a project uses of the program, in the words of `assess.results.verification`.
 
     Raises
     ------

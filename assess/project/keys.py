@@ -2,13 +2,14 @@
 
 A sweep, [analysis.sweep], is one whole project file for each of its values: the value is put at its key in what the
 file says and the whole is read through the schema again, so a case is checked like any project. Of a number given as
-{ mean, cov } the schema sees the mean alone, so that whatever does not ask for the scatter uses that.
+{ mean, cov } the schema sees the mean alone, so that whatever does not ask for the scatter uses that. What pydantic
+finds becomes one line for the engineer: key, value, what is wrong and the remedy.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache, reduce
@@ -19,24 +20,34 @@ from typing import Any, get_args
 import numpy as np
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails
 
 from assess.errors import ProjectError
 from assess.messages.message import escape_text
-from assess.project.section import KeyPath, ProjectSection, error_line, key_text, value_text
+from assess.project.section import (
+    KeyPath,
+    ProjectSection,
+    UncertainMark,
+    UncertainNumber,
+    key_text,
+    look_up,
+    value_text,
+)
 from assess.project.sections.analysis import Sweep
+from assess.project.sections.bodies_and_loads import BodyLoad, OverburdenLoad
 from assess.project.sections.content import Content
-from assess.project.sections.loads import BodyLoad, OverburdenLoad
 from assess.project.sections.mechanisms import Restitution
 from assess.project.units import KINDS, Kind, QuantityError, key_value, number_and_unit
-from assess.project.values import UncertainMark, UncertainNumber
-from assess.results.variations import Distribution, UncertainInput
+from assess.results.run import Distribution, UncertainInput
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 WrittenNumber = int | float | str
 Marks = tuple[Kind | None, UncertainMark | None]
 NO_MARKS: Marks = (None, None)
+
 WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
 """Tables without numbers that may scatter."""
+
 MAY_BE_UNCERTAIN = (
     "sizes of boxes, lengths of profiles, hinges, densities, moduli and strengths of materials, friction, stiffness, "
     "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent "
@@ -429,3 +440,68 @@ def _check_positive(distribution: Distribution, cov: float, key: str) -> None:
 def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
     """Return the coefficient of variation of each uncertain number, by its key written with dots."""
     return {".".join(map(str, value.path)): value.given.cov for value in values}
+
+
+def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
+    """Return the first error as "key: value: what is wrong; remedy", and how many more the `raw` content has."""
+    by_key: dict[KeyPath, ErrorDetails] = {}
+    for found in error.errors(include_url=False):
+        if found["type"] != "default_factory_not_called":
+            by_key.setdefault(_key_in_file(found, raw), found)
+    by_key = {key: found for key, found in by_key.items() if not any(_is_below(other, key) for other in by_key)}
+    key, first = next(iter(by_key.items()))
+    known, value = look_up(raw, key)
+    parts = [key_text(key), *([value_text(value)] if known else []), _sentence(first, known=known)]
+    return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
+
+
+def _plain_quotes(expected: str) -> str:
+    return expected.replace("'", '"')
+
+
+_SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
+    "literal_error": lambda c: f"not allowed; write {_plain_quotes(c['expected'])}",
+    "string_type": lambda c: "not a text; write it in quotes",
+    "int_type": lambda c: "not a whole number; write one without decimal point",
+    "greater_than": lambda c: f"must be greater than {c['gt']:.6g}",
+    "greater_than_equal": lambda c: f"must be {c['ge']:.6g} or more",
+    "less_than": lambda c: f"must be less than {c['lt']:.6g}",
+    "less_than_equal": lambda c: f"must be {c['le']:.6g} or less",
+    "model_type": lambda c: "not a table; write [KEY] with its keys below, or { key = value }",
+    "dict_type": lambda c: "not a table; write [KEY.NAME] with its keys below",
+    "tuple_type": lambda c: "not a list; write [ … ]",
+    "too_short": lambda c: f"too few; give at least {c['min_length']}",
+    "too_long": lambda c: f"too many; give at most {c['max_length']}",
+    "missing": lambda c: "missing; the list is too short",
+}
+
+
+def _key_in_file(error: ErrorDetails, raw: Mapping[str, Any]) -> KeyPath:
+    """Return the key of the error in the file, without the tags of pydantic's unions."""
+    below = tuple(error.get("ctx", {}).get("key", ()))
+    key: list[str | int] = []
+    for step in error["loc"]:
+        known, value = look_up(raw, tuple(key))
+        if not (isinstance(value, Mapping | Sequence) and not isinstance(value, str)) and known:
+            break
+        is_tag = isinstance(step, str) and step.startswith("<") and step.endswith(">")
+        if not is_tag or (isinstance(value, Mapping) and step in value):
+            key.append(step)
+    return (*(step for step in key if step != "[key]"), *below)
+
+
+def _is_below(key: KeyPath, table: KeyPath) -> bool:
+    """Whether a key lies within another, of which a fault is then the consequence: a list too short, say."""
+    return len(key) > len(table) and key[: len(table)] == table
+
+
+def _sentence(error: ErrorDetails, *, known: bool) -> str:
+    context = error.get("ctx", {})
+    if error["type"] == "choice":
+        return f"{'not supported' if known else 'missing'}; write one of {context['names']}"
+    if error["type"] == "project":
+        return str(context["reason"])
+    if error["type"] == "value_error":
+        return str(context["error"])
+    sentence = _SENTENCES.get(error["type"])
+    return sentence(context) if sentence else f"{error['msg'][:1].lower()}{error['msg'][1:]}"

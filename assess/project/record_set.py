@@ -15,9 +15,9 @@ from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, note, warning
 from assess.project import sections
-from assess.project.sections.records import Records
+from assess.project.sections.ground_motion import Records
 from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, LockedRecord, SuiteLock, read_lock
-from assess.results.inputs import file_sha256
+from assess.results.provenance import file_sha256
 from assess.study.study import Fitting, GivenFactors, Study
 from assess.study.suites import (
     ABOVE,

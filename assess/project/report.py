@@ -26,13 +26,12 @@ from assess.outputs.manifest import VERIFICATION
 from assess.project import sections
 from assess.project.project_file import Project, resolve
 from assess.project.section import ProjectSection, value_text
-from assess.project.sections.bodies import ProfileBody
+from assess.project.sections.bodies_and_loads import ProfileBody
 from assess.project.sections.content import Content, checklist
 from assess.results import Input, MediaType, Picture, ReportMatter, Revision
-from assess.results.files import read_verification
-from assess.results.inputs import describe_program, file_sha256
-from assess.results.solved_cases import USES, exercised_by_case, keys_for
-from assess.results.verification import AnnexResult, VerificationResults
+from assess.results.json import read_verification
+from assess.results.provenance import describe_program, file_sha256
+from assess.results.verification import USES, AnnexResult, VerificationResults, exercised_by_case, keys_for
 from assess.study.study import Study
 from records.reading import relative_path
 
@@ -265,7 +264,7 @@ def annex_of(project: Project, uses: Sequence[str]) -> tuple[AnnexResult | None,
     Parameters
     ----------
     project : as read
-    uses : what it uses, in the words of `assess.results.solved_cases`
+    uses : what it uses, in the words of `assess.results.verification`
 
     Raises
     ------
@@ -341,7 +340,7 @@ def uses_of(content: sections.Content, study: Study) -> tuple[str, ...]:
         *_uses_of_analysis(content),
     }
     if unknown := found - set(USES):
-        raise KeyError(f"no word of assess.results.solved_cases: {', '.join(sorted(unknown))}")
+        raise KeyError(f"no word of assess.results.verification: {', '.join(sorted(unknown))}")
     return tuple(word for word in USES if word in found)
 
 

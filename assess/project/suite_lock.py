@@ -22,8 +22,9 @@ from scipy.constants import g
 from assess.errors import OutputError, ProjectError
 from assess.messages.message import escape_text
 from assess.outputs.writing import replace_file
-from assess.project.section import ProjectSection, error_line
-from assess.results.inputs import file_sha256
+from assess.project.keys import error_line
+from assess.project.section import ProjectSection
+from assess.results.provenance import file_sha256
 from assess.study.study import ArtificialRecords, Fitting, ScaledRecord
 from records.candidates import Candidate
 from records.compliance import CodeName

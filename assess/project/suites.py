@@ -16,7 +16,7 @@ from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.record_set import horizontal_records, overrides_of
-from assess.project.site_spectrum import site_of, spectrum_of
+from assess.project.site_and_structure import site_of, spectrum_of
 from assess.project.suite_lock import LOCK_NAME, suite_text, write_lock
 from assess.results import GroundMotionResult, RecordResult
 from assess.study import suites

@@ -3,6 +3,11 @@
 The number is split off by a regular expression and nothing is evaluated; only the unit goes to pint, whose own parser
 would evaluate `9**9**9 m`. pint is imported for the first unit that is not a usual one (0.5 s). All is computed with
 fractions, so "690 mm" is 0.69.
+
+The patterns of quantities in the JSON Schema, by which an editor shows a wrong unit while the file is written, are made
+of the same parts and of pint's names. A pattern accepts whatever is read: what it cannot judge, the product of several
+units or signs beyond a keyboard's, it leaves to the reader. Only constructions that Python and ECMA 262 read alike are
+used.
 """
 
 from __future__ import annotations

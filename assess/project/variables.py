@@ -23,11 +23,11 @@ from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message, Term, note, warning
 from assess.model.bodies import pieces_of
 from assess.project import sections
-from assess.project.keys import UncertainValue, dependents, read_case, value_at, with_value
+from assess.project.keys import UncertainValue, dependents, error_line, read_case, value_at, with_value
 from assess.project.project_file import Project
-from assess.project.section import KeyPath, error_line, key_text
-from assess.project.structure import bodies_of, definition_of
-from assess.results.variations import UncertainInput
+from assess.project.section import KeyPath, key_text
+from assess.project.site_and_structure import bodies_of, definition_of
+from assess.results.run import UncertainInput
 from assess.study.amplification import MechanismAmplification
 from assess.study.study import SampledNumber, Sampling, Study, UnvariedNumber, Variable
 from assess.study.variations import Survey

@@ -4,30 +4,26 @@ Names of fields end in their units. The tree is pure data, without clock or numb
 same bytes.
 """
 
-from assess.results.ground_motion import (
-    EquivalentPeriods,
-    GroundMotionResult,
-    PrimaryPulseResult,
-    RecordResult,
-    RecordSpectrum,
-    RemainingCandidates,
-    RequirementResult,
-    SelectionResult,
-    SpectrumResult,
-)
-from assess.results.inputs import Input, Program, ResolvedValue
 from assess.results.mechanism import (
+    AmplificationFactor,
+    AmplificationResult,
     BranchCurve,
     BranchMoment,
     CapacityCurve,
+    CarriedMotion,
     ContactSheet,
+    CriticalBand,
+    CriticalResult,
     DirectionCandidate,
     DirectionSweep,
     DisplacedDrawing,
     Drawing,
     DrawnLoad,
+    EnvelopeResult,
     HingeAxis,
     HingeForceResult,
+    HistoryResult,
+    HistoryTrace,
     InterfaceCurves,
     Lasting,
     LinearisedResult,
@@ -35,31 +31,43 @@ from assess.results.mechanism import (
     MechanismResult,
     NamedPoint,
     OscillatorResult,
+    SuiteResult,
     View,
 )
-from assess.results.report_matter import (
+from assess.results.provenance import (
     NO_MATTER,
     ChecklistItem,
     ChecklistOutcome,
+    Floats,
+    Input,
     MediaType,
     Picture,
+    Place,
+    Point,
+    Program,
     ReportMatter,
+    ResolvedValue,
     Revision,
+    Ring,
 )
-from assess.results.response import (
-    AmplificationFactor,
-    AmplificationResult,
-    CarriedMotion,
-    CriticalBand,
-    CriticalResult,
-    EnvelopeResult,
-    HistoryResult,
-    HistoryTrace,
-    SuiteResult,
+from assess.results.run import (
+    SCHEMA_VERSION,
+    ComparisonRow,
+    Control,
+    ControlKind,
+    EquivalentPeriods,
+    GroundMotionResult,
+    PrimaryPulseResult,
+    RecordResult,
+    RecordSpectrum,
+    RemainingCandidates,
+    RequirementResult,
+    Results,
+    SelectionResult,
+    SensitivityResult,
+    SpectrumResult,
+    SweepResult,
 )
-from assess.results.run import SCHEMA_VERSION, ComparisonRow, Control, ControlKind, Results
-from assess.results.values import Floats, Place, Point, Ring
-from assess.results.variations import SensitivityResult, SweepResult
 
 __all__ = [
     "NO_MATTER",

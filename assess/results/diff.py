@@ -16,11 +16,16 @@ from typing import Any, Literal, TypeVar, get_args
 
 from assess.codes.check import Check, Outcome
 from assess.codes.verdict import MechanismVerdict, Verdict, outcome_text
-from assess.results.ground_motion import RecordResult
-from assess.results.mechanism import MechanismResult, OscillatorResult
-from assess.results.response import EnvelopeResult
-from assess.results.run import Results
-from assess.results.variations import QUANTILES, SensitivityResult, SweepResult, UncertainAnswer, UncertaintyResult
+from assess.results.mechanism import EnvelopeResult, MechanismResult, OscillatorResult
+from assess.results.run import (
+    QUANTILES,
+    RecordResult,
+    Results,
+    SensitivityResult,
+    SweepResult,
+    UncertainAnswer,
+    UncertaintyResult,
+)
 
 Kind = Literal[
     "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity",

@@ -11,9 +11,7 @@ from statistics import NormalDist
 from typing import Literal
 
 from assess.messages.message import Message
-from assess.results.inputs import Input, Program, ResolvedValue
-from assess.results.report_matter import NO_MATTER, ReportMatter
-from assess.results.values import Floats
+from assess.results.provenance import NO_MATTER, Floats, Input, Program, ReportMatter, ResolvedValue
 from assess.short_repr import ShortRepr
 
 FRAGILITY_VERSION = 1

@@ -1,8 +1,9 @@
-"""Results to and from their text: the fields of `assess.results` by name, in order, at full precision.
+"""Results to and from their text and their files: the fields of `assess.results` by name, in order, at full precision.
 
 The same results give the same bytes. Results are validated by their types before they are written, so that a file that
-was written can be read. What is read is checked beyond its types: finite numbers, columns of equal length, indices and
-names that exist; a file that was edited since could otherwise be drawn or summed wrongly.
+was written can be read. What is read is completed where a run was interrupted, marked where it was changed since, and
+checked beyond its types: finite numbers, columns of equal length, indices and names that exist; a file that was edited
+could otherwise be drawn or summed wrongly.
 """
 
 from __future__ import annotations
@@ -10,27 +11,160 @@ from __future__ import annotations
 import json
 import math
 import re
+import stat
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache
 from hashlib import sha256
 from math import isfinite
+from pathlib import Path
 from typing import Any, Generic, NoReturn, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
 from assess import results as r
 from assess.codes.check import PgaCurve
-from assess.errors import ResultsError
+from assess.errors import AssessError, ResultsError
+from assess.messages.message import Message, warning
+from assess.outputs.manifest import is_changed
+from assess.outputs.writing import recover_for_reading
 from assess.results import SCHEMA_VERSION, GroundMotionResult, MechanismResult, RecordResult, Results, SpectrumResult
 from assess.results.fragility import FRAGILITY_VERSION, CurveBand, FragilityResults, HazardResult, RecordRuns
 from assess.results.verification import VERIFICATION_VERSION, VerificationResults
 
+NAMES = ("results.json", "envelopes.json")
+"""Files of results, as `assess run` and `assess envelope` write them."""
+FRAGILITY = "fragility.json"
+
+LARGEST = 500_000_000
+"""Bytes of a file of results; one of eight mechanisms and seven records has some three million."""
+
+
+@dataclass(frozen=True)
+class FoundResults:
+    """Results read from a file.
+
+    Attributes
+    ----------
+    results : as read, with a warning where they were changed since they were written
+    path : the file
+    as_written : whether the folder's manifest shows them to be as they were written
+    """
+
+    results: Results
+    path: Path
+    as_written: bool
+
+    @contextmanager
+    def blame_changes(self) -> Iterator[None]:
+        """Attribute errors in the block to the results, unless they are as the program wrote them."""
+        try:
+            yield
+        except (AssessError, OSError):
+            raise
+        except Exception as error:
+            if self.as_written:
+                raise
+            what = f"{type(error).__name__}: {error}"
+            raise ResultsError(
+                f"{self.path}: its parts do not fit together ({what[:200]}); run the project again"
+            ) from error
+
+
+def open_results(path: Path, *, tell: Callable[[Message], None]) -> FoundResults:
+    """Read the results that a file or folder names, after completing what an interrupted command left there.
+
+    Parameters
+    ----------
+    path : results.json, or a folder that contains it
+    tell : called with each message on interrupted or changed files
+    """
+    for folder in (path, *sorted(path.glob("*-results"))) if path.is_dir() else (path.parent,):
+        recover_for_reading(folder, tell=tell)
+    file = find_results(path)
+    results, differs = read(file), is_changed(file)
+    if differs:
+        found = warning("results-changed", str(file))
+        tell(found)
+        results = replace(results, warnings=(replace(found, where=file.name), *results.warnings))
+    return FoundResults(results, file, as_written=differs is False)
+
+
+def open_fragility(path: Path, *, tell: Callable[[Message], None]) -> FragilityResults:
+    """Read the results of `assess fragility`, as `open_results` does those of `assess run`.
+
+    Parameters
+    ----------
+    path : fragility.json
+    tell : called with each message on interrupted or changed files
+    """
+    recover_for_reading(path.parent, tell=tell)
+    results = read_fragility(path)
+    if not is_changed(path):
+        return results
+    found = warning("results-changed", str(path))
+    tell(found)
+    return replace(results, warnings=(replace(found, where=path.name), *results.warnings))
+
+
+def read(path: Path) -> Results:
+    """Read results from a file; raise ResultsError for a file that is missing, not regular, or too large."""
+    return loads(_text(path), source=str(path))
+
+
+def read_fragility(path: Path) -> FragilityResults:
+    """Read the results of `assess fragility`, as `read` does those of `assess run`."""
+    return loads_fragility(_text(path), source=str(path))
+
+
+def read_verification(path: Path) -> VerificationResults:
+    """Read the results of `assess verify`, as `read` does those of `assess run`."""
+    return loads_verification(_text(path, VERIFY_AGAIN), source=str(path))
+
+
+REMEDY = "give a results.json that `assess run` wrote"
+
+
+def _text(path: Path, remedy: str = REMEDY) -> str:
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {remedy}")
+        if status.st_size > LARGEST:
+            size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
+            raise ResultsError(f"{path}: {size} that results may have; {remedy}")
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise ResultsError(f"{path}: not a text file; {remedy}") from None
+    except OSError as error:
+        raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {remedy}") from None
+
+
+def find_results(path: Path) -> Path:
+    """Find the results file that `path` names: itself, or the one in the folder, or in its only NAME-results folder.
+
+    Raises ResultsError if there is none, or more than one, or if it is that of `assess fragility`.
+    """
+    if path.name == FRAGILITY:
+        raise ResultsError(
+            f"{path}: of `assess fragility`, whose curves are not compared; compare its tables, or two results.json"
+        )
+    if not path.is_dir():
+        return path
+    here = [file for name in NAMES if (file := path / name).is_file()]
+    below = sorted(path.glob(f"*-results/{NAMES[0]}"))
+    if here or len(below) == 1:
+        return (here or below)[0]
+    found = "none of " + " or ".join(NAMES) if not below else f"{len(below)} folders of results"
+    raise ResultsError(f"{path}: a folder with {found}; {REMEDY}")
+
+
 T = TypeVar("T")
+
 _adapter: Callable[[Any], TypeAdapter[Any]] = cache(TypeAdapter)
 """What validates values of a type, made once in a process, which takes a while."""
 _NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
-REMEDY = "give a results.json that `assess run` wrote"
 AGAIN = "run the project again"
 VERIFY_AGAIN = "run `assess verify` again"
 
@@ -227,6 +361,7 @@ def _parse(text: str, source: str, remedy: str = REMEDY) -> Any:
 
 _SCALARS = {float, int, bool, str, type(None)}
 Groups = tuple[tuple[str, ...], ...]
+
 OF_ONE_LENGTH: Mapping[type, Groups] = {
     PgaCurve: (("rotation_ratio", "pga_g"),),
     r.SpectrumResult: (("period_s", "acceleration_g"),),

@@ -11,11 +11,16 @@ from assess.codes.check import Check
 from assess.codes.verdict import Answer
 from assess.errors import AssessError
 from assess.messages.message import Message
-from assess.results.ground_motion import RecordResult
-from assess.results.mechanism import LinearisedResult, OscillatorResult
-from assess.results.response import EnvelopeResult, HistoryResult, SuiteResult
-from assess.results.run import ComparisonRow, Results
-from assess.results.variations import QUANTILES, SensitivityResult, SweepResult, UncertainAnswer
+from assess.results.mechanism import EnvelopeResult, HistoryResult, LinearisedResult, OscillatorResult, SuiteResult
+from assess.results.run import (
+    QUANTILES,
+    ComparisonRow,
+    RecordResult,
+    Results,
+    SensitivityResult,
+    SweepResult,
+    UncertainAnswer,
+)
 
 if TYPE_CHECKING:
     from pandas import DataFrame

@@ -30,7 +30,7 @@ from assess.results.fragility import (
     RecordRuns,
     StateResult,
 )
-from assess.results.inputs import describe_program, stamp
+from assess.results.provenance import describe_program, stamp
 from assess.risk.exports import (
     Export,
     ExportedCurve,

@@ -36,7 +36,7 @@ from assess.results import (
     MechanismResult,
     Results,
 )
-from assess.results.inputs import describe_program, stamp
+from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.checks import assess_mechanisms, checks_of, context_of, decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control

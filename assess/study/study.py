@@ -23,7 +23,7 @@ from assess.results import (
     ResolvedValue,
 )
 from assess.results.fragility import FragilityMethod, HazardResult, MeasureResult, StateResult
-from assess.results.variations import UncertainInput
+from assess.results.run import UncertainInput
 from assess.results.verification import AnnexResult
 from assess.study.amplification import HeightAboveGround, MechanismAmplification
 from records.compliance import CodeName

@@ -25,7 +25,7 @@ from assess.codes.procedures import uses_histories
 from assess.errors import AssessError
 from assess.messages.message import Message, Quantity, note, whole_number
 from assess.results import MechanismResult
-from assess.results.variations import QUANTILES, Distribution, Influence, UncertainAnswer, UncertaintyResult
+from assess.results.run import QUANTILES, Distribution, Influence, UncertainAnswer, UncertaintyResult
 from assess.risk.empirical import wilson_interval
 from assess.study.checks import checks_without_scan
 from assess.study.study import Progress, SampledNumber, Sampling, ScaledRecord, Study

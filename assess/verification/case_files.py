@@ -20,8 +20,7 @@ from pydantic import TypeAdapter, ValidationError
 from assess.errors import AssessError
 from assess.examples import EXAMPLES
 from assess.outputs.manifest import stays_inside
-from assess.results.solved_cases import CASES, OF_A_CASE, USES, keys_for
-from assess.results.verification import CaseResult, Source, Tolerance
+from assess.results.verification import CASES, OF_A_CASE, USES, CaseResult, Source, Tolerance, keys_for
 from assess.verification.solvers import SOLVERS
 
 STRICT: Any = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
@@ -68,7 +67,7 @@ class SolvedCase:
     """A solved case.
 
     title, theory, field, source : as in `CaseResult`
-    uses : what it exercises, in the words of `assess.results.solved_cases`
+    uses : what it exercises, in the words of `assess.results.verification`
     solver : a key of `SOLVERS`
     given : what it solves; for "project" `file`, beside the case, or `example`
     quick : whether `assess verify --quick` runs it
@@ -158,7 +157,7 @@ def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFil
     Parameters
     ----------
     cases : all of them
-    uses : in the words of `assess.results.solved_cases`
+    uses : in the words of `assess.results.verification`
     """
     chosen = keys_for({each.key: each.case.uses for each in cases}, uses)
     return tuple(each for each in cases if each.key in chosen)
@@ -208,7 +207,7 @@ def _case_faults(case: SolvedCase, folder: Path) -> Iterator[str]:
     for word in case.uses:
         if word not in USES:
             near = get_close_matches(word, USES, n=1)
-            yield f'uses: "{word}" is not in `assess.results.solved_cases`' + (
+            yield f'uses: "{word}" is not in `assess.results.verification`' + (
                 f'; did you mean "{near[0]}"?' if near else ""
             )
     if not case.uses or len(set(case.uses)) < len(case.uses):

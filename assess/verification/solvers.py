@@ -88,7 +88,7 @@ def solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     from scipy.constants import g
 
     from assess.project.sections import Site
-    from assess.project.site_spectrum import spectrum_of, vertical_of
+    from assess.project.site_and_structure import spectrum_of, vertical_of
 
     make = vertical_of if given.get("vertical", False) else spectrum_of
     tree: dict[str, dict[str, Any]] = {"parameters": {}, "acceleration_g": {}, "displacement_m": {}}
@@ -210,7 +210,7 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
 
     from assess.dynamics.history import Jobs, peaks
     from assess.oscillator import Oscillator, RockingBlock, plain_branch
-    from assess.results.inputs import file_sha256
+    from assess.results.provenance import file_sha256
     from records.reading import read_records
 
     with (folder / given["file"]).open(newline="", encoding="utf-8") as file:

@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 from posixpath import normpath
 from typing import Any
 
-from assess.results.inputs import Input, describe_program
+from assess.results.provenance import Input, describe_program
 from assess.results.verification import (
     VERIFICATION_VERSION,
     CaseResult,
@@ -52,7 +52,7 @@ def coverage_of(uses: Sequence[str], cases: Iterable[CaseResult]) -> tuple[Cover
 
     Parameters
     ----------
-    uses : in the words of `assess.results.solved_cases`
+    uses : in the words of `assess.results.verification`
     cases : that were run
     """
     every = tuple(cases)
@@ -65,7 +65,7 @@ def note_scope(results: VerificationResults, uses: Sequence[str]) -> Verificatio
     Parameters
     ----------
     results : of the cases that were run
-    uses : what the project uses, in the words of `assess.results.solved_cases`; empty for no project
+    uses : what the project uses, in the words of `assess.results.verification`; empty for no project
     """
     from assess.verification.case_files import cases_for, read_cases
 

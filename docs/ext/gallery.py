@@ -13,7 +13,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from assess.results.inputs import sources_digest
+from assess.results.provenance import sources_digest
 from assess.results.verification import CaseResult
 from assess.verification.case_files import CaseFile, read_cases
 from assess.verification.verify import compare_case, solve_case

@@ -12,8 +12,8 @@ from pydantic import WithJsonSchema
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from assess.project.section import UncertainMark
 from assess.project.units import Kind
-from assess.project.values import UncertainMark
 from docs.ext.schema_tables import form, is_table, target, title
 
 PLAIN: dict[Any, str] = {

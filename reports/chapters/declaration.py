@@ -9,7 +9,7 @@ from assess.codes.check import Check, Family
 from assess.codes.procedures import FAMILIES
 from assess.messages.message import Message
 from assess.results import Control, ControlKind, Results
-from assess.results.solved_cases import USES
+from assess.results.verification import USES
 from reports.chapters.front_matter import author, checker, client, engineer, reference
 from reports.document import (
     Block,

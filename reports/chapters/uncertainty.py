@@ -7,7 +7,7 @@ from functools import partial
 
 from assess.messages.message import distinct
 from assess.results import Results
-from assess.results.variations import UncertainAnswer, UncertainInput, UncertaintyResult
+from assess.results.run import UncertainAnswer, UncertainInput, UncertaintyResult
 from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, value_cell
 from reports.chapters.verdict_texts import state_text
 from reports.document import Block, BulletList, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty

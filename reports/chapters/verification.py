@@ -7,8 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 
 from assess.codes.procedures import THESIS_READINGS
-from assess.results.solved_cases import USES
-from assess.results.verification import CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
+from assess.results.verification import USES, CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
 from reports.chapters.cells import OUTCOMES
 from reports.document import (
     Banner,

@@ -11,7 +11,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from assess.results import EnvelopeResult, RecordResult, Results
-from assess.results.response import CriticalBand
+from assess.results.mechanism import CriticalBand
 from reports.figures.style import (
     FAIL,
     INK,

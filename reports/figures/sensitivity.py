@@ -16,7 +16,7 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
 from assess.results import DirectionSweep, SweepResult
-from assess.results.variations import Influence, UncertainAnswer
+from assess.results.run import Influence, UncertainAnswer
 from reports.figures.style import FAIL, HALF, INK, fold, label, legend_below, record_label, report_style, sheet
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, Text, Verbatim, say

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import assess
-from assess.project.json_schema import json_schema
+from assess.project.project_file import json_schema
 from docs.ext import command_pages, key_pages, name_pages
 from docs.ext.docstring import split
 from docs.ext.markdown import escape

@@ -14,8 +14,7 @@ import typer.main
 from jsonschema import Draft202012Validator
 
 from assess.cli.app import app
-from assess.project.json_schema import json_schema
-from assess.project.project_file import load
+from assess.project.project_file import json_schema, load
 from tests.support.projects import as_editors_see
 
 ROOT = Path(__file__).resolve().parents[2]

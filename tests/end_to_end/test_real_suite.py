@@ -11,7 +11,7 @@ import pytest
 
 from assess import cli
 from assess.results import Results
-from assess.results import files as results_files
+from assess.results import json as results_files
 from tests.support.places import PEER, REAL_RECORDS, needs_real_records
 
 PUBLISHED = REAL_RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"

@@ -90,7 +90,7 @@ CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "assess/study/checks.py": ("OF_SUITE", "OF_CIRCOLARE", "DAMPING_OF_SUITE", "DAMPING_OF_CIRCOLARE"),
     "spectra/ntc.py": ("CLAUSES",),
     "assess/study/suites.py": ("FITTED_OVER",),
-    "assess/project/variables.py": ("FULL", "SWEPT"),
+    "assess/project/variables.py": ("AT_MOST_1", "SWEPT"),
     "assess/study/history_controls.py": (
         *("LARGEST_ROTATION", "OVERTURNING_TIME", "OVERTURNING_ROTATION", "ENERGY_BALANCE"),
     ),
@@ -105,7 +105,7 @@ RETURNED: Mapping[str, tuple[str, ...]] = {
     "assess/study/ground_motion.py": ("source_of",),
     "assess/study/amplification.py": ("given_frequency", "given_effective_height"),
     "assess/codes/asce41_13.py": ("_source",),
-    "assess/project/variables.py": ("stiff_geometry",),
+    "assess/project/variables.py": ("why_thickness_is_fixed",),
 }
 """Functions that return terms."""
 

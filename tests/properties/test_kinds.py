@@ -14,7 +14,7 @@ from assess.mechanisms.single_block import EquivalentBlock
 from assess.model.assembly import BUILDERS
 from assess.project import sections
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
-from assess.project.structure import CHAINED
+from assess.project.site_and_structure import CHAINED
 from assess.study.checks import SUPPORTS
 from reports.chapters.mechanism_page import KINDS
 from tests.properties.test_mechanisms import CASES
@@ -50,7 +50,7 @@ def test_section_and_definition_have_one_name_and_lead_to_a_builder(kind: str) -
     assert getattr(sections, section.__name__, None) is section, "add it to assess/project/sections/__init__.py"
     if kind in BY_PARAMETERS:
         return
-    assert section in CHAINED, f"add {section.__name__} to CHAINED of assess/project/structure.py"
+    assert section in CHAINED, f"add {section.__name__} to CHAINED of assess/project/site_and_structure.py"
     definition = CHAINED[section]
     assert definition in get_args(Definition), f"add {definition.__name__} to the unions of assess/mechanisms/kinds.py"
     assert definition in BUILDERS, f"add {definition.__name__} to BUILDERS of assess/model/assembly.py"

@@ -25,7 +25,7 @@ from assess.results.fragility import (
     StateResult,
     Trend,
 )
-from assess.results.inputs import Input, Program, ResolvedValue
+from assess.results.provenance import Input, Program, ResolvedValue
 from spectra.arrays import FloatArray
 
 PGA = MeasureResult("pga", "ground acceleration", "ground")

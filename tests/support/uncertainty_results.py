@@ -8,7 +8,7 @@ import numpy as np
 from scipy.stats import spearmanr
 
 from assess.results import Results
-from assess.results.variations import Influence, UncertainAnswer, UncertainInput, UncertaintyResult
+from assess.results.run import Influence, UncertainAnswer, UncertainInput, UncertaintyResult
 from tests.support.fragility_results import wilson
 
 SAMPLES = 128

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from assess.outputs.journal import Tell
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RESULTS
-from assess.outputs.writing import output_folder
+from assess.outputs.writing import Tell, output_folder
 
 
 def content(folder: Path) -> dict[str, str]:

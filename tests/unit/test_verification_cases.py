@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from assess.errors import AssessError
-from assess.results.solved_cases import USES
+from assess.results.verification import USES
 from assess.verification.case_files import choose_cases, read_cases
 from assess.verification.verify import compare_case
 

@@ -23,10 +23,9 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from assess.outputs.journal import recover_for_reading
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RECORDS
-from assess.outputs.writing import output_folder
+from assess.outputs.writing import output_folder, recover_for_reading
 from records.catalogue import catalogue_candidates, open_catalogue
 
 STRIKE = Path(__file__).with_name("strike.py")

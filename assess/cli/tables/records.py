@@ -19,7 +19,7 @@ from scipy.constants import g
 from assess.cli.tables.text_table import text_table
 from assess.errors import AssessError
 from assess.messages.message import escape_text
-from assess.results.inputs import origin
+from assess.results.provenance import origin
 from assess.study.suites import candidate_records, cell_message
 from records.candidates import DAMPING, PERIODS
 from records.flatfile import FlatfileMatch

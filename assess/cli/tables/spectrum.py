@@ -9,8 +9,8 @@ from scipy.constants import g
 from assess.cli.stderr import print_messages
 from assess.cli.tables.text_table import text_table
 from assess.messages.message import Message, Quantity, locate
-from assess.results.inputs import origin
 from assess.results.json import dumps_spectrum
+from assess.results.provenance import origin
 from assess.study.ground_motion import spectrum_result
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, Verbatim

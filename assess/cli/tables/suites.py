@@ -7,8 +7,8 @@ from pathlib import Path
 from assess.cli.tables.text_table import messages_text, text_table
 from assess.project.suites import ScaledSuite
 from assess.results import RecordResult
-from assess.results.inputs import origin
 from assess.results.json import dumps_suite
+from assess.results.provenance import origin
 from reports.chapters.suite import event_name, requirements_table, selection_sentences
 from reports.document import Cell, Column
 from reports.figures.spectrum import draw_beside_target

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from assess.cli.tables.text_table import on_one_line
 from assess.messages.message import count_noun
-from assess.results.solved_cases import USES
-from assess.results.verification import CaseResult, Spread, ValueResult, VerificationResults
+from assess.results.verification import USES, CaseResult, Spread, ValueResult, VerificationResults
 
 WIDEST = 160  # characters of a line
 MOST_FAILURES = 5  # values that fail, of one case

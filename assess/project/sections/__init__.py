@@ -13,9 +13,33 @@ from assess.project.sections.analysis import (
     Uncertainty,
     measure_of,
 )
-from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody
+from assess.project.sections.bodies_and_loads import (
+    Body,
+    BodyLoad,
+    BoxBody,
+    DirectBody,
+    ForceLoad,
+    MassLoad,
+    Material,
+    MeshBody,
+    OverburdenLoad,
+    TieLoad,
+)
 from assess.project.sections.content import Content, Report
-from assess.project.sections.loads import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
+from assess.project.sections.ground_motion import (
+    Asce7MappedSpectrum,
+    Asce7Spectrum,
+    Building,
+    Ec8Spectrum,
+    NtcHazardSpectrum,
+    NtcSpectrum,
+    Nzs1170Spectrum,
+    Records,
+    Select,
+    Site,
+    Spectrum,
+    TableSpectrum,
+)
 from assess.project.sections.mechanisms import (
     Chained,
     CutAngle,
@@ -31,19 +55,6 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.procedures import FreeElement, Italian, VerdictSection
-from assess.project.sections.records import Records, Select
-from assess.project.sections.site import (
-    Asce7MappedSpectrum,
-    Asce7Spectrum,
-    Building,
-    Ec8Spectrum,
-    NtcHazardSpectrum,
-    NtcSpectrum,
-    Nzs1170Spectrum,
-    Site,
-    Spectrum,
-    TableSpectrum,
-)
 
 __all__ = [
     "SHARE",

@@ -21,10 +21,7 @@ from pydantic import (
 )
 from scipy.constants import g
 
-from assess.project.section import ProjectSection, error_at, quote_names
-from assess.project.sections.procedures import Procedure
-from assess.project.units import KINDS, QuantityError, key_value, number_and_unit
-from assess.project.values import (
+from assess.project.section import (
     PATTERN_MARK,
     SHARE_UNITS,
     WRITTEN_QUANTITY_SCHEMA,
@@ -36,10 +33,15 @@ from assess.project.values import (
     PositiveFrequency,
     PositiveRatio,
     PositiveYears,
+    ProjectSection,
     Ratio,
+    error_at,
     number_or_text,
+    quote_names,
     unique,
 )
+from assess.project.sections.procedures import Procedure
+from assess.project.units import KINDS, QuantityError, key_value, number_and_unit
 
 MOST_PULSES = 1000  # frequencies or amplitudes
 WITH_GAMMA = "mavroeidis-papageorgiou"

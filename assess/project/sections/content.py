@@ -15,10 +15,25 @@ from pydantic_core import PydanticCustomError
 
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
 from assess.codes.procedures import procedures_of_site
-from assess.project.section import KeyPath, ProjectSection, error_at, quote_names, value_text
+from assess.project.section import (
+    DateText,
+    GeographicCoordinates,
+    InputFile,
+    ItemKeys,
+    KeyPath,
+    Name,
+    NumberText,
+    Paragraph,
+    ProjectSection,
+    TextLine,
+    error_at,
+    quote_names,
+    text_of_date,
+    value_text,
+)
 from assess.project.sections.analysis import Analysis
-from assess.project.sections.bodies import BodySection, DirectBody, Material
-from assess.project.sections.loads import BodyLoad, OverburdenLoad
+from assess.project.sections.bodies_and_loads import BodyLoad, BodySection, DirectBody, Material, OverburdenLoad
+from assess.project.sections.ground_motion import Building, Records, Site
 from assess.project.sections.mechanisms import (
     Chained,
     CutAngle,
@@ -29,19 +44,6 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.procedures import Procedures, VerdictSection
-from assess.project.sections.records import Records
-from assess.project.sections.site import Building, Site
-from assess.project.values import (
-    DateText,
-    GeographicCoordinates,
-    InputFile,
-    ItemKeys,
-    Name,
-    NumberText,
-    Paragraph,
-    TextLine,
-    text_of_date,
-)
 from assess.results import ChecklistItem
 
 ALIKE = ("client", "checker", "date", "reference")

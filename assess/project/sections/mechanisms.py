@@ -27,11 +27,7 @@ from assess.mechanisms.mechanism import keys_along_direction
 from assess.mechanisms.restitution import RESTITUTIONS
 from assess.mechanisms.single_block import INERTIA_RATIOS
 from assess.mechanisms.two_block import CRACKS
-from assess.project.section import ProjectSection, error_at, quote_names
-from assess.project.sections.bodies import Corners
-from assess.project.sections.loads import LoadSection, OverburdenLoad
-from assess.project.units import KINDS, key_value
-from assess.project.values import (
+from assess.project.section import (
     UNCERTAIN,
     UNCERTAIN_COORDINATE,
     UNCERTAIN_RESTITUTION,
@@ -50,15 +46,20 @@ from assess.project.values import (
     PositiveMass,
     PositiveRate,
     PositiveRatio,
+    ProjectSection,
     Ratio,
     SoughtDirection,
     SpacePoint,
     Strength,
     Uplift,
     a_point,
+    error_at,
     quantity_schema,
+    quote_names,
     unique,
 )
+from assess.project.sections.bodies_and_loads import Corners, LoadSection, OverburdenLoad
+from assess.project.units import KINDS, key_value
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 

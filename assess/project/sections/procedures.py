@@ -15,8 +15,7 @@ from pydantic import (
 
 from assess.codes.asce41_13 import Masonry, Position, Seismicity
 from assess.codes.bases import BASES
-from assess.project.section import ProjectSection, error_at, quote_names
-from assess.project.values import (
+from assess.project.section import (
     Name,
     NotNegativeLength,
     PositiveAcceleration,
@@ -25,8 +24,11 @@ from assess.project.values import (
     PositiveRatio,
     PositiveStress,
     PositiveTime,
+    ProjectSection,
     Ratio,
     Share,
+    error_at,
+    quote_names,
     unique,
 )
 

@@ -9,7 +9,7 @@ from scipy.constants import g
 
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.project.sections.site import SPECTRA
+from assess.project.sections.ground_motion import SPECTRA
 from assess.results.json import dumps
 from assess.study.run import run_study
 from spectra.table import read_table

@@ -16,9 +16,8 @@ from assess.errors import ProjectError
 from assess.examples import EXAMPLES
 from assess.project.build import build, uses_of_project
 from assess.project.project_file import load
-from assess.results.files import read_verification
-from assess.results.json import dumps_verification
-from assess.results.solved_cases import USES, exercised_by_case
+from assess.results.json import dumps_verification, read_verification
+from assess.results.verification import USES, exercised_by_case
 from assess.verification.case_files import cases_for, read_cases
 from tests.support.command import ended
 from tests.support.projects import project_toml

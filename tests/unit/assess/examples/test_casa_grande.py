@@ -15,8 +15,8 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import equivalent_block
 from assess.project.build import build
 from assess.project.project_file import load
+from assess.project.sections.ground_motion import Asce7Spectrum
 from assess.project.sections.mechanisms import EquivalentBlock, SingleBlock
-from assess.project.sections.site import Asce7Spectrum
 
 # Tables 8.2 and 8.3: p [1/s], lambda [rad], restitution, R0 [m], elevation [m]
 PUBLISHED = {

@@ -10,8 +10,7 @@ from assess import cli
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example, source
 from assess.project.build import build
-from assess.project.json_schema import json_schema
-from assess.project.project_file import Project, load
+from assess.project.project_file import Project, json_schema, load
 from assess.study.study import Study
 
 

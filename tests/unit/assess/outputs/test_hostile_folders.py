@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from assess.errors import OutputError
-from assess.outputs import journal
-from assess.outputs.journal import recover_for_reading
+from assess.outputs import writing
 from assess.outputs.manifest import MANIFEST
+from assess.outputs.writing import recover_for_reading
 from tests.support.written import content, run, write
 
 
@@ -65,7 +65,7 @@ def test_a_disk_that_is_full_before_the_moves_keeps_what_was_made(
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr(journal, "begin", full)
+        patch.setattr(writing, "begin", full)
         with pytest.raises(OutputError, match=r"No space left on device.*what was made is in"):
             run(out, {"results.json": "2"})
     assert content(out) == {"results.json": "1"}

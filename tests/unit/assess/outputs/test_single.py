@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 
 from assess.errors import OutputError
-from assess.outputs.journal import PREFIX
-from assess.outputs.writing import write_file
+from assess.outputs.writing import PREFIX, write_file
 
 
 def put(path: Path, text: str) -> None:

@@ -11,11 +11,11 @@ from aim import aim
 
 from assess.errors import OutputError
 from assess.messages.message import Message
-from assess.outputs import journal
-from assess.outputs.journal import recover_for_reading
+from assess.outputs import writing
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
 from assess.outputs.signals import Terminated, raise_on_signals
+from assess.outputs.writing import recover_for_reading
 from tests.support.written import content, run, write
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
@@ -132,7 +132,7 @@ def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(tmp_
 def test_a_damaged_journal_is_undone(tmp_path: Path, damage: str) -> None:
     out, told = tmp_path / "out", list[Message]()
     stage = left_half_way(out)
-    (stage / journal.JOURNAL).write_text(damage)
+    (stage / writing.JOURNAL).write_text(damage)
     recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
     assert content(out) == FIRST

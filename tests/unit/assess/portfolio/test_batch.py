@@ -16,7 +16,7 @@ from assess.errors import AssessError, HeldError, OutputError
 from assess.outputs.lock import LOCK, hold_lock
 from assess.portfolio.batch import BatchOptions, Shard, open_ledger
 from assess.portfolio.executors import processes
-from assess.results.inputs import describe_program
+from assess.results.provenance import describe_program
 from tests.support.places import SOURCES
 from tests.support.portfolios import assess, table, task
 

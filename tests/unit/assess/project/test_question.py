@@ -11,7 +11,7 @@ from assess.codes.question import SOURCES, Missing, merge_missing, methods_of, t
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.question import facts_of, lowered_pga_conditions, question_of
-from assess.project.site_spectrum import site_in, spectrum_of
+from assess.project.site_and_structure import site_in, spectrum_of
 from assess.study.run import run_study
 from tests.support.projects import NTC, block, lines, project_toml, published, wall
 

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from assess.errors import ProjectError
-from assess.project.json_schema import json_schema
-from assess.project.project_file import load
+from assess.project.project_file import json_schema, load
 from assess.project.report import report_matter_of
 from assess.results import ReportMatter, Revision
 

@@ -9,9 +9,8 @@ from scipy.constants import g
 
 from assess.codes.procedures import PROCEDURES as REGISTERED
 from assess.errors import ProjectError
-from assess.project.json_schema import json_schema
-from assess.project.project_file import load, resolve
-from assess.project.sections.bodies import BoxBody, DirectBody, MeshBody, ProfileBody
+from assess.project.project_file import json_schema, load, resolve
+from assess.project.sections.bodies_and_loads import BoxBody, DirectBody, MeshBody, ProfileBody
 from assess.project.sections.mechanisms import EquivalentBlock, SingleBlock
 from assess.project.sections.procedures import PROCEDURES
 

@@ -12,7 +12,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from assess.examples import source
-from assess.project.json_schema import json_schema, with_located_faults, with_quantity_patterns, with_uncertain_numbers
+from assess.project.project_file import json_schema, with_located_faults, with_quantity_patterns, with_uncertain_numbers
 from assess.project.sections.content import Content
 from tests.support.projects import as_editors_see
 

@@ -9,7 +9,7 @@ from assess.codes.context import StatedFirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import load, resolve
-from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
+from assess.project.site_and_structure import site_in, spectrum_of, vertical_of
 from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
 from tests.support.projects import published, tables_toml

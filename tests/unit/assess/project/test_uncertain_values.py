@@ -9,8 +9,7 @@ import pytest
 
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.json_schema import json_schema
-from assess.project.project_file import Project, load, resolve
+from assess.project.project_file import Project, json_schema, load, resolve
 from assess.study.run import run_study
 from tests.support.projects import block, project_toml, wall
 

@@ -7,9 +7,8 @@ import pytest
 
 from assess.errors import AssessError, ProjectError
 from assess.project.build import build
-from assess.project.json_schema import json_schema
 from assess.project.keys import KeySweep, dependents
-from assess.project.project_file import load, resolve
+from assess.project.project_file import json_schema, load, resolve
 from tests.support.projects import block, project_toml, published, wall
 
 PROJECT = project_toml(

@@ -44,7 +44,6 @@ from assess.results import (
     SweepResult,
     View,
 )
-from assess.results.files import read
 from assess.results.json import (
     RESULTS_TREE,
     _validate_at_once,
@@ -52,6 +51,7 @@ from assess.results.json import (
     dumps,
     dumps_mechanisms,
     loads,
+    read,
 )
 
 

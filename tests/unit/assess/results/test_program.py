@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from assess.results import Input
-from assess.results.inputs import (
+from assess.results.provenance import (
     PACKAGES,
     describe_program,
     licence_of,

@@ -11,7 +11,7 @@ import openpyxl
 import pypdf
 
 from assess.results import Input, Program
-from assess.results.inputs import stamp
+from assess.results.provenance import stamp
 from tests.support.command import ended
 from tests.support.projects import block, project_toml
 

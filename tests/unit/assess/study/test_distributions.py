@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from assess.results.variations import Distribution, UncertainInput
+from assess.results.run import Distribution, UncertainInput
 from assess.study.study import SampledNumber
 from assess.study.uncertainty import share_cut_off, values_at
 

@@ -11,8 +11,7 @@ import trimesh
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.json_schema import json_schema
-from assess.project.project_file import load
+from assess.project.project_file import json_schema, load
 from assess.results import ResolvedValue, Results, SensitivityResult
 from assess.results.json import dumps, loads
 from assess.study.run import run_study

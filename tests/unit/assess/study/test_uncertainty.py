@@ -16,8 +16,8 @@ from assess.cli.tables.analysis import run_text, uncertainty_lines
 from assess.results import Results
 from assess.results.diff import differences
 from assess.results.json import dumps, loads
+from assess.results.run import UncertainAnswer, UncertaintyResult
 from assess.results.table import table
-from assess.results.variations import UncertainAnswer, UncertaintyResult
 from assess.study.run import run_study
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, NTC, block, project_toml, study_of, wall

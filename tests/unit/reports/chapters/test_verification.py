@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from assess.results.inputs import describe_program
+from assess.results.provenance import describe_program
 from assess.results.verification import (
     CaseResult,
     Coverage,

@@ -12,8 +12,8 @@ from matplotlib.colors import to_rgb
 
 from assess.codes.verdict import Decision
 from assess.results import MechanismResult, Results, View
-from assess.results.inputs import ResolvedValue
 from assess.results.mechanism import HingeAxis
+from assess.results.provenance import ResolvedValue
 from reports.figures import key_plan
 from reports.figures.building import building_of, building_of_mechanism
 from reports.figures.projection import Hatching, hatch_lines, round_length

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from assess.results import Results
-from assess.results.ground_motion import GroundMotionResult, RequirementResult
+from assess.results.run import GroundMotionResult, RequirementResult
 from reports.figures import spectrum
 from reports.language.locale import Locale
 

@@ -1,29 +1,178 @@
-"""The entries of `loads` of a mechanism."""
+"""The tables [materials.NAME] and [bodies.NAME], and the entries of `loads` of a mechanism."""
 
 from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, StrictBool, StrictInt, Tag, WithJsonSchema, model_validator
+import numpy as np
+import shapely
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Discriminator,
+    Field,
+    StrictBool,
+    StrictInt,
+    Tag,
+    WithJsonSchema,
+    model_validator,
+)
 
 from assess.geometry.contact import CONTACT_TOLERANCE
-from assess.project.section import ProjectSection, error_at, quote_names
-from assess.project.units import KINDS, key_value
-from assess.project.values import (
+from assess.geometry.solid import find_crossing, remove_repeats
+from assess.interfaces.section import THINNEST
+from assess.project.section import (
     UNCERTAIN,
     AnyDirection,
+    InputFile,
     Length,
+    LengthUnit,
     Name,
+    NotNegativeRatio,
+    NotNegativeStress,
+    PlanePoint,
     Point,
     PositiveAreaMass,
+    PositiveDensity,
     PositiveForce,
+    PositiveInertia,
     PositiveLength,
     PositiveMass,
     PositiveRatio,
+    PositiveStress,
+    ProjectSection,
     Share,
+    SpacePoint,
+    error_at,
     quantity_schema,
+    quote_names,
 )
+from assess.project.units import KINDS, key_value
 
+
+class Material(ProjectSection):
+    """A masonry."""
+
+    density: Annotated[PositiveDensity, UNCERTAIN]
+    """mass per volume, like "2240 kg/m^3\""""
+    young_modulus: Annotated[PositiveStress, UNCERTAIN] | None = None
+    """modulus of elasticity, like "6.89 GPa\""""
+    compressive_strength: Annotated[PositiveStress, UNCERTAIN] | None = None
+    """strength in compression, like "1.0 MPa\""""
+    tensile_strength: Annotated[NotNegativeStress, UNCERTAIN] | None = None
+    """strength of the mortar in tension"""
+    disintegration: Literal["excluded", "possible"] | None = None
+    """whether the masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
+    friction: Annotated[NotNegativeRatio, UNCERTAIN] | None = None
+    """coefficient of friction"""
+
+
+class Box(ProjectSection):
+    """A rectangular block: thickness along x, length along y."""
+
+    thickness: Annotated[PositiveLength, UNCERTAIN]
+    """size along x, like "1.25 m\""""
+    length: Annotated[PositiveLength, UNCERTAIN]
+    """size along y, like "3.0 m\""""
+    height: Annotated[PositiveLength, UNCERTAIN]
+    """size along z, like "8.0 m\""""
+    base: SpacePoint = (0.0, 0.0, 0.0)
+    """centre of the base face [x, y, z]"""
+
+
+class MeshBody(ProjectSection):
+    """A body bounded by a triangle mesh, which is mended where it is not closed; a warning then says how.
+
+    In the project z points up. glTF files have y up and are in metres by their standard; they are turned.
+    """
+
+    material: Name
+    """the name of a table [materials.NAME]"""
+    mesh: InputFile
+    """triangle mesh: STL, OBJ, PLY, OFF, GLB, glTF or 3MF; with extra packages STEP, Rhino .3dm or IFC"""
+    mesh_unit: LengthUnit | None = None
+    """unit of the mesh's coordinates, like "mm"; the file's own if absent, metre where it has none"""
+    mesh_up: Literal["y", "z"] | None = None
+    """axis of the file that points up; "y" for glTF and "z" for all others if absent"""
+    element: Name | None = None
+    """only elements of the file: a name, a GlobalId, a class like "IfcWall", or a pattern like "Wall-*"; several become
+    one body; all of the file if absent"""
+
+
+class BoxBody(ProjectSection):
+    """A rectangular body."""
+
+    material: Name
+    """the name of a table [materials.NAME]"""
+    box: Box
+    """{ thickness, length, height, base }"""
+
+
+def _simple(corners: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+    """Check that corners enclose an area and that the sides meet only at them."""
+    points = np.array(corners)
+    if shapely.MultiPoint(points).convex_hull.area <= THINNEST * float(np.ptp(points, axis=0).max()) ** 2:
+        raise error_at((), "no area, its corners lie on a line; give corners that enclose one")
+    meet = find_crossing(remove_repeats(points))
+    if meet is not None:
+        at = f"[{meet[0]:.4g}, {meet[1]:.4g}] m"
+        raise error_at(
+            (), f"its sides cross or touch one another at {at}; list its corners in order around the outline"
+        )
+    return corners
+
+
+Corners = Annotated[tuple[PlanePoint, ...], Field(min_length=3), AfterValidator(_simple)]
+
+
+class ProfileBody(ProjectSection):
+    """A polygon in the x-z plane, extruded along y and centred on y = 0."""
+
+    material: Name
+    """the name of a table [materials.NAME]"""
+    profile: Corners
+    """corners of the polygon [[x, z], …] in order"""
+    length: Annotated[PositiveLength, UNCERTAIN]
+    """length along y, like "3.0 m\""""
+
+
+class DirectBody(ProjectSection):
+    """A body by its mass, centroid and inertia, without geometry."""
+
+    mass: Annotated[PositiveMass, UNCERTAIN]
+    """mass, like "12000 kg\""""
+    centroid: PlanePoint
+    """centre of mass [x, z]"""
+    inertia: Annotated[PositiveInertia, UNCERTAIN]
+    """moment of inertia about the centroid, like "5200 kg*m^2\""""
+    disintegration: Literal["excluded", "possible"] | None = None
+    """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
+
+
+Body = MeshBody | BoxBody | ProfileBody | DirectBody
+_FORMS = {"mesh": "<mesh>", "box": "<box>", "profile": "<profile>", "mass": "<direct>"}
+
+
+def _body_tag(values: Any) -> str | None:
+    forms = [tag for key, tag in _FORMS.items() if key in values] if isinstance(values, dict) else []
+    return forms[0] if len(forms) == 1 else None
+
+
+BodySection = Annotated[
+    Annotated[MeshBody, Tag("<mesh>")]
+    | Annotated[BoxBody, Tag("<box>")]
+    | Annotated[ProfileBody, Tag("<profile>")]
+    | Annotated[DirectBody, Tag("<direct>")],
+    Discriminator(
+        _body_tag,
+        custom_error_type="project",
+        custom_error_message="{reason}",
+        custom_error_context={
+            "key": (),
+            "reason": "not one geometry; give mesh, or box, or profile and length, or mass, centroid and inertia",
+        },
+    ),
+]
 BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 
 

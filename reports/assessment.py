@@ -38,7 +38,7 @@ from reports.chapters import (
     verification,
 )
 from reports.document import Document, Section
-from reports.figures.building import building_of
+from reports.figures.key_plan import building_of
 from reports.language.catalogue import ENGLISH
 from reports.language.locale import Locale
 from reports.language.texts import say

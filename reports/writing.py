@@ -12,12 +12,11 @@ from assess.workers import available_cores
 from reports.assessment import Detail, assessment, locale_of
 from reports.document import Document
 from reports.render.csv import write_csv
-from reports.render.figure_file import write_png
 from reports.render.html import write_html
 from reports.render.pdf import write_pdf
 from reports.render.spreadsheet import write_xlsx
 from reports.render.table_text import program_and_stamp
-from reports.render.vector import document_processes, svg_picture, trace_figures, write_svg
+from reports.render.vector import document_processes, svg_picture, trace_figures, write_png, write_svg
 
 Form = Literal["svg", "png"]
 

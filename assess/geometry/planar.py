@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from assess.errors import GeometryError
 from assess.geometry.solid import Solid
-from assess.geometry.surface import marks_changes
+from assess.geometry.surface import differs_from_previous
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 Point = tuple[float, float]
@@ -316,7 +316,7 @@ def _contour(facing: IntArray, count: int) -> IntArray:
     key *= 2
     key += start < end
     key.sort()
-    key = key[marks_changes(key)]
+    key = key[differs_from_previous(key)]
     both = np.flatnonzero(key[1:] - key[:-1] == 1)
     both = both[key[both] % 2 == 0]  # one edge, either way
     alone = np.ones(len(key), dtype=np.bool_)

@@ -19,11 +19,11 @@ from assess.geometry.surface import (
     adjacent_triangles,
     area,
     connected_groups,
+    coordinate_values,
     drop_degenerate,
     find_edges,
     neighbours,
     open_edges,
-    place_values,
     point_text,
     volume,
     volume_change,
@@ -198,7 +198,7 @@ def _fill_holes(surface: Surface) -> tuple[Surface, Steps]:
         area=Quantity(closed, "area", 3),
         share=Quantity(100.0 * closed / area(*new), "percent", 3),
         change=volume_change(volume(*surface), volume(*new)),
-        **place_values(holes[0].centre),
+        **coordinate_values(holes[0].centre),
     )
     return new, (done,)
 

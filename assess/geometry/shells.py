@@ -24,10 +24,10 @@ from assess.geometry.surface import (
     areas_and_normals,
     connected_groups,
     connected_groups_across,
+    coordinate_values,
     find_edges,
     merge_vertices,
     neighbours,
-    place_values,
     point_text,
     volume,
     volume_change,
@@ -130,7 +130,7 @@ def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surfac
     centre = shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1))
     after = sum(abs(volume(*shell)) if k in alone else volume(*shell) for k, shell in enumerate(shells))
     change = volume_change(sum(volume(*shell) for shell in shells), after)
-    done = note("shells-reversed", number=whole_number(len(alone)), change=change, **place_values(centre))
+    done = note("shells-reversed", number=whole_number(len(alone)), change=change, **coordinate_values(centre))
     return [(v, t[:, ::-1]) if k in alone else (v, t) for k, (v, t) in enumerate(shells)], (done,)
 
 
@@ -152,7 +152,7 @@ def _unite_overlapping(shells: list[Surface], *, where: str) -> tuple[list[Surfa
     whole = unite(shells, where=where)
     before = sum(volume(*shell) for shell in shells)
     change = volume_change(before, volume(*whole))
-    done = note("shells-united", number=whole_number(len(shells)), change=change, **place_values(at))
+    done = note("shells-united", number=whole_number(len(shells)), change=change, **coordinate_values(at))
     return [whole], (done,)
 
 
@@ -230,7 +230,7 @@ def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[Message, ...
             f"{where}: its surface intersects itself near {point_text(found.place)} m, so that about {percent:.2g} % "
             "of its volume counts twice or not at all; repair it where it was made, or split it into bodies"
         )
-    return (note("self-overlap", share=Quantity(percent, "percent", 2), **place_values(found.place)),)
+    return (note("self-overlap", share=Quantity(percent, "percent", 2), **coordinate_values(found.place)),)
 
 
 def measure_self_overlap(surface: Surface) -> SelfOverlap:

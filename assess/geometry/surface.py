@@ -103,7 +103,7 @@ def _group_by_hash(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
     key |= np.arange(len(x), dtype=np.uint64)
     key.sort()
     order = (key & lower).astype(np.int64)
-    new = marks_changes(key >> bits)
+    new = differs_from_previous(key >> bits)
     group = np.empty(len(order), dtype=np.int64)
     group[order] = np.cumsum(new) - 1
     return order[new], group
@@ -120,11 +120,11 @@ def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
     """Return the rank [n] of each value among the distinct values, from 0."""
     order = np.argsort(values)
     rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.cumsum(marks_changes(values[order])) - 1
+    rank[order] = np.cumsum(differs_from_previous(values[order])) - 1
     return rank
 
 
-def marks_changes(values: NDArray[np.generic]) -> BoolArray:
+def differs_from_previous(values: NDArray[np.generic]) -> BoolArray:
     """Return which values [n] differ from the one before; the first does."""
     new = np.ones(len(values), dtype=np.bool_)
     np.not_equal(values[1:], values[:-1], out=new[1:])
@@ -177,7 +177,7 @@ def find_edges(triangles: IntArray) -> Edges:
     start, end = directed.T
     key = np.minimum(start, end) * (triangles.max() + 1) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
-    first = np.flatnonzero(marks_changes(key[order]))
+    first = np.flatnonzero(differs_from_previous(key[order]))
     count = np.diff(np.append(first, len(order)))
     way = np.where(start < end, 1, -1)
     return Edges(directed, order, first, count, np.add.reduceat(way[order], first))
@@ -284,7 +284,7 @@ def point_text(point: FloatArray) -> str:
     return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.12g}" for value in point) + ")"
 
 
-def place_values(point: FloatArray) -> dict[str, Value]:
+def coordinate_values(point: FloatArray) -> dict[str, Value]:
     """Return the coordinates of a point [3] [m] as values x, y, z of a message."""
     x, y, z = point
     return lengths(x=x, y=y, z=z)

@@ -16,12 +16,11 @@ from assess.errors import GeometryError
 from assess.geometry.boolean import OVERLAP_WARNED, SAME_PLACE, shared_volume, shortest_distance
 from assess.geometry.contact import Contact, find_contact, join_contacts
 from assess.geometry.cut import Piece
-from assess.geometry.dimensions import extent_along
 from assess.geometry.planar import distance_to_outline
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
 from assess.loads.load import BodyLoad, Force, Load, Point, PointMass, point_in_plane
-from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, body_mass, thrust_of
+from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, body_mass, extent_along, thrust_of
 from assess.messages.message import Message, Quantity, Term, Value, message, warning, whole_number
 from spectra.arrays import FloatArray
 

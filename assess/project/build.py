@@ -16,9 +16,8 @@ from assess.codes.italian_limit_states import LARGEST_FACTOR
 from assess.codes.question import Question
 from assess.dynamics.packing import Equation
 from assess.errors import ProjectError, locate_errors
-from assess.geometry.dimensions import size_warning
 from assess.geometry.formats.readers import WITHOUT_UNIT
-from assess.geometry.mesh import MeshesBySelection
+from assess.geometry.mesh import MeshesBySelection, size_warning
 from assess.geometry.solid import Solid, scale_density
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import Mechanism

@@ -28,7 +28,7 @@ from docs.ext.case_figures import (
 )
 from docs.ext.case_pages import Shown, case_page
 from docs.ext.markdown import cell, escape
-from reports.render.figure_file import write_figure
+from reports.render.vector import write_figure
 
 ROOT = Path(__file__).resolve().parents[2]
 KEPT = ROOT / "build" / "docs" / "cases"

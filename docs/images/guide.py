@@ -15,7 +15,7 @@ from assess.results.fragility import FragilityResults
 from reports.assessment import report_figure
 from reports.figures import fragility
 from reports.language.locale import Locale
-from reports.render.figure_file import write_figure
+from reports.render.vector import write_figure
 
 PROJECT = Path(__file__).parent / "guide.toml"
 FIGURES: dict[str, tuple[str, str | None]] = {

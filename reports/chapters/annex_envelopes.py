@@ -8,7 +8,7 @@ from functools import partial
 from assess.results import CriticalResult, EnvelopeResult, MechanismResult, RecordResult, Results
 from reports.chapters.cells import MECHANISM
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table, nonempty
-from reports.figures import envelope as figure
+from reports.figures import rocking as figure
 from reports.language.texts import Listing, Paragraph, Text, Verbatim, quantity, say, say_count
 from reports.titles import file_stem, mechanism_number, mechanism_title, numbered_title
 

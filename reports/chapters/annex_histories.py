@@ -12,7 +12,7 @@ from assess.results import HistoryResult, MechanismResult, Results, SuiteResult,
 from reports import governing
 from reports.chapters.cells import LEVEL, OUTCOMES, OVERTURNED, rocking_cell, standing_cell, swept_value, uplift_cell
 from reports.document import Block, Cell, Column, Figure, OutcomeCell, Prose, Section, Table, nonempty
-from reports.figures import history, sensitivity
+from reports.figures import rocking, sensitivity
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, count, quantity, say, say_count
 from reports.titles import file_stem, mechanism_number, mechanism_title
 
@@ -76,7 +76,7 @@ def _amplification(mechanism: MechanismResult, stem: str) -> list[Block]:
             "over time and response spectra of 5 % damping. Of all records its peak is amplified most.",
             record=Verbatim(found.motion.record),
         )
-        blocks.append(Figure(f"{stem}-amplification", caption, partial(history.draw_amplification, found.motion)))
+        blocks.append(Figure(f"{stem}-amplification", caption, partial(rocking.draw_amplification, found.motion)))
     return blocks
 
 
@@ -155,7 +155,7 @@ def _governing_figure(mechanism: MechanismResult, stem: str) -> list[Figure]:
             impacts=say_count("{number} impact", "{number} impacts", one.impacts),
         )
     draw = partial(
-        history.draw_history, mechanism, one, trace, governing.allowable_rotation(mechanism, one.level_pga_g)
+        rocking.draw_history, mechanism, one, trace, governing.allowable_rotation(mechanism, one.level_pga_g)
     )
     return [Figure(f"{stem}-history", caption, draw)]
 

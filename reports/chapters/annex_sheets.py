@@ -13,8 +13,8 @@ from assess.results import ContactSheet, HingeForceResult, MechanismResult, Osci
 from reports import governing, joints
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Sheet, Table, nonempty
-from reports.figures import capacity, view
-from reports.figures.view import model_of_view
+from reports.figures import capacity, sketch
+from reports.figures.sketch import model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
 from reports.titles import check_title, file_stem, mechanism_number, mechanism_title
 
@@ -62,7 +62,9 @@ def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
         "dashed; the arrow is the direction of motion."
     )
     return [
-        Figure(f"{stem}-view", caption, partial(view.draw_view, seen, positive), model_of_view(seen, positive=positive))
+        Figure(
+            f"{stem}-view", caption, partial(sketch.draw_view, seen, positive), model_of_view(seen, positive=positive)
+        )
     ]
 
 

@@ -10,7 +10,7 @@ from reports.chapters.front_matter import photograph
 from reports.chapters.verdict_texts import DEMAND_CAPACITY
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
-from reports.figures.building import BuildingScene
+from reports.figures.key_plan import BuildingScene
 from reports.language.texts import Term, Text, Verbatim, count, listing, say, say_count
 from reports.titles import mechanism_list
 

@@ -44,7 +44,7 @@ from reports.chapters.verdict_texts import (
 )
 from reports.document import Block, BulletList, Cell, Column, Facts, Figure, FigureRow, Prose, Section, Table, nonempty
 from reports.figures import capacity, comparison, key_plan, sketch
-from reports.figures.building import BuildingScene
+from reports.figures.key_plan import BuildingScene
 from reports.language.texts import (
     Listing,
     Paragraph,

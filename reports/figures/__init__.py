@@ -1,1 +1,1 @@
-"""The report's figures, one per file: plain data from the results in, a matplotlib figure out."""
+"""The report's figures, one subject a file: plain data from the results in, a matplotlib figure out."""

@@ -47,7 +47,7 @@ def draw_capacity(mechanism: MechanismResult, locale: Locale) -> Figure:
             below.plot(across, _multiplier(branch), dash, color=colour)
         for axes in (above, below):
             axes.axhline(0.0, color=MUTED, linewidth=0.7)
-            _overturning(axes, mechanism, locale)
+            _mark_overturning(axes, mechanism, locale)
             axes.set_xlim(left=0.0)
             axes.yaxis.set_major_locator(MaxNLocator(4))
         above.set_ylabel(moment.heading(say("moment")))
@@ -65,7 +65,7 @@ def _branches(mechanism: MechanismResult) -> list[tuple[BranchCurve, str, str, P
     return [(positive, POSITIVE, "-", say("positive side")), *mirrored]
 
 
-def _overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
+def _mark_overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
     """Mark the rotations that overturn: of rigid joints, and of the joints in use where these give."""
     marks = [(mechanism.oscillator.overturning_rad, "o", say("rigid joints: φₒᵥ"))]
     if mechanism.oscillator.overturning_flexible_rad is not None:

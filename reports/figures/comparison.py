@@ -1,6 +1,4 @@
-"""What the procedures find: of all mechanisms on one axis (as thesis Figs. 8.6, 8.8, 8.12 and 8.13), and of one over
-PGA (8.6, 8.7).
-"""
+"""What the procedures find, of all mechanisms on one axis and of one over PGA (thesis Figs. 8.6 to 8.8, 8.12, 8.13)."""
 
 from __future__ import annotations
 
@@ -37,7 +35,7 @@ from reports.language.locale import Locale
 from reports.language.texts import quantity, say
 from reports.titles import mechanism_number, numbered_title, short_check_title, short_title
 
-BEYOND = 2.5  # larger ratios are drawn at the edge [-]
+LARGEST_RATIO = 2.5  # larger ratios are drawn at the edge [-]
 ROW_HEIGHT, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
 LOGARITHMIC_FROM = 30.0  # largest over smallest PGA from which on the axis is logarithmic [-]
 PANELS = 4  # levels side by side
@@ -67,18 +65,18 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
     with report_style():
         figure = sheet(_figure_height(ROW_HEIGHT * len(order), len(procedures)), locale)
         axes = figure.subplots()
-        _rows(axes, results, order, locale)
-        _draw_dots(axes, dots)
+        _label_rows(axes, results, order, locale)
+        _draw_marks(axes, dots)
         own = governing.site_pga(results)
         if own is not None:
             axes.axvline(own, color=FAIL, linewidth=1.0, label=locale.text(say("site’s own action")))
-        _span(axes, [dot.at for dot in dots if dot.at > 0.0] or [1.0], locale)
+        _set_pga_axis(axes, [dot.at for dot in dots if dot.at > 0.0] or [1.0], locale)
         axes.set_xlabel(locale.heading(say("peak ground acceleration at capacity"), "ground acceleration"))
         _legend(figure, procedures, locale)
         return figure
 
 
-def _span(axes: Axes, values: Sequence[float], locale: Locale) -> None:
+def _set_pga_axis(axes: Axes, values: Sequence[float], locale: Locale) -> None:
     """Set the axis from zero, or a logarithmic one where the values are too far apart to be told on it."""
     if max(values) <= LOGARITHMIC_FROM * min(values):
         axes.set_xlim(0.0, 1.05 * max(values))
@@ -98,10 +96,10 @@ def draw_demands(results: Results, locale: Locale) -> Figure:
         figure = sheet(_figure_height(lines * (ROW_HEIGHT * len(order) + 0.2), len(procedures)), locale)
         panels = figure.subplots(lines, columns, squeeze=False, sharey=True, sharex=True)
         for axes, level in zip(panels.flat, levels, strict=False):
-            _rows(axes, results, order, locale)
+            _label_rows(axes, results, order, locale)
             axes.axvline(1.0, color=FAIL, linewidth=1.0)
-            axes.set_xlim(0.0, BEYOND * 1.04)
-            _draw_dots(axes, _demands(order, level, procedures))
+            axes.set_xlim(0.0, LARGEST_RATIO * 1.04)
+            _draw_marks(axes, _demand_marks(order, level, procedures))
             axes.set_title(locale.text(say("PGA {level}", level=quantity(level, "ground acceleration", 3))), loc="left")
         for axes in list(panels.flat)[len(levels) :]:
             axes.set_visible(False)
@@ -120,8 +118,8 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
         procedure = curve_procedure(results)
         for mechanism in results.mechanisms:
             name = label(locale.text(numbered_title(results, mechanism.name)), NAME_LENGTH_ALONE)
-            _rotation(left, mechanism, procedure, pens[mechanism.name], name)
-            _moment(right, results, mechanism, pens[mechanism.name])
+            _draw_rotation(left, mechanism, procedure, pens[mechanism.name], name)
+            _draw_moment(right, results, mechanism, pens[mechanism.name])
         own = governing.site_pga(results)
         if own is not None:
             left.axvline(own, color=FAIL, linewidth=0.9, linestyle=":")
@@ -145,13 +143,13 @@ def curve_procedure(results: Results) -> str:
     return max(count, key=lambda name: (count[name], name in methods), default="")
 
 
-def _rotation(axes: Axes, mechanism: MechanismResult, procedure: str, ink: Pen, name: str) -> None:
+def _draw_rotation(axes: Axes, mechanism: MechanismResult, procedure: str, ink: Pen, name: str) -> None:
     check = next((each for each in one_per_procedure(mechanism.checks) if each.procedure == procedure), None)
     pga, ratio = ((), ()) if check is None else (check.pga_curve.pga_g, check.pga_curve.rotation_ratio)
     axes.plot(pga, ratio, linestyle=ink.dash, color=ink.colour, linewidth=ink.width, label=name)
 
 
-def _moment(axes: Axes, results: Results, mechanism: MechanismResult, ink: Pen) -> None:
+def _draw_moment(axes: Axes, results: Results, mechanism: MechanismResult, ink: Pen) -> None:
     """Draw the capacity curve over its rigid overturning rotation and the largest moment of its rigid variant."""
     group = next(each for each in group_variants(results) if mechanism in each)
     simpler, own = mechanism.interface_curves, mechanism.curve.positive
@@ -177,7 +175,7 @@ def _figure_height(rows: float, procedures: int) -> float:
     return min(rows + 0.45 + 0.14 * (-(-procedures // 4) + 1), TALLEST)
 
 
-def _rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale: Locale) -> None:
+def _label_rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale: Locale) -> None:
     """Give each mechanism a row with its name, short where there are many."""
     for line in range(len(order) - 1):
         axes.axhline(line + 0.5, color=GRID, linewidth=0.5)
@@ -190,14 +188,14 @@ def _rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale
     axes.grid(visible=False, axis="y")
 
 
-def _demands(order: Sequence[MechanismResult], level: float, procedures: Sequence[str]) -> list[ResultMark]:
+def _demand_marks(order: Sequence[MechanismResult], level: float, procedures: Sequence[str]) -> list[ResultMark]:
     """Return the worst answer of each procedure at a level."""
     made = []
     for row, mechanism in enumerate(order):
         for check in governing.worst_per_procedure(governing.checks_at_level(mechanism.checks, level)):
             kind = marker_kind(check)
             if kind:
-                at = BEYOND if kind != "inside" else float(check.ratio or 0.0)
+                at = LARGEST_RATIO if kind != "inside" else float(check.ratio or 0.0)
                 height = _height_in_row(row, procedures.index(check.procedure), len(procedures))
                 made.append(ResultMark(height, at, check.procedure, {"overturned": "x", "beyond": ">"}.get(kind, "")))
     return made
@@ -211,10 +209,10 @@ def marker_kind(check: Check) -> str:
         return ""
     if check.ratio is None:
         return "beyond" if check.verdict == Outcome.FAIL else ""
-    return "beyond" if check.ratio > BEYOND else "inside"
+    return "beyond" if check.ratio > LARGEST_RATIO else "inside"
 
 
-def _draw_dots(axes: Axes, dots: Sequence[ResultMark]) -> None:
+def _draw_marks(axes: Axes, dots: Sequence[ResultMark]) -> None:
     """Draw the answers that look alike as one line without ink between them."""
     alike: dict[tuple[str, str], list[ResultMark]] = {}
     for dot in dots:

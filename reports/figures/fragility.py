@@ -1,6 +1,4 @@
-"""Fragility: shares of records that reach a state, the runs behind them, and the intensities that make up its annual
-rate.
-"""
+"""Fragility: shares of records that reach a state, the runs behind them, and what makes up its annual rate."""
 
 from __future__ import annotations
 
@@ -43,7 +41,7 @@ from reports.language.texts import Phrase, say
 from spectra.arrays import FloatArray
 
 LOGNORMAL_COLOUR, POINT_SIZE = "#0072b2", 3.5
-BEYOND = 1.1  # of the highest intensity needed
+BEYOND_LAST_POINT = 1.1  # of the highest intensity needed
 NEARLY_ALL = 0.97
 
 SHARE_HEADINGS: dict[str, Phrase] = {
@@ -60,9 +58,9 @@ def draw_fragility(curve: FragilityCurve, locale: Locale) -> Figure:
         figure = sheet(2.7, locale)
         axes = figure.subplots()
         names = say("counted, with 95 % interval"), say("the same, most records scaled by more than 4")
-        _points(axes, curve.empirical, INK, "o", (locale.text(names[0]), locale.text(names[1])))
+        _draw_points(axes, curve.empirical, INK, "o", (locale.text(names[0]), locale.text(names[1])))
         if curve.lognormal is not None:
-            _lognormal(axes, curve, curve.lognormal, locale)
+            _draw_lognormal(axes, curve, curve.lognormal, locale)
         if curve.first is not None:
             x = _intensities(curve)
             words = locale.text(say("bound: first intensity that reaches it"))
@@ -80,7 +78,7 @@ def draw_states(curves: Sequence[FragilityCurve], locale: Locale) -> Figure:
         axes = figure.subplots()
         for place, curve in enumerate(curves):
             colour, marker = MECHANISMS[place % len(MECHANISMS)], MARKERS[place % len(MARKERS)]
-            _points(axes, curve.empirical, colour, marker)
+            _draw_points(axes, curve.empirical, colour, marker)
             x = _intensities(curve)
             fitted = np.full_like(x, np.nan) if curve.lognormal is None else _shares(curve.lognormal, x)
             named = label(locale.text(state_text(curve.state)), 48)
@@ -93,7 +91,7 @@ def draw_states(curves: Sequence[FragilityCurve], locale: Locale) -> Figure:
         return figure
 
 
-def _points(
+def _draw_points(
     axes: Axes, points: Sequence[EmpiricalPoint], colour: str, marker: str, names: tuple[str, str] = ("_", "_")
 ) -> None:
     """Draw the shares that were counted; hollow where most records are scaled by more than 4. names: with intervals."""
@@ -115,7 +113,7 @@ def _points(
         )
 
 
-def _lognormal(axes: Axes, curve: FragilityCurve, fitted: LognormalResult, locale: Locale) -> None:
+def _draw_lognormal(axes: Axes, curve: FragilityCurve, fitted: LognormalResult, locale: Locale) -> None:
     if fitted.band is not None:
         low, high = (PERCENT * np.array(side) for side in (fitted.band.low, fitted.band.high))
         words = locale.text(say("95 % band, by earthquake"))
@@ -153,8 +151,8 @@ def intensity_reach(curve: FragilityCurve) -> float:
     if curve.lognormal is not None:
         needed.append(curve.lognormal.median * float(np.exp(norm.ppf(NEARLY_ALL) * curve.lognormal.dispersion)))
     if curve.method == "cloud" and curve.lognormal is not None:
-        return BEYOND * max([*points, min(max(needed), 2.0 * curve.lognormal.median)])
-    return BEYOND * min(max(needed, default=inf), max(points, default=inf)) if needed or points else 1.0
+        return BEYOND_LAST_POINT * max([*points, min(max(needed), 2.0 * curve.lognormal.median)])
+    return BEYOND_LAST_POINT * min(max(needed, default=inf), max(points, default=inf)) if needed or points else 1.0
 
 
 def _intensities(curve: FragilityCurve) -> FloatArray:

@@ -57,7 +57,7 @@ class Camera:
         return placed
 
 
-def eye_of(direction: FloatArray) -> FloatArray:
+def viewing_frame(direction: FloatArray) -> FloatArray:
     """Return the unit vectors to the right, up and to the eye [3, 3] for a horizontal direction of motion [3]."""
     across = np.array([-direction[1], direction[0], 0.0])
     level = sin(TURNED) * direction - cos(TURNED) * across
@@ -68,7 +68,7 @@ def eye_of(direction: FloatArray) -> FloatArray:
 
 def fit_camera(direction: FloatArray, points: FloatArray, room: PictureSize) -> Camera:
     """Return the camera that shows all points [k, 3] as large as the room allows."""
-    frame = eye_of(direction)
+    frame = viewing_frame(direction)
     placed = points @ frame[:2].T
     low = placed.min(axis=0)
     size = np.maximum(np.ptp(placed, axis=0), 1e-6)
@@ -281,7 +281,7 @@ class Occluders:
         return np.isin(np.arange(len(points)), point[nearer])
 
 
-def occluders(faces: FloatArray) -> Occluders:
+def occluding_faces(faces: FloatArray) -> Occluders:
     """Return faces [m, 3, 3] as the camera sees them as what hides points behind them."""
     return Occluders(faces, shapely.STRtree(np.asarray(shapely.polygons(faces[:, :, :2]))))
 
@@ -290,7 +290,7 @@ def project_faces(surface: TriangleSurface, owner: IntArray, camera: Camera) -> 
     """Return the faces that look at the eye as the camera sees them, and the owner of each [m]."""
     corners = surface.corners
     front = unit_normals(corners) @ camera.frame[2] > EDGE_ON
-    return occluders(camera.project(corners[front])), owner[front]
+    return occluding_faces(camera.project(corners[front])), owner[front]
 
 
 def split_line(line: FloatArray, before: Occluders) -> Iterator[tuple[FloatArray, bool]]:

@@ -1,6 +1,4 @@
-"""How results depend on their inputs: tornado diagrams, sweeps of a number or of the direction, and samples of
-uncertain inputs.
-"""
+"""How results depend on their inputs: tornado diagrams, sweeps of a number or a direction, uncertain samples."""
 
 from __future__ import annotations
 

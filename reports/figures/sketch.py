@@ -1,9 +1,13 @@
-"""The mechanism in its plane of motion, to scale: at rest and displaced."""
+"""One mechanism drawn: in its plane of motion, at rest and displaced, and in space with the axes it turns about.
+
+Its bodies in space are a figure, and a model that a reader can turn.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import atan2, radians
 
 import numpy as np
 import shapely
@@ -13,7 +17,21 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
-from assess.results import DisplacedDrawing, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
+from assess.results import DisplacedDrawing, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point, View
+from reports.document import ColouredFaces, SpatialModel, Wire
+from reports.document import Point as PointInSpace
+from reports.figures.projection import (
+    RAISED,
+    Appearance,
+    Camera,
+    PictureSize,
+    TriangleSurface,
+    draw_arrow,
+    fit_camera,
+    paint_bodies,
+    scene_sheet,
+    viewing_frame,
+)
 from reports.figures.style import (
     FIXED,
     HALF,
@@ -23,6 +41,7 @@ from reports.figures.style import (
     NEGATIVE,
     POSITIVE,
     STONE_EDGE,
+    WIDTH,
     Label,
     Scale,
     bare_sheet,
@@ -34,15 +53,16 @@ from reports.figures.style import (
 )
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
+from spectra.arrays import FloatArray, IntArray
 
 TALLEST, LOWEST = 2.5, 0.9  # of the figure, of a panel [in]
 LEFT, BOTTOM, TOP, GAP = 0.42, 0.36, 0.2, 0.08  # around and between the panels [in]
-BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
-ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
+MASONRY_BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
+LOAD_ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
 
 
 @dataclass(frozen=True)
-class Window:
+class SketchWindow:
     """What every panel shows: lower left and upper right corner [m], and the length of a load's arrow [m]."""
 
     low: Point
@@ -67,24 +87,24 @@ def draw_sketch(mechanism: MechanismResult, locale: Locale) -> Figure:
     with report_style():
         figure = bare_sheet(panel[1] + BOTTOM + TOP, locale, width=HALF)
         rest, turned = (add_panel(figure, column, panel, window, metres) for column in (0, 1))
-        _at_rest(rest, drawing, window, locale)
-        _turned(turned, drawing, window, locale)
+        _draw_at_rest(rest, drawing, window, locale)
+        _draw_displaced(turned, drawing, window, locale)
         return figure
 
 
-def common_window(drawing: Drawing) -> Window:
+def common_window(drawing: Drawing) -> SketchWindow:
     """Return the window that holds the mechanism at rest and displaced, the masonry beside it, and room for names."""
     scenes = [each for each in (drawing, drawing.displaced, drawing.displaced_negative) if each is not None]
     points = np.array([point for scene in scenes for point in drawn_points(scene)])
-    arrow = ARROW * float(np.ptp(points, axis=0).max())
+    arrow = LOAD_ARROW * float(np.ptp(points, axis=0).max())
     ends = [end for scene in scenes for load in scene.loads for end in arrow_ends(load, arrow)]
     points = np.concatenate([points, np.array(ends).reshape(-1, 2)])
     size = float(np.ptp(points, axis=0).max())
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     beside = [x for ring in drawing.fixed for x in extent_between(ring, low, high)]
-    left = max(min([left, *beside]), left - BESIDE * size)
-    right = min(max([right, *beside]), right + BESIDE * size)
-    return Window((left - 0.1 * size, low - 0.09 * size), (right + 0.1 * size, high + 0.06 * size), arrow)
+    left = max(min([left, *beside]), left - MASONRY_BESIDE * size)
+    right = min(max([right, *beside]), right + MASONRY_BESIDE * size)
+    return SketchWindow((left - 0.1 * size, low - 0.09 * size), (right + 0.1 * size, high + 0.06 * size), arrow)
 
 
 def extent_between(ring: Sequence[Point], low: float, high: float) -> tuple[float, ...]:
@@ -119,7 +139,7 @@ def panel_size(size: tuple[float, float]) -> tuple[float, float]:
     return room, max(scale * high, LOWEST)
 
 
-def add_panel(figure: Figure, column: int, panel: tuple[float, float], window: Window, metres: Scale) -> Axes:
+def add_panel(figure: Figure, column: int, panel: tuple[float, float], window: SketchWindow, metres: Scale) -> Axes:
     """Add the axes of one panel: equal scale, data in metres, ticks in the unit of the locale."""
     wide, high = panel
     tall = high + BOTTOM + TOP
@@ -139,20 +159,20 @@ def add_panel(figure: Figure, column: int, panel: tuple[float, float], window: W
     return axes
 
 
-def _at_rest(axes: Axes, drawing: Drawing, window: Window, locale: Locale) -> None:
+def _draw_at_rest(axes: Axes, drawing: Drawing, window: SketchWindow, locale: Locale) -> None:
     axes.set_title(locale.text(say("at rest")), loc="left")
-    _ground(axes, drawing, window)
-    _outlines(axes, drawing, linewidth=0.9)
-    _centroids(axes, drawing.centroids)
+    _draw_support(axes, drawing, window)
+    _draw_outlines(axes, drawing, linewidth=0.9)
+    _draw_centroids(axes, drawing.centroids)
     if len(drawing.centroids) > 1:
         axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
-    _loads(axes, drawing.loads, window)
+    _draw_loads(axes, drawing.loads, window)
     for hinge, colour in hinges_with_colour(drawing):
-        _hinge(axes, hinge, colour)
-    _direction(axes)
+        _draw_hinge(axes, hinge, colour)
+    _draw_direction(axes)
     arrows = [np.array(arrow_ends(load, window.arrow)) for load in drawing.loads if load.towards is not None]
     shafts = [Label("", (x, z)) for tail, head in arrows for x, z in np.linspace(tail, head, 5).tolist()]
-    write_labels(axes, [*names(drawing, window), *shafts])
+    write_labels(axes, [*point_names(drawing, window), *shafts])
 
 
 def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
@@ -162,7 +182,7 @@ def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
     return list(zip(drawing.hinges, colours, strict=True))
 
 
-def names(drawing: Drawing, window: Window) -> list[Label]:
+def point_names(drawing: Drawing, window: SketchWindow) -> list[Label]:
     """Return the names of hinges, centroids and loads at rest, that of an arrow at its free end."""
     made = [Label(label(hinge.name, 14), hinge.at, colour) for hinge, colour in hinges_with_colour(drawing)]
     if len(drawing.centroids) > 1:
@@ -175,30 +195,30 @@ def names(drawing: Drawing, window: Window) -> list[Label]:
     return made
 
 
-def _turned(axes: Axes, drawing: Drawing, window: Window, locale: Locale) -> None:
+def _draw_displaced(axes: Axes, drawing: Drawing, window: SketchWindow, locale: Locale) -> None:
     """Draw the mechanism displaced to its positive side over its outlines at rest and on its negative side."""
     displaced, back = drawing.displaced, drawing.displaced_negative
     angle = quantity(displaced.rotation_rad, "rotation", 2)
     axes.set_title(locale.text(say("displaced, φ = {angle}", angle=angle)), loc="left")
-    _ground(axes, drawing, window)
+    _draw_support(axes, drawing, window)
     for ring in () if back is None else back.blocks:
         axes.add_artist(Polygon(ring, fill=False, edgecolor=NEGATIVE, linewidth=0.7, linestyle=(0, (4, 2))))
-    _outlines(axes, displaced, linewidth=0.8)
+    _draw_outlines(axes, displaced, linewidth=0.8)
     for ring in drawing.blocks:
         axes.add_artist(Polygon(ring, fill=False, edgecolor=MUTED, linewidth=0.6, linestyle=(0, (1, 1.5))))
-    _centroids(axes, displaced.centroids)
-    _loads(axes, displaced.loads, window)
+    _draw_centroids(axes, displaced.centroids)
+    _draw_loads(axes, displaced.loads, window)
     for hinge in displaced.hinges:
-        _hinge(axes, hinge, POSITIVE)
+        _draw_hinge(axes, hinge, POSITIVE)
     write_labels(axes, [Label(label(hinge.name, 14), hinge.at, POSITIVE) for hinge in displaced.hinges])
 
 
-def _outlines(axes: Axes, scene: Drawing | DisplacedDrawing, *, linewidth: float) -> None:
+def _draw_outlines(axes: Axes, scene: Drawing | DisplacedDrawing, *, linewidth: float) -> None:
     for ring, block in zip(scene.blocks, scene.block_of, strict=True):
         axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=linewidth))
 
 
-def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
+def _draw_support(axes: Axes, drawing: Drawing, window: SketchWindow) -> None:
     """Draw the support of the mechanism: masonry that does not move, or level ground, hatched below."""
     for ring in drawing.fixed:
         axes.add_artist(Polygon(ring, facecolor=FIXED, edgecolor=MUTED, linewidth=0.6, zorder=0.6))
@@ -213,16 +233,16 @@ def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
     axes.plot([left, right], [low, low], color=INK, linewidth=1.0, zorder=1)
 
 
-def _hinge(axes: Axes, hinge: NamedPoint, colour: str) -> None:
+def _draw_hinge(axes: Axes, hinge: NamedPoint, colour: str) -> None:
     axes.plot(*hinge.at, marker="o", markersize=4, color="white", markeredgecolor=colour, markeredgewidth=1.1)
 
 
-def _centroids(axes: Axes, centroids: Sequence[Point]) -> None:
+def _draw_centroids(axes: Axes, centroids: Sequence[Point]) -> None:
     for at in centroids:
         axes.plot(*at, marker="+", markersize=6, markeredgewidth=1.0, color=INK)
 
 
-def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
+def _draw_loads(axes: Axes, loads: Sequence[DrawnLoad], window: SketchWindow) -> None:
     """Draw a dot for a mass, an arrow for what has a direction."""
     style = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     for load in loads:
@@ -233,8 +253,119 @@ def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
             axes.annotate("", head, xytext=tail, arrowprops=style, annotation_clip=False)
 
 
-def _direction(axes: Axes) -> None:
+def _draw_direction(axes: Axes) -> None:
     """Draw the direction of motion, along +x, as an arrow above the panel."""
     arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
     end = 1.0, 1.0 + 7.0 / axes.get_window_extent().height
     axes.annotate("", end, (-26.0, 0.0), "axes fraction", "offset points", arrowprops=arrow, annotation_clip=False)
+
+
+VIEW_SIZE = PictureSize(wide=5.2, tall=3.0, left=0.75, around=0.25)
+AXIS_BEYOND = 0.07  # of the bodies' size: how far an axis is drawn beyond them
+AXIS_NAME_BOX = (11.0, 8.5)  # room of the name of an axis [pt]
+
+
+def draw_view(view: View, positive: int, locale: Locale) -> Figure:
+    """Draw the bodies, their sections, the axes of rotation and the direction of motion.
+
+    positive : of the axes, how many from the first on are those of the positive side
+    """
+    surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
+    along, size = np.array(view.direction), float(max(view.size))
+    lines = [extend_line(np.array(axis.ends), AXIS_BEYOND * size) for axis in view.axes]
+    arrow = direction_arrow(surface.vertices, along, size)
+    camera = fit_camera(along, np.concatenate([surface.vertices, arrow, *lines]), VIEW_SIZE)
+    with report_style():
+        figure, axes = scene_sheet(camera, WIDTH, locale)
+        look = Appearance({block: shade(block) for block in view.block_of}, {}, sharp_angle(view))
+        paint_bodies(axes, surface, np.array(view.block_of), camera, look)
+        for ring in view.sections:
+            axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
+        _draw_rotation_axes(axes, view, camera, lines, positive)
+        draw_arrow(axes, camera.project(arrow), width=1.6)
+        return figure
+
+
+def sharp_angle(view: View) -> float:
+    """Return the angle between faces from which on their common edge is drawn [rad], larger for scans."""
+    return radians(35 if len(view.triangles) == view.given else 65)
+
+
+def extend_line(ends: FloatArray, length: float) -> FloatArray:
+    """Extend a line, given by its ends [2, 3], by a length [m] at both."""
+    way = ends[1] - ends[0]
+    step = way * length / (float(np.linalg.norm(way)) or 1.0)
+    return np.array([ends[0] - step, ends[1] + step])
+
+
+def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
+    """Return the ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    middle = 0.5 * (low + high)
+    start = middle + (float((vertices @ along).max()) - middle @ along) * along
+    start[2] = low[2] + 0.75 * (high[2] - low[2])
+    return np.array([start, start + 0.25 * size * along])
+
+
+def _draw_rotation_axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], positive: int) -> None:
+    """Draw the axes of rotation, those of the negative side dashed, with names at the end nearer the eye."""
+    named: list[FloatArray] = []
+    for place, (axis, line) in enumerate(zip(view.axes, lines, strict=True)):
+        colour, dash = (POSITIVE, "-") if place < positive else (NEGATIVE, "--")
+        seen = camera.project(line)
+        far, near = seen[np.argsort(seen[:, 2]), :2]
+        axes.plot(*seen[:, :2].T, color=colour, linestyle=dash, linewidth=1.5)
+        out = (near - far) / (float(np.linalg.norm(near - far)) or 1.0)
+        name = label(axis.name, 14)
+        named.append(avoid_names(near + (5.0 + 2.0 * len(name)) * out, named))
+        axes.annotate(name, tuple(named[-1]), ha="center", va="center", color=colour, fontsize=7)
+
+
+def avoid_names(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
+    """Return the place of a name [pt], lowered where one of those taken is too near to read both."""
+    while any((np.abs(at - other) < AXIS_NAME_BOX).all() for other in taken):
+        at = at - np.array([0.0, 1.0])
+    return at
+
+
+def model_of_view(view: View, *, positive: int) -> SpatialModel:
+    """Return the model of a view, the first `positive` of whose axes are those of the positive branch."""
+    surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
+    colours = {block: shade(block) for block in view.block_of}
+    wires = tuple(_wires_of_view(view, surface, positive))
+    return scene_model(surface, np.array(view.block_of), colours, wires, sharp_angle(view), np.array(view.direction))
+
+
+def scene_model(
+    surface: TriangleSurface,
+    owner: IntArray,
+    colours: Mapping[int, str],
+    wires: tuple[Wire, ...],
+    sharp: float,
+    direction: FloatArray,
+) -> SpatialModel:
+    """Return bodies in the colours of their owners, first seen as the figure shows them for a direction of motion."""
+    parts = (ColouredFaces(colour, _indices(surface.triangles[owner == each])) for each, colour in colours.items())
+    east, north, _ = viewing_frame(direction)[2].tolist()
+    return SpatialModel(
+        rounded_points(surface.vertices), tuple(parts), wires, STONE_EDGE, sharp, (atan2(north, east), RAISED)
+    )
+
+
+def _indices(triangles: IntArray) -> tuple[tuple[int, int, int], ...]:
+    return tuple((a, b, c) for a, b, c in triangles.tolist())
+
+
+def rounded_points(points: FloatArray) -> tuple[PointInSpace, ...]:
+    """Return points [k, 3] to a tenth of a millimetre."""
+    return tuple((x, y, z) for x, y, z in np.round(points, 4).tolist())
+
+
+def _wires_of_view(view: View, surface: TriangleSurface, positive: int) -> Iterator[Wire]:
+    """Yield the sections of a view, its axes of rotation with their names, and the direction of motion."""
+    size = float(max(view.size))
+    yield from (Wire(rounded_points(np.array(ring)), INK, dashed=True) for ring in view.sections)
+    for place, axis in enumerate(view.axes):
+        colour, ends = POSITIVE if place < positive else NEGATIVE, extend_line(np.array(axis.ends), AXIS_BEYOND * size)
+        yield Wire(rounded_points(ends), colour, label(axis.name, 14), dashed=place >= positive)
+    yield Wire(rounded_points(direction_arrow(surface.vertices, np.array(view.direction), size)), INK, arrow=True)

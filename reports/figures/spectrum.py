@@ -1,6 +1,4 @@
-"""Response spectra: of the site, of records, and of a suite beside its target with the limits that the deciding code
-sets.
-"""
+"""Response spectra: of the site, of records, and of a suite beside its target with the limits of the deciding code."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
-"""What all figures share: sheets, letters, ticks, units of axes, names of points, and pens that the colour-blind can
-tell apart.
+"""What all figures share: sheets, letters, ticks, units of axes, names of points, and pens.
 
-Colours after Okabe and Ito (2008). A procedure has the same colour and line in every figure; informative readings
-are dashed.
+Colours after Okabe and Ito (2008), which the colour-blind can tell apart. A procedure has the same colour and line in
+every figure; informative readings are dashed.
 """
 
 from __future__ import annotations

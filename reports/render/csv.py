@@ -25,7 +25,7 @@ def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
     return tuple(_write(table, folder, locale, stamp=document.stamp) for table in everything)
 
 
-def field(cell: PlainCell) -> str:
+def csv_field(cell: PlainCell) -> str:
     """Return a cell as CSV text: numbers to full precision, text that looks like a formula behind an apostrophe."""
     if cell is None:
         return ""
@@ -39,7 +39,7 @@ def field(cell: PlainCell) -> str:
 def csv_lines(rows: Iterable[Iterable[PlainCell]]) -> str:
     """Return rows, the header first, as the text of a CSV file; every cell goes through `field`."""
     stream = io.StringIO()
-    csv.writer(stream, lineterminator="\n").writerows([field(cell) for cell in row] for row in rows)
+    csv.writer(stream, lineterminator="\n").writerows([csv_field(cell) for cell in row] for row in rows)
     return stream.getvalue()
 
 

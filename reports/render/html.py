@@ -93,12 +93,12 @@ _LONGEST_TITLE, _LONGEST_HEADING = 120, 180
 def write_html(document: Document, path: Path, *, pictures: Mapping[str, SvgPicture]) -> Path:
     """Write the document to `path`; the path written. pictures: its figures by name."""
     elements = Elements(document, pictures)
-    style, script = resource("report.css"), "\n".join(map(resource, SCRIPTS))
+    style, script = web_resource("report.css"), "\n".join(map(web_resource, SCRIPTS))
     opening, *rest = [_section(*each, elements) for each in enumerate(document.sections)] or [""]
-    page = Template(resource("page.html")).substitute(
+    page = Template(web_resource("page.html")).substitute(
         **{name: elements.text(text) for name, text in FRAME.items()},
         language=markup(document.locale.language),
-        policy=policy(style=style, script=script),
+        policy=content_security_policy(style=style, script=script),
         program=elements.text(program_and_stamp(document)),
         title=_short(elements.locale.text(document.title), _LONGEST_TITLE),
         subject=elements.text(document.subject),
@@ -116,14 +116,14 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, SvgPict
     return path
 
 
-def policy(*, style: str, script: str) -> str:
+def content_security_policy(*, style: str, script: str) -> str:
     """Return the content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
     allowed = f"style-src '{_digest(style)}'; script-src '{_digest(script)}'; img-src data:"
     return f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"
 
 
 @cache
-def resource(name: str) -> str:
+def web_resource(name: str) -> str:
     """Return the text of a file of reports/render/web."""
     return files("reports.render").joinpath("web", name).read_text(encoding="utf-8")
 

@@ -199,12 +199,12 @@ class PageUnlessRoom(CondPageBreak):
         self.flowables = flowables
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        self.height = min(self.height, height_of(self.flowables, aW, self.height))
+        self.height = min(self.height, stacked_height(self.flowables, aW, self.height))
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
 
 
-def height_of(flowables: Sequence[Flowable], width: float, limit: float) -> float:
+def stacked_height(flowables: Sequence[Flowable], width: float, limit: float) -> float:
     """Return the height of flowables one below the other [pt]; some value beyond `limit` where it is higher."""
     height = space = 0.0
     for flowable in flowables:
@@ -249,7 +249,7 @@ class PageStart(CondPageBreak):
     def _height(self, width: float, reduction: float, limit: float) -> float:
         """Return the height of all parts [pt] with figures so reduced; some value beyond `limit` where it is higher."""
         self._set(reduction)
-        return height_of(self.flowables, width, limit)
+        return stacked_height(self.flowables, width, limit)
 
     def _set(self, reduction: float) -> None:
         for drawing in self.drawings:

@@ -83,7 +83,7 @@ def write_xlsx(document: Document, path: Path) -> Path:
     """Write every table of the document to a workbook at `path`; text is never taken for a formula."""
     locale = document.writer
     contents, last = locale.text(CONTENTS), locale.text(SHEETS)
-    names = unique([table.name for table in document.tables], taken=(contents, last))
+    names = worksheet_names([table.name for table in document.tables], taken=(contents, last))
     starts = list(accumulate((len(each.steps) + 3 for each in document.sheets), initial=0))  # one row stays empty
     with Workbook(str(path), {"in_memory": True}) as made:
         book = _Book(made, locale)
@@ -105,7 +105,7 @@ def write_xlsx(document: Document, path: Path) -> Path:
     return path
 
 
-def unique(names: list[str], *, taken: Iterable[str] = ("contents", "calculation sheets")) -> list[str]:
+def worksheet_names(names: list[str], *, taken: Iterable[str] = ("contents", "calculation sheets")) -> list[str]:
     """Return valid worksheet names, no two alike nor `taken` in any case: at most 31 characters, no []:*?/\\."""
     used, made = {_RESERVED, *(name.lower() for name in taken)}, []
     for wanted in names:

@@ -1,4 +1,4 @@
-"""A matplotlib figure as marks, lines, areas and letters instead of pixels, and as SVG.
+"""A matplotlib figure as marks, lines, areas and letters instead of pixels, and as a file: SVG, PDF or PNG.
 
 `trace_figure` lets the figure draw itself once onto a recorder; `pdf_blocks` puts the marks on a page of the PDF.
 Letters of an SVG file are outlines, so that they look alike without the report's font. Where a process can be forked,
@@ -30,6 +30,7 @@ from matplotlib.path import Path
 from matplotlib.text import Text
 from matplotlib.transforms import Transform
 
+from assess.outputs.writing import write_file
 from assess.workers import become_worker, end_on_error, hold_signals
 from reports.document import Document
 from reports.figures.style import font_file, report_style
@@ -135,10 +136,10 @@ TracedFigures = Mapping[str, Future[FigureMarks]]
 
 def trace_figures(document: Document, submit: Submit) -> TracedFigures:
     """Trace every figure of the document once, by processes that work on the document; by name."""
-    return {figure.name: submit(trace_at, place) for place, figure in enumerate(document.figures)}
+    return {figure.name: submit(trace_figure_at, place) for place, figure in enumerate(document.figures)}
 
 
-def trace_at(document: Document, place: int) -> FigureMarks:
+def trace_figure_at(document: Document, place: int) -> FigureMarks:
     """Return the figure at this place among those of the document as marks."""
     return trace_figure(document.figures[place].draw(document.writer))
 
@@ -383,3 +384,47 @@ def _keep(subject: object) -> None:
 
 def _of_kept(function: Callable[..., Any], *arguments: Any) -> Any:
     return function(_kept, *arguments)
+
+
+PNG_DPI = 200
+
+
+def _write_svg_figure(figure: Figure, path: File, creator: str) -> None:
+    write_svg(svg_picture(trace_figure(figure)), path, creator=creator)
+
+
+def _write_pdf_figure(figure: Figure, path: File, creator: str) -> None:
+    with report_style():
+        figure.savefig(path, metadata={"Creator": creator, "CreationDate": None})
+
+
+def write_png(figure: Figure, path: File, creator: str) -> None:
+    """Write a figure as pixels. creator: name and version of the program."""
+    with report_style():
+        figure.savefig(path, dpi=PNG_DPI, metadata={"Software": creator})
+
+
+WRITERS: Mapping[str, Callable[[Figure, File, str], None]] = {
+    ".svg": _write_svg_figure,
+    ".pdf": _write_pdf_figure,
+    ".png": write_png,
+}
+
+
+def write_figure(figure: Figure, path: File, *, creator: str) -> File:
+    """Write a figure in the report's style to a file, whole or not at all.
+
+    Parameters
+    ----------
+    figure : of matplotlib
+    path : its ending names the form
+    creator : for the metadata of the file
+
+    Returns
+    -------
+    Path
+        The path written.
+    """
+    with write_file(path, command="a command that draws a figure") as made:
+        WRITERS[path.suffix.lower()](figure, made, creator)
+    return path

@@ -18,7 +18,7 @@ from pypdf import PdfReader
 from assess import cli
 from reports.figures.style import printable
 from reports.language.lettering import visible
-from reports.render.csv import field
+from reports.render.csv import csv_field
 
 FIELDS = ("title", "engineer", "checker", "reference", "client", "date", "notes", "masonry_quality")
 NAMES = ("stone", "wall", "floor", "topple", "label", "source")
@@ -160,7 +160,7 @@ def test_in_csv_files(folder):
             cells += [cell for row in csv.reader(stream) for cell in row]
     assert not [cell for cell in cells if cell[:1] in "=@+\t\r" and cell]
     for name in ("label", "title", "notes"):
-        assert any(field(hostile(name)) in cell for cell in cells)
+        assert any(csv_field(hostile(name)) in cell for cell in cells)
 
 
 def test_in_figures(folder):

@@ -31,7 +31,7 @@ from records.response import Measures, measures, response_spectrum
 from reports.figures import spectrum
 from reports.language.locale import Locale
 from reports.render.csv import csv_lines
-from reports.render.figure_file import write_figure
+from reports.render.vector import write_figure
 
 SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 

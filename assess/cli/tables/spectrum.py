@@ -67,7 +67,7 @@ def draw_spectrum(spectrum: Spectrum, path: Path) -> Path:
     """Draw the figure of the spectrum to `path`."""
     from reports.figures.spectrum import draw_design_spectrum
     from reports.language.locale import Locale
-    from reports.render.figure_file import write_figure
+    from reports.render.vector import write_figure
 
     return write_figure(
         draw_design_spectrum(spectrum_result(spectrum), Locale()),

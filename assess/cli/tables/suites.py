@@ -16,8 +16,8 @@ from reports.figures.style import WIDTH
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim
 from reports.render.csv import csv_lines
-from reports.render.figure_file import write_figure
 from reports.render.table_text import cell_text
+from reports.render.vector import write_figure
 
 SUITE_HEADER = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
 

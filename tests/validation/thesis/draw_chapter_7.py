@@ -28,7 +28,7 @@ from records.record import Record, make_record
 from records.synthetic import artificial_records
 from reports.figures.style import FAIL, INK, MUTED, report_style, sheet
 from reports.language.locale import Locale
-from reports.render.figure_file import write_figure
+from reports.render.vector import write_figure
 from spectra.asce7 import design_spectrum
 
 FOLDER = Path("build/figures")

@@ -59,7 +59,7 @@ def test_a_wall_has_its_sizes_and_its_thin_direction_however_it_stands(
 def test_buttresses_do_not_turn_the_thin_direction_and_a_tower_has_none(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from assess.geometry.dimensions import thin_direction
+    from assess.geometry.mesh import thin_direction
     from assess.geometry.solid import box, join
 
     wall = box(thickness=0.5, length=6.0, height=4.0, base=(0, 0, 0), density=1.0, name="")

@@ -11,9 +11,8 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
-from assess.geometry.dimensions import size_warning
 from assess.geometry.formats.mesh_file import Up
-from assess.geometry.mesh import load_solid
+from assess.geometry.mesh import load_solid, size_warning
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import Solid, box, join, polyhedron, profile
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from assess.geometry.dimensions import extent_along, intrados_area, mean_lever_arm, overall_height, roof_slope
 from assess.geometry.solid import Solid, box, polyhedron, profile
+from assess.loads.roofs_and_vaults import extent_along, intrados_area, mean_lever_arm, overall_height, roof_slope
 
 
 def gable(*, span=6.0, rise=2.5, thickness=0.2) -> Solid:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from assess.geometry.dimensions import extents
+from assess.geometry.mesh import extents
 
 
 def test_the_shorter_side_is_found_where_none_is_thin() -> None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from assess.results import Picture, ReportMatter, Results, Revision
 from reports.chapters import key_plan
 from reports.document import Figure, Photograph
-from reports.figures.building import building_of
+from reports.figures.key_plan import building_of
 from tests.support.letters import letters, lines
 
 

@@ -15,7 +15,7 @@ from reports import governing
 from reports.chapters import mechanism_page
 from reports.chapters.cells import comparison_clause
 from reports.document import Figure, FigureRow, OutcomeCell
-from reports.figures.building import building_of
+from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Text
 

@@ -15,7 +15,7 @@ from assess.results import MechanismResult, Results, View
 from assess.results.mechanism import HingeAxis
 from assess.results.provenance import ResolvedValue
 from reports.figures import key_plan
-from reports.figures.building import building_of, building_of_mechanism
+from reports.figures.key_plan import building_of, building_of_mechanism
 from reports.figures.projection import Hatching, hatch_lines, round_length
 from reports.figures.style import FIXED, VERDICT
 from reports.language.locale import Locale

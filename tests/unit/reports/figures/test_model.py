@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from assess.results import Results, View
-from reports.figures.projection import eye_of
+from reports.figures.projection import viewing_frame
+from reports.figures.sketch import model_of_view
 from reports.figures.style import NEGATIVE, POSITIVE
-from reports.figures.view import model_of_view
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def test_it_is_first_seen_as_the_figure_shows_it(view: View, angle: float) -> No
     along = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
     azimuth, elevation = model_of_view(replace(view, direction=along), positive=1).eye
     eye = [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
-    np.testing.assert_allclose(eye_of(np.array(along))[2], eye, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(viewing_frame(np.array(along))[2], eye, rtol=0, atol=1e-12)
 
 
 def test_axes_are_drawn_beyond_the_bodies_in_the_colours_of_their_branches(view: View) -> None:

@@ -9,7 +9,7 @@ import pytest
 from assess.errors import OutputError
 from reports.figures.spectrum import draw_record_spectra
 from reports.language.locale import Locale
-from reports.render.figure_file import write_figure
+from reports.render.vector import write_figure
 
 PERIOD = np.geomspace(0.02, 10.0, 50)
 

@@ -9,7 +9,7 @@ import pytest
 from matplotlib.patches import Polygon
 
 from assess.results import Drawing, NamedPoint, Results
-from reports.figures.sketch import BESIDE, common_window, draw_sketch, extent_between, panel_size
+from reports.figures.sketch import MASONRY_BESIDE, common_window, draw_sketch, extent_between, panel_size
 from reports.figures.style import HALF
 from reports.language.locale import Locale
 
@@ -87,7 +87,7 @@ def test_masonry_that_stays_is_shown_beside_the_mechanism_up_to_a_limit(results:
     wide = ((left - 99.0, low), (right, low), (right, low + 2.0), (left - 99.0, low + 2.0))
     grown = common_window(replace(drawing, fixed=(wide,)))
     assert grown.high[0] >= alone.high[0]
-    assert 0.0 < alone.low[0] - grown.low[0] <= BESIDE * max(alone.size)
+    assert 0.0 < alone.low[0] - grown.low[0] <= MASONRY_BESIDE * max(alone.size)
 
 
 def test_how_far_a_ring_reaches_between_two_elevations() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from reports.figures.building import CrackPlane, body_numbers, cut_triangles, plane_of, weld
+from reports.figures.key_plan import CrackPlane, body_numbers, cut_triangles, plane_of, weld
 from reports.figures.projection import TriangleSurface
 
 

@@ -7,7 +7,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from reports.figures.projection import Appearance, Hatching, TriangleSurface, fit_camera, paint_bodies
-from reports.figures.view import AXIS_NAME_BOX, VIEW_SIZE, avoid_names
+from reports.figures.sketch import AXIS_NAME_BOX, VIEW_SIZE, avoid_names
 
 
 def test_a_name_is_lowered_until_both_can_be_read() -> None:

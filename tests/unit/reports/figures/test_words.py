@@ -12,8 +12,8 @@ from matplotlib.text import Text
 
 from assess.results import Results
 from reports import governing, joints
-from reports.figures import capacity, comparison, envelope, history, key_plan, sensitivity, sketch, spectrum, view
-from reports.figures.building import building_of
+from reports.figures import capacity, comparison, key_plan, rocking, sensitivity, sketch, spectrum
+from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, say
 
@@ -39,22 +39,22 @@ def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
             yield from (partial(draw, each) for draw in (capacity.draw_contact, capacity.draw_moment_rotation))
         found = governing.governing_history(each)
         if found is not None:
-            yield partial(history.draw_history, each, *found, 0.4)
+            yield partial(rocking.draw_history, each, *found, 0.4)
         if each.envelope is not None:
-            yield partial(envelope.draw_envelope, each.envelope, results.records)
+            yield partial(rocking.draw_envelope, each.envelope, results.records)
         if each.direction_sweep is not None:
             yield partial(sensitivity.draw_directions, each.direction_sweep)
         if each.amplification.motion is not None:
-            yield partial(history.draw_amplification, each.amplification.motion)
+            yield partial(rocking.draw_amplification, each.amplification.motion)
         if each.view is not None:
-            yield partial(view.draw_view, each.view, 1)
+            yield partial(sketch.draw_view, each.view, 1)
             yield partial(key_plan.draw_place, building, each.name)
     yield from (partial(sensitivity.draw_sweep, each) for each in results.sweeps)
     yield from (partial(draw, results) for draw in (comparison.draw_capacities, comparison.draw_demands))
     yield partial(comparison.draw_curves, results)
     yield partial(key_plan.draw_key_plan, building)
     if results.critical is not None:
-        yield partial(envelope.draw_envelope_bounds, results)
+        yield partial(rocking.draw_envelope_bounds, results)
     if results.ground_motion is not None:
         yield partial(spectrum.draw_suite, results)
     assert results.spectrum is not None

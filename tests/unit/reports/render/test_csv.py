@@ -11,7 +11,7 @@ from scipy.constants import foot, kilo
 from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Text, Verbatim, quantity, say
-from reports.render.csv import field, write_csv
+from reports.render.csv import csv_field, write_csv
 from spectra.formulas import is_formula
 from tests.support.sample_document import HOSTILE, sample_document
 
@@ -59,7 +59,7 @@ def test_forces_are_in_kilonewtons(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("text", ["=cmd()", "+1", "-1", "@x", "\t=1", "\r=1", "\n=1", " =1"])
 def test_no_text_is_a_formula(text: str) -> None:
-    assert field(text)[0] not in "=+-@\t\r\n "
+    assert csv_field(text)[0] not in "=+-@\t\r\n "
 
 
 def test_hostile_text_is_inert_and_every_row_has_the_stamp(tmp_path: Path) -> None:

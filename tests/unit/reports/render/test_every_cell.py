@@ -13,7 +13,7 @@ from openpyxl import load_workbook
 from reports.document import Cell, Column, Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
-from reports.render.csv import field, write_csv
+from reports.render.csv import csv_field, write_csv
 from reports.render.spreadsheet import write_xlsx
 from reports.render.table_text import PlainCell, column_texts, plain_cell, sheet_as_table, sheet_rows
 from tests.support.sample_document import sample_document
@@ -33,7 +33,9 @@ def test_csv(tmp_path: Path, locale: Locale) -> None:
     for table in (*document.tables, *(sheet_as_table(sheet, document.writer) for sheet in document.sheets)):
         with (tmp_path / f"{table.name}.csv").open(encoding="utf-8", newline="") as stream:
             _, *rows = csv.reader(stream)
-        assert [row[:-1] for row in rows] == [[field(cell) for cell in row] for row in plain(table, document.writer)]
+        assert [row[:-1] for row in rows] == [
+            [csv_field(cell) for cell in row] for row in plain(table, document.writer)
+        ]
 
 
 @LOCALES

@@ -14,7 +14,7 @@ from lxml import html
 from reports.document import Document, Section, Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
-from reports.render.html import FRAME, SCRIPTS, resource
+from reports.render.html import FRAME, SCRIPTS, web_resource
 from tests.support.sample_document import sample_document
 from tests.support.sample_page import write_page
 
@@ -106,7 +106,7 @@ def test_heads_of_tables_have_a_scope(tree: html.HtmlElement) -> None:
 def test_words_of_the_page_stand_in_its_template_alone(tree: html.HtmlElement) -> None:
     """Which a locale fills."""
     assert {button.text_content() for button in tree.xpath("//template//button")} == {"Enlarge", "Turn in 3D"}
-    assert not any(word in resource(name) for name in SCRIPTS for word in ("Enlarge", "Close", "Reset"))
+    assert not any(word in web_resource(name) for name in SCRIPTS for word in ("Enlarge", "Close", "Reset"))
 
 
 def test_formulas_have_indices_and_powers(tree: html.HtmlElement) -> None:

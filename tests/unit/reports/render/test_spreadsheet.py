@@ -10,7 +10,7 @@ from openpyxl import load_workbook
 from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
-from reports.render.spreadsheet import unique, write_xlsx
+from reports.render.spreadsheet import worksheet_names, write_xlsx
 from reports.render.table_text import plain_cell
 from tests.support.sample_document import HOSTILE, sample_document
 
@@ -91,7 +91,7 @@ def test_hostile_text_is_text(tmp_path: Path) -> None:
 
 
 def test_sheet_names_are_valid_and_unique() -> None:
-    names = unique(["a" * 50, "a" * 60, "A" * 31, "x/y:z[1]", "contents", "", "'"])
+    names = worksheet_names(["a" * 50, "a" * 60, "A" * 31, "x/y:z[1]", "contents", "", "'"])
     assert len({name.lower() for name in names}) == len(names)
     assert all(1 <= len(name) <= 31 and not set(name) & set("[]:*?/\\'") for name in names)
     assert "contents" not in names

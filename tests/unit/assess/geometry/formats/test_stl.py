@@ -74,8 +74,8 @@ def test_plain_files_are_read_without_trimesh(tmp_path: Path) -> None:
     (tmp_path / "mesh.stl").write_bytes(STL)
     (tmp_path / "mesh.ply").write_bytes(export_ply(BALL))
     code = (
-        "import sys; from pathlib import Path; from assess.geometry.formats.readers import read\n"
-        f"[read(Path({str(tmp_path)!r}) / name, where='mesh').parts for name in ('mesh.stl', 'mesh.ply')]\n"
+        "import sys; from pathlib import Path; from assess.geometry.formats.readers import read_mesh_file\n"
+        f"[read_mesh_file(Path({str(tmp_path)!r}) / name, where='mesh').parts for name in ('mesh.stl', 'mesh.ply')]\n"
         "sys.exit('trimesh' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,15 +1,22 @@
 """What one can do: ask one mechanism for its motions and checks, run a project and write its report, or run many.
 
 `assess run` does what `load`, `run` and `write_report` do, with its own progress and exit code. What is heavy is
-imported when a verb is called.
+imported when a verb is called: the process that gives out the projects of a portfolio needs none of it, and a worker
+imports `assess_project` by its name.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from assess.errors import AssessError, OutputError, ProjectError
+from assess.portfolio.tasks import Job, ProjectRow
+from records.errors import RecordError
+from spectra.errors import SpectrumError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,6 +28,7 @@ if TYPE_CHECKING:
     from assess.dynamics.packing import Equation
     from assess.dynamics.pulses import Envelope
     from assess.portfolio.batch import Portfolio
+    from assess.portfolio.projects import KeyColumn, Task
     from assess.portfolio.tasks import Keep
     from assess.project.project_file import Project
     from assess.results import Results
@@ -32,8 +40,10 @@ if TYPE_CHECKING:
     from spectra.arrays import FloatArray
     from spectra.spectrum import Spectrum
 
+
 Progress = Callable[[str, int, int], None]
 """Hears of long work: the stage, how many of its parts are done, and how many there are."""
+
 Tell = Callable[[str], None]
 """Hears a line about what was found."""
 
@@ -377,7 +387,6 @@ def batch(
     ------
     AssessError : the table or the template cannot be used, the folder cannot be written, or no scheduler answers
     """
-    from assess.one_project import assess_project, unit_fault
     from assess.portfolio.batch import BatchOptions, parse_shard, run_batch
     from assess.portfolio.executors import dask, processes
     from assess.portfolio.projects import find_tasks
@@ -402,3 +411,101 @@ def batch(
         tell=tell,
         progress=lambda done, total: said("projects", done, total),
     )
+
+
+PROBES = ("1", "0.01", "100")
+"""Numbers of which one at least is within the range of any key, in a unit of its dimension."""
+
+
+def assess_project(job: Job) -> ProjectRow:
+    """Assess one project of a portfolio in this thread, write the outputs that are kept of it, and return its row.
+
+    Raises
+    ------
+    AssessError, RecordError or SpectrumError : something the user can mend
+    """
+    with _located(job.task):
+        return _assess(job)
+
+
+def _assess(job: Job) -> ProjectRow:
+    from assess.outputs.manifest import RESULTS
+    from assess.portfolio.tasks import row_of_verdict
+    from assess.project.build import build, build_to_decide
+    from assess.study.run import find_verdict, run_study
+
+    project = load_task(job.task)
+    if job.keep == "rows":
+        study = build_to_decide(project)
+        return row_of_verdict(job, find_verdict(study), study.messages)
+    study = build(project)
+    results = run_study(study, jobs=1)
+    report = _write(job, results)
+    said = [each for each in study.messages if not each.key.startswith("annex-")]  # which is of the report
+    return row_of_verdict(job, results.verdict, said, report=report, results=f"{job.folder.name}/{RESULTS}")
+
+
+@contextmanager
+def _located(task: Task) -> Iterator[None]:
+    """Locate the errors of a project of a table in the table."""
+    from assess.portfolio.projects import row_fault
+
+    try:
+        yield
+    except OutputError:
+        raise
+    except (AssessError, RecordError, SpectrumError) as error:
+        if task.content is None:
+            raise
+        raise ProjectError(row_fault(task, str(error))) from None
+
+
+def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
+    """Return why the unit of a table's column cannot stand at its key of the template; "" if it can.
+
+    Parameters
+    ----------
+    path : of the template
+    tables : of the template
+    column : with a unit
+    """
+    from assess.portfolio.projects import key_text, keys_of, with_row
+    from assess.project.project_file import load_tree
+
+    told, first = f"{path}: {key_text(keys_of(tables)[column.key])}: ", ""
+    for number in PROBES:
+        try:
+            load_tree(with_row(tables, {column.key: (number, column.unit)}), path, sha256="")
+        except ProjectError as error:
+            if not str(error).startswith(told):
+                return ""
+            first = first or str(error).removeprefix(told).removeprefix(f'"{number} {column.unit}": ')
+        else:
+            return ""
+    return first
+
+
+def load_task(task: Task) -> Project:
+    """Read the project of a task: its file, or its template with the values of its row."""
+    from assess.portfolio.projects import project_tree
+    from assess.project.project_file import load, load_tree
+
+    if task.content is None:
+        return load(task.path)
+    return load_tree(project_tree(task), task.path, sha256=task.sha256)
+
+
+def _write(job: Job, results: Results) -> str:
+    """Write the outputs of a project, whole or not at all; return the link to its report, "" for none."""
+    from assess.outputs.manifest import REPORT, RESULTS
+    from assess.outputs.writing import output_folder
+    from assess.results.json import dumps
+
+    wanted = (RESULTS, *(REPORT if job.keep == "report" else ()))
+    with output_folder(job.folder, command="assess batch", expected=wanted) as stage:
+        (stage / RESULTS).write_bytes(dumps(results).encode())
+        if job.keep == "results":
+            return ""
+        from reports.writing import write_all
+
+        return f"{job.folder.name}/{write_all(results, stage, jobs=1).relative_to(stage).as_posix()}"

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from assess.portfolio.row import ProjectRow, rank
+from assess.portfolio.tasks import ProjectRow, rank
 from assess.results.provenance import describe_program
 from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
 from reports.document import Cell, Column, Document, Link, OutcomeCell, Prose, Section, Table

@@ -42,7 +42,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except KeyboardInterrupt as interrupt:
         _end(_with_notes("interrupted", interrupt), BY_SIGNAL + signal.SIGINT)
     except Exception as error:
-        from assess.cli.app import usage_error
+        from assess.cli.options import usage_error
 
         wrong = usage_error(error)
         if wrong:

@@ -1,17 +1,37 @@
-"""`assess geometry`: the parts of model files."""
+"""`assess geometry`: the parts of model files as a table for the terminal, as CSV and as JSON."""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
 from enum import StrEnum
+from math import atan2, degrees
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from assess.cli.options import refuse_two_formats
+from assess.cli.tables import text_table
+from assess.messages.message import escape_text
 
 if TYPE_CHECKING:
     from assess.geometry.mesh import InventoryEntry
+
+    Listed = Sequence[tuple[Path, Sequence[InventoryEntry] | Exception]]
+
+
+PART_HEADER = (
+    "part",
+    "class",
+    "storey",
+    "GlobalId",
+    "t x l x h [m]",
+    "V [m3]",
+    "at x, y, z [m]",
+    "closed",
+    "thin [deg]",
+)
 
 
 class UpAxis(StrEnum):
@@ -48,19 +68,18 @@ def geometry(
     """
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     scale = _length_of_unit(unit)
-    from assess.cli.tables.geometry import csv_text, json_text, table_text
     from assess.errors import GeometryError
 
-    listed = [_entries(file, scale, up, element) for file in files]
+    listed = [_read_entries(file, scale, up, element) for file in files]
     wrong = [each for each in listed if isinstance(each, GeometryError)]
     if len(wrong) == len(listed) == 1:
         raise wrong[0]
-    text = json_text if as_json else csv_text if as_csv else table_text
+    text = geometry_json if as_json else geometry_csv if as_csv else geometry_table
     print(text(list(zip(files, listed, strict=True))), end="")
     raise typer.Exit(2 if len(wrong) == len(listed) else 0)
 
 
-def _entries(
+def _read_entries(
     file: Path, scale: float | None, up: UpAxis | None, element: str | None
 ) -> tuple[InventoryEntry, ...] | Exception:
     """Return the parts of a file, or what is wrong with it."""
@@ -83,3 +102,119 @@ def _length_of_unit(unit: str | None) -> float | None:
         return length_of_unit(unit)
     except ValueError as problem:
         raise typer.BadParameter(f"--unit {unit!r}: {problem}") from None
+
+
+def geometry_table(listed: Listed) -> str:
+    """Write a rounded line for each part, followed by warnings."""
+    return "\n".join(_file_table(file, each) for file, each in listed)
+
+
+def geometry_csv(listed: Listed) -> str:
+    """Write everything at full precision under its JSON names, with a column for each component of vectors."""
+    from reports.render.csv import csv_lines
+
+    rows = [_flat(row) for row in _properties_listed(listed)]
+    return csv_lines([list(rows[0]), *(list(row.values()) for row in rows)])
+
+
+def geometry_json(listed: Listed) -> str:
+    """Write a list of the parts; an unreadable file has one entry with the reason."""
+    return json.dumps(_properties_listed(listed), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def _file_table(file: Path, found: Sequence[InventoryEntry] | Exception) -> str:
+    if isinstance(found, Exception):
+        return f"{escape_text(str(found))}\n"
+    rows = [_part_row(each) for each in found]
+    kept = [i for i, head in enumerate(PART_HEADER) if any(row[i] for row in rows) or head == "part"]
+    table = text_table([PART_HEADER[i] for i in kept], [[row[i] for i in kept] for row in rows])
+    return f"{escape_text(str(file))}\n{table}{_warnings_text(found)}"
+
+
+def _warnings_text(found: Sequence[InventoryEntry]) -> str:
+    """Write a line for each warning, with the parts that it concerns."""
+    parts: dict[str, list[str]] = {}
+    for each in found:
+        for text in (each.why_not,) if each.why_not else map(str, each.warnings):
+            parts.setdefault(text, []).append(each.element.shown)
+    return "".join(f"{_parts_named(names)}: {escape_text(text)}\n" for text, names in parts.items())
+
+
+def _parts_named(names: Sequence[str]) -> str:
+    from assess.geometry.formats.mesh_file import list_names, one_line
+
+    return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({list_names(names)})"
+
+
+def _part_row(entry: InventoryEntry) -> list[str]:
+    one = entry.element
+    return [
+        one.shown,
+        _first(one.kinds),
+        one.storey,
+        one.identifier,
+        "" if entry.size is None else " x ".join(f"{each:.4g}" for each in entry.size),
+        "" if entry.volume is None else f"{entry.volume:.4g}",
+        "" if entry.place is None else ", ".join(f"{round(each, 3) + 0.0:.7g}" for each in entry.place),
+        "yes" if entry.closed else "no",
+        "" if entry.thin is None else f"{_angle(entry.thin):.4g}",
+    ]
+
+
+def _properties_listed(listed: Listed) -> list[dict[str, Any]]:
+    return [row for file, found in listed for row in _file_rows(file, found)]
+
+
+def _file_rows(file: Path, found: Sequence[InventoryEntry] | Exception) -> list[dict[str, Any]]:
+    """Return the properties of the parts of a file, with units in the names."""
+    from assess.geometry.formats.mesh_file import Element
+    from assess.geometry.mesh import InventoryEntry
+
+    if isinstance(found, Exception):
+        return [_part_properties(file, InventoryEntry(file.name, Element(), why_not=str(found)))]
+    return [_part_properties(file, each) for each in found]
+
+
+def _part_properties(file: Path, entry: InventoryEntry) -> dict[str, Any]:
+    one = entry.element
+    return {
+        "file": str(file),
+        "name": one.shown if one.names or one.within else None,
+        "class": _first(one.kinds) or None,
+        "storey": one.storey or None,
+        "global_id": one.identifier or None,
+        "triangles": entry.triangles,
+        "size_m": entry.size and list(entry.size),
+        "volume_m3": entry.volume,
+        "place_m": entry.place and list(entry.place),
+        "closed": entry.closed,
+        "why_not": entry.why_not or None,
+        "remarks": [said.text for said in entry.warnings],
+        "thin_direction": entry.thin and [*entry.thin, 0.0],
+        "thin_direction_deg": None if entry.thin is None else _angle(entry.thin),
+    }
+
+
+def _flat(row: dict[str, Any]) -> dict[str, Any]:
+    """Split vectors into columns: size, position and direction have three numbers each."""
+    names = {
+        "size_m": ("thickness_m", "length_m", "height_m"),
+        "place_m": ("x_m", "y_m", "z_m"),
+        "thin_direction": ("thin_x", "thin_y", "thin_z"),
+    }
+    flat: dict[str, Any] = {}
+    for key, value in row.items():
+        if key in names:
+            flat |= dict(zip(names[key], value or (None, None, None), strict=True))
+        else:
+            flat[key] = "; ".join(value) if key == "remarks" else value
+    return flat
+
+
+def _first(words: tuple[str, ...]) -> str:
+    return words[0] if words else ""
+
+
+def _angle(thin: tuple[float, float]) -> float:
+    """Return the angle from +x towards +y [deg]."""
+    return degrees(atan2(thin[1], thin[0]))

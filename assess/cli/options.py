@@ -1,12 +1,14 @@
-"""Arguments and options that several commands share, checked and completed as they are parsed.
+"""Arguments and options that several commands share, and what is wrong with those that were typed, in one line.
 
-What completes or checks a value is imported only when the shell asks for it or the value is given.
+They are checked and completed as they are parsed, whether or not a file needs them; what that takes is imported only
+when the shell asks for it or the value is given.
 """
 
 from __future__ import annotations
 
 import functools
 import inspect
+import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
@@ -23,6 +25,13 @@ def limit_jobs(asked: int | None) -> int | None:
     from assess.workers import available_cores
 
     return None if asked is None else min(asked, available_cores())
+
+
+class Language(StrEnum):
+    """Languages in which a report can be written."""
+
+    ENGLISH = "en"
+    ITALIAN = "it"
 
 
 ProjectPath = Annotated[
@@ -48,6 +57,25 @@ Jobs = Annotated[
 def folder_option(words: str) -> Any:
     """Return the option -o of a command that writes into a folder."""
     return typer.Option("-o", "--output", metavar="DIR", help=words)
+
+
+@contextmanager
+def optional_output(folder: Path | None, *, command: str, owner: str, wanted: Sequence[str]) -> Iterator[Path | None]:
+    """Give a temporary folder as `output_folder` does, and print what is recovered; None where no folder is named.
+
+    Parameters
+    ----------
+    folder : to write into
+    command, owner, wanted : as for `output_folder`
+    """
+    if folder is None:
+        yield None
+        return
+    from assess.cli.stderr import print_message
+    from assess.outputs.writing import output_folder
+
+    with output_folder(folder, command=command, owner=owner, expected=wanted, tell=print_message) as stage:
+        yield stage
 
 
 def flag(name: str, words: str) -> Any:
@@ -230,27 +258,43 @@ TARGET = typer.Option(metavar="FILE", help="A project, for its site's spectrum, 
 Target = Annotated[Path, TARGET]
 
 
-@contextmanager
-def optional_output(folder: Path | None, *, command: str, owner: str, wanted: Sequence[str]) -> Iterator[Path | None]:
-    """Give a temporary folder as `output_folder` does, and print what is recovered; None where no folder is named.
+WRONG_USAGE: Any = typer.BadParameter.__mro__[1]
+"""The parent, not exported by typer, of errors in unknown commands and options too."""
 
-    Parameters
-    ----------
-    folder : to write into
-    command, owner, wanted : as for `output_folder`
-    """
-    if folder is None:
-        yield None
-        return
-    from assess.cli.stderr import print_message
-    from assess.outputs.writing import output_folder
-
-    with output_folder(folder, command=command, owner=owner, expected=wanted, tell=print_message) as stage:
-        yield stage
+SENTENCES = (
+    (r"Value error, ", ""),
+    (r"Input should be a valid integer.*", '"{value}" is not a whole number'),
+    (r"Input should be a valid number.*", '"{value}" is not a number'),
+    (r"Input should be greater than or equal to (\S+)", r"{value}: must be at least \1"),
+    (r"Input should be less than or equal to (\S+)", r"{value}: must be at most \1"),
+    (r"\. Did you mean (.*)\?$", r"; did you mean \1?"),
+    (r" \(Possible options: (.*)\)", r"; did you mean \1?"),
+)
+"""Patterns of the libraries' sentences, and the sentences that replace them."""
 
 
-class Language(StrEnum):
-    """Languages in which a report can be written."""
+def usage_error(error: Any) -> str | None:
+    """Return what is wrong with the command and where its help is; None for any other error."""
+    if not isinstance(error, WRONG_USAGE):
+        return None
+    command = "assess" if error.ctx is None else error.ctx.command_path
+    text = _usage_text(error)
+    return f"{text} See `{command} --help`" if text.endswith("?") else f"{text}; see `{command} --help`"
 
-    ENGLISH = "en"
-    ITALIAN = "it"
+
+def _usage_text(error: Any) -> str:
+    """Return what is wrong, with the value where the library omits it."""
+    text: str = error.format_message().rstrip(".")
+    for theirs, ours in SENTENCES:
+        text = re.sub(theirs, ours, text)
+    return text.replace("{value}", _given_value(error))
+
+
+def _given_value(error: Any) -> str:
+    """Return the value given, as the library that checked it kept it."""
+    from assess.messages.message import escape_text
+
+    for cause in (error.__cause__, error.__context__):
+        if hasattr(cause, "errors"):
+            return escape_text(str(cause.errors()[0]["input"]))
+    return "this"

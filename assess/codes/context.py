@@ -11,9 +11,8 @@ from assess.codes.calculation_sheet import Given
 from assess.codes.check import BranchName, InputAt
 from assess.codes.histories import SuiteResponse
 from assess.errors import ProcedureError
-from assess.hinge_forces import HingeForces
 from assess.messages.message import Message
-from assess.oscillator import Oscillator
+from assess.oscillator import HingeForces, Oscillator
 from spectra.arrays import FloatArray, is_number
 from spectra.spectrum import Spectrum
 

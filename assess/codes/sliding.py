@@ -1,7 +1,7 @@
 """Sliding: does a hinge slide before the mechanism rocks, and how far does a body slide (ASCE/SEI 43-05, A.1)?
 
 The first is equilibrium of the blocks with Coulomb's friction, no clause of a code: the ground acceleration pushes on
-the mechanism at rest, and each hinge needs friction |T| / N (`assess.hinge_forces`). Where that reaches the coefficient
+the mechanism at rest, and each hinge needs friction |T| / N (`assess.oscillator`). Where that reaches the coefficient
 of the joint before the mechanism starts to rock, it slides, and the checks by rocking do not represent it. Vertical
 motion is left out.
 
@@ -30,9 +30,8 @@ from assess.codes.asce43_05 import EDITION, Asce43Options, warn_at_height
 from assess.codes.calculation_sheet import UNANSWERED, Given, Step, step
 from assess.codes.check import CaveatFields, Check, Outcome, Reason, caveats_of, least_if_all_known, reason_message
 from assess.codes.context import Context
-from assess.hinge_forces import HingeForces
 from assess.messages.message import Message, Quantity, Severity, Term, message
-from assess.oscillator import Oscillator, threshold
+from assess.oscillator import HingeForces, Oscillator, threshold
 
 FRICTION_EDITION = "equilibrium; Coulomb"
 SLIDING = "sliding"

@@ -9,11 +9,11 @@ from math import isclose
 import numpy as np
 from scipy.constants import g
 
-from assess.hinge_forces import HingeForces, Pressure, Vector
 from assess.loads.load import Force, Load, Point, PointMass, Tie, pull_at_rest, upward
 from assess.mechanisms.chain import Chain, hinge_names, move, trace_point
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.mechanism import Face, Mechanism
+from assess.oscillator import HingeForces, Pressure, Vector
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 

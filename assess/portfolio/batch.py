@@ -24,8 +24,7 @@ from assess.outputs.lock import LOCK, hold_lock
 from assess.outputs.writing import make_folder, output_folder, refuse_obstacles
 from assess.portfolio.executors import Engine, compute_all
 from assess.portfolio.projects import Task
-from assess.portfolio.row import ProjectRow
-from assess.portfolio.tasks import Job, Keep, Runner
+from assess.portfolio.tasks import Job, Keep, ProjectRow, Runner
 from assess.results.provenance import describe_program
 
 COMMAND = "assess batch"

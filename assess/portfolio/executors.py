@@ -21,8 +21,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from assess.errors import AssessError, HeldError
-from assess.portfolio.row import ProjectRow
-from assess.portfolio.tasks import BUG, INPUT_IS_WRONG, Computed, Job, Runner, broken_row, compute_rows
+from assess.portfolio.tasks import BUG, INPUT_IS_WRONG, Computed, Job, ProjectRow, Runner, broken_row, compute_rows
 from assess.workers import SpawnedPool, available_cores, end_on_error
 
 if TYPE_CHECKING:

@@ -25,13 +25,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g
 
-from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, Point, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, move, trace_point
 from assess.mechanisms.hinge_forces import chain_at_start, hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, warning
-from assess.oscillator import Branch, Oscillator, linear_multiplier, threshold
+from assess.oscillator import Branch, HingeForces, Oscillator, linear_multiplier, threshold
 from assess.results import Control, ControlKind
 
 VERTICAL, HORIZONTAL = "vertical reactions", "horizontal reactions"

@@ -19,7 +19,6 @@ from assess.codes.histories import FIGURES, standing_figures
 from assess.dynamics.packing import Equation
 from assess.errors import locate_errors
 from assess.geometry.cut import Scene
-from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_phrase
 from assess.mechanisms.branch_table import actions_of, load_displacement, rigid_branch
 from assess.mechanisms.hinge_forces import hinge_forces
@@ -27,6 +26,7 @@ from assess.mechanisms.mechanism import Directions, Mechanism
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import (
     Branch,
+    HingeForces,
     Linearised,
     Oscillator,
     displacement,

@@ -16,8 +16,7 @@ from assess.errors import HeldError, ProjectError
 from assess.portfolio.batch import BatchOptions, Portfolio, run_batch
 from assess.portfolio.executors import OpenExecutor, processes
 from assess.portfolio.projects import Task
-from assess.portfolio.row import ProjectRow
-from assess.portfolio.tasks import Job
+from assess.portfolio.tasks import Job, ProjectRow
 
 
 def act(job: Job) -> ProjectRow:

@@ -13,8 +13,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.check import branch_of
-from assess.hinge_forces import HingeForces
-from assess.oscillator import Branch, interpolant
+from assess.oscillator import Branch, HingeForces, interpolant
 from tests.support.sheet import Sheet
 from tests.support.subjects import FRICTION, SLIDING
 

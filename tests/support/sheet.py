@@ -11,8 +11,7 @@ from scipy.optimize import brentq
 
 from assess.codes.calculation_sheet import Step
 from assess.codes.context import Building
-from assess.hinge_forces import HingeForces
-from assess.oscillator import interpolant
+from assess.oscillator import HingeForces, interpolant
 from spectra.spectrum import Spectrum
 from tests.support.subjects import Subject
 

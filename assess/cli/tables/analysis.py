@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from textwrap import wrap
 
-from assess.cli.tables.text_table import messages_text, on_one_line, text_table
+from assess.cli.tables import messages_text, on_one_line, text_table
 from assess.codes.histories import interval_figures, margin_figures
 from assess.codes.question import toml_lines
 from assess.codes.verdict import (

@@ -8,7 +8,7 @@ from math import atan2, degrees
 from textwrap import wrap
 from typing import Any
 
-from assess.cli.tables.text_table import messages_text, text_table
+from assess.cli.tables import messages_text, text_table
 from assess.mechanisms.chain import metres_text
 from assess.messages.message import Message, escape_text, text_of
 from assess.project.project_file import Project

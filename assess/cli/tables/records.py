@@ -10,28 +10,25 @@ from concurrent.futures import Executor
 from dataclasses import asdict, dataclass
 from math import degrees
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.cli.tables.text_table import text_table
+from assess.cli.tables import text_table
 from assess.errors import AssessError
 from assess.messages.message import escape_text
-from assess.results.provenance import origin
-from assess.study.suites import candidate_records, cell_message
 from records.candidates import DAMPING, PERIODS
-from records.flatfile import FlatfileMatch
-from records.formats.header import HeaderOverrides
-from records.indexing import IndexSummary
 from records.reading import read_with_overrides
 from records.record import Record, is_vertical
 from records.response import Measures, measures, response_spectrum
-from reports.figures import spectrum
-from reports.language.locale import Locale
 from reports.render.csv import csv_lines
-from reports.render.vector import write_figure
+
+if TYPE_CHECKING:
+    from records.flatfile import FlatfileMatch
+    from records.formats.header import HeaderOverrides
+    from records.indexing import IndexSummary
 
 SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 
@@ -161,6 +158,8 @@ def read_spectra(
     executor: Executor | None = None,
 ) -> Spectra:
     """Return the spectra of the records of `places`; raise AssessError where a catalogue lacks the damping."""
+    from assess.study.suites import candidate_records
+
     folders = [place for place in places if place.is_dir()]
     if folders and damping != DAMPING:
         raise AssessError(f"{folders[0]}: a folder's catalogue holds spectra of 5 % damping; give its files instead")
@@ -194,6 +193,11 @@ def spectra_csv(spectra: Spectra) -> str:
 
 def draw_spectra(spectra: Spectra, path: Path) -> None:
     """Draw the figure to `path`."""
+    from assess.results.provenance import origin
+    from reports.figures import spectrum
+    from reports.language.locale import Locale
+    from reports.render.vector import write_figure
+
     figure = spectrum.draw_record_spectra(spectra.names, PERIODS, spectra.ordinates / g, Locale())
     write_figure(figure, path, creator=origin("records spectra", spectra_csv(spectra)))
 
@@ -223,6 +227,8 @@ def index_json(found: IndexSummary, place: Path, *, described: int, merged: Flat
 
 
 def _flatfile_lines(merged: FlatfileMatch) -> list[str]:
+    from assess.study.suites import cell_message
+
     counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
     bad = [f"flatfile, {cell_message(cell)}" for cell in merged.bad[:MAX_CELLS]]
     more = (

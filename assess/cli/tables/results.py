@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass, fields, replace
 from itertools import groupby
 from typing import Any
 
-from assess.cli.tables.text_table import on_one_line, text_table
+from assess.cli.tables import on_one_line, text_table
 from assess.codes.verdict import Answer, Decision, MechanismVerdict
 from assess.messages.message import count_noun, escape_text
 from assess.results import MechanismResult, OscillatorResult, Results

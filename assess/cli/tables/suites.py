@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from assess.cli.tables.text_table import messages_text, text_table
+from assess.cli.tables import messages_text, text_table
 from assess.project.suites import ScaledSuite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite

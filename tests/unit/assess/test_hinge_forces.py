@@ -7,7 +7,7 @@ from math import atan, cos, sin, tan
 import pytest
 from scipy.constants import g
 
-from assess.hinge_forces import HingeForces, Pressure, required_friction
+from assess.oscillator import HingeForces, Pressure, required_friction
 
 
 def on_a_plane(

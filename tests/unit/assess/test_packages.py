@@ -67,7 +67,7 @@ def test_top_level_holds_what_the_design_lists():
         "pyproject.toml", "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "Makefile",
         "requirements.lock", "requirements-run.lock", "requirements-cad.lock", "requirements-docs.lock",
         ".ci", ".github", ".gitignore", ".pre-commit-config.yaml",
-        "assess", "docs", "records", "reports", "spectra", "tests",
+        "assess", "docs", "records", "reports", "spectra", "tests", "tools",
     }  # fmt: skip
     made = {".git", ".venv", "build", "dist"}
     found = {path.name for path in ROOT.iterdir() if not path.name.endswith("cache") and path.name != ".hypothesis"}

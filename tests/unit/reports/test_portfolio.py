@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from assess.portfolio.row import ProjectRow
+from assess.portfolio.tasks import ProjectRow
 from reports.language.catalogue import languages
 from reports.portfolio import FILES, write_ranking
 

@@ -31,7 +31,7 @@ DATA = {
     "assess.errors",
     "assess.results",
     "assess.results.mechanism",
-    "assess.portfolio.row",
+    "assess.portfolio.tasks",
     "assess.results.provenance",
     "assess.results.fragility",
     "assess.results.run",

@@ -3,7 +3,8 @@
 import pytest
 import typer
 
-from assess.cli.app import WRONG_USAGE, app, usage_error
+from assess.cli.app import app
+from assess.cli.options import WRONG_USAGE, usage_error
 
 
 @pytest.mark.parametrize(

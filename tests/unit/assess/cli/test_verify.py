@@ -11,7 +11,7 @@ from io import StringIO
 
 import pytest
 
-from assess.cli.tables.verification import verification_text
+from assess.cli.verify import verification_text
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES
 from assess.project.build import build, uses_of_project

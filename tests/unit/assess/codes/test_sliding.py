@@ -13,8 +13,8 @@ from assess.codes import en1998_1, sliding
 from assess.codes.context import Context
 from assess.codes.en1998_1 import Ec8Options
 from assess.codes.procedures import apply_procedure
-from assess.hinge_forces import HingeForces, Pressure
 from assess.mechanisms.single_block import equivalent_block
+from assess.oscillator import HingeForces, Pressure
 from spectra.asce7 import design_spectrum
 
 ROCKER = equivalent_block("w", p=1.8, uplift=0.18, radius=2.4).oscillator

@@ -9,13 +9,13 @@ import pytest
 from scipy.constants import g
 
 from assess.geometry.planar import planar_body_from_values
-from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from assess.oscillator import HingeForces
 
 LEVEL, ROOF = Face(friction=0.6), Face(normal=(0.0, -1.0), friction=0.6)
 

@@ -9,7 +9,7 @@ import pytest
 
 from assess.errors import OutputError
 from assess.portfolio.batch import LEDGER_VERSION, open_ledger
-from assess.portfolio.row import ProjectRow
+from assess.portfolio.tasks import ProjectRow
 
 WALL = ProjectRow("wall", "Great House", "12ab", "done", outcome="fail", margin=0.1 + 0.2, missing=2, exit_code=1)
 HOSTILE = ProjectRow("'; DROP TABLE rows; --\ud800\0", "=1+1", "", "broken", reason="no\u2028line")

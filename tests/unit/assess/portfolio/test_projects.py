@@ -8,10 +8,9 @@ from pathlib import Path
 import pytest
 
 from assess.errors import ProjectError
-from assess.one_project import unit_fault
-from assess.portfolio.projects import Task, find_tasks, project_tree, row_fault
-from assess.portfolio.template import KeyColumn, read_template
+from assess.portfolio.projects import KeyColumn, Task, find_tasks, project_tree, read_template, row_fault
 from assess.project.project_file import Project, load, load_tree
+from assess.verbs import unit_fault
 from tests.support.projects import block, project_toml
 
 FORCE = {"kind": "force", "force": "2 kN", "direction": [1, 0, 0], "at": [0.0, 0.0, 3.0]}

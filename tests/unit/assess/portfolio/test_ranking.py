@@ -7,7 +7,7 @@ from math import inf, nan
 
 import pytest
 
-from assess.portfolio.row import ProjectRow, RowOutcome, margin_of, rank
+from assess.portfolio.tasks import ProjectRow, RowOutcome, margin_of, rank
 
 
 def row(key: str, outcome: RowOutcome, margin: float | None = None, ratio: float | None = None) -> ProjectRow:

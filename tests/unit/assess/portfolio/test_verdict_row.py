@@ -10,10 +10,10 @@ import pytest
 from assess.codes.question import Action
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import message
-from assess.one_project import assess_project
 from assess.portfolio.projects import Task
 from assess.portfolio.tasks import Job, Keep, folder_name, row_of_verdict
 from assess.project import build
+from assess.verbs import assess_project
 from tests.support.portfolios import task
 from tests.support.projects import NTC, block, project_toml, wall
 

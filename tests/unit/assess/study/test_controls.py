@@ -13,14 +13,13 @@ from scipy.constants import g
 from assess.dynamics.history import Jobs, peaks, trace_with_events
 from assess.dynamics.packing import Equation
 from assess.geometry.planar import planar_body_from_values
-from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, HingeForces, Oscillator
 from assess.results import Control, HistoryResult, Results
 from assess.results.json import dumps
 from assess.study.controls import (

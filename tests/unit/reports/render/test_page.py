@@ -25,7 +25,7 @@ from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
 from selenium.webdriver.support.select import Select
 
-from assess.portfolio.row import ProjectRow as Project
+from assess.portfolio.tasks import ProjectRow as Project
 from reports.document import (
     NOTHING,
     Banner,

@@ -57,7 +57,9 @@ class ProjectSection(BaseModel):
     `elsewhere` are keys of another form of the same table, each with what is wrong about it here.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", model_title_generator=lambda table: table.__name__.removesuffix("Section")
+    )
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
     @classmethod

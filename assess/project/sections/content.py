@@ -65,7 +65,7 @@ def _begins_with_its_kind(text: str) -> str:
 SourceText = Annotated[str, AfterValidator(_begins_with_its_kind)]
 
 
-class RevisionSection(ProjectSection):
+class RevisionSection(ProjectSection, title="RevisionSection"):
     """One issue of the report."""
 
     number: NumberText
@@ -78,7 +78,7 @@ class RevisionSection(ProjectSection):
     """who made it"""
 
 
-class FigureSection(ProjectSection):
+class FigureSection(ProjectSection, title="FigureSection"):
     """A photograph or drawing of the building."""
 
     file: InputFile

@@ -311,7 +311,7 @@ AmplificationSection = Annotated[
 class Chained(ProjectSection):
     """What all mechanisms of blocks share."""
 
-    moving: ClassVar[int] = 1
+    number_of_blocks: ClassVar[int] = 1
     blocks: Blocks
     """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
     label: StrictStr = ""
@@ -339,7 +339,7 @@ class Chained(ProjectSection):
 
     @model_validator(mode="after")
     def _interfaces_are_at_hinges(self) -> Self:
-        known = "ABCD"[: HINGES[self.moving]]
+        known = "ABCD"[: HINGES[self.number_of_blocks]]
         for letter in self.interfaces:
             if letter not in known:
                 raise error_at(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
@@ -361,7 +361,7 @@ class Chained(ProjectSection):
 
     @model_validator(mode="after")
     def _loads_find_their_block(self) -> Self:
-        last = self.moving - 1
+        last = self.number_of_blocks - 1
         for number, load in enumerate(self.loads):
             if isinstance(load, OverburdenLoad):
                 if not isinstance(self, TwoBlock):
@@ -428,7 +428,7 @@ Crack = Annotated[
 class TwoBlock(Chained):
     """A wall held at its base and its top that opens at a crack between."""
 
-    moving: ClassVar[int] = 2
+    number_of_blocks: ClassVar[int] = 2
     kind: Literal["two-block"]
     """"two-block\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=2)]
@@ -497,7 +497,7 @@ ArchHinges = Annotated[
 class FourHinge(Chained):
     """Three blocks between two fixed hinges: portal, frame, arch, side-aisle vault, belfry."""
 
-    moving: ClassVar[int] = 3
+    number_of_blocks: ClassVar[int] = 3
     kind: Literal["four-hinge"]
     """"four-hinge\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]

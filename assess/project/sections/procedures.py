@@ -52,7 +52,7 @@ Procedure = Literal[
 ]
 
 
-class VerdictSection(ProjectSection):
+class VerdictSection(ProjectSection, title="VerdictSection"):
     """What decides: the basis, the limit state, the methods, and what they are measured by."""
 
     basis: BasisName | None = None

@@ -10,7 +10,7 @@ from assess.results.fragility import (
     HazardResult,
     MeasureResult,
     MechanismFragility,
-    RecordRuns,
+    RecordRunsResult,
     RiskResult,
     StateResult,
 )
@@ -120,7 +120,7 @@ def hazard_of(risk: RiskResult, hazards: Sequence[HazardResult]) -> HazardResult
     return next((hazard for hazard in hazards if hazard.measure == risk.measure), None)
 
 
-def unit_intensity(mechanism: MechanismFragility, measure: MeasureResult, run: RecordRuns) -> float | None:
+def unit_intensity(mechanism: MechanismFragility, measure: MeasureResult, run: RecordRunsResult) -> float | None:
     """Return the intensity of a record at scale 1 by a measure; None where it is not known."""
     known = dict(zip(measures_of(mechanism), run.intensity, strict=False))
     return known.get(measure)

@@ -359,7 +359,7 @@ def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tup
     return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
-def structure_below(section: sections.Building | None) -> Building | None:
+def structure_below(section: sections.BuildingSection | None) -> Building | None:
     """Return the structure below the mechanisms; None if its height is not given."""
     if section is None or section.height is None:
         return None
@@ -371,7 +371,7 @@ def structure_below(section: sections.Building | None) -> Building | None:
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
     """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
-    default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
+    default: Equation = "linearised" if isinstance(section, sections.EquivalentBlockSection) else "exact"
     return content.analysis.equation or default
 
 

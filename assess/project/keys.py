@@ -33,16 +33,16 @@ from assess.project.section import (
     look_up,
     value_text,
 )
-from assess.project.sections.analysis import Sweep
-from assess.project.sections.bodies_and_loads import BodyLoad, OverburdenLoad
+from assess.project.sections.analysis import SweepSection
+from assess.project.sections.bodies_and_loads import BodyLoadSection, OverburdenLoadSection
 from assess.project.sections.content import Content
-from assess.project.sections.mechanisms import Restitution
-from assess.project.units import KINDS, Kind, QuantityError, key_value, number_and_unit
+from assess.project.sections.mechanisms import RestitutionSection
+from assess.project.units import KINDS, QuantityError, QuantityKind, key_value, number_and_unit
 from assess.results.run import Distribution, UncertainInput
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 WrittenNumber = int | float | str
-Marks = tuple[Kind | None, UncertainMark | None]
+Marks = tuple[QuantityKind | None, UncertainMark | None]
 NO_MARKS: Marks = (None, None)
 
 WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
@@ -61,7 +61,7 @@ class KeyedValue:
 
     path: KeyPath
     value: Any
-    kind: Kind | None
+    kind: QuantityKind | None
     uncertain: UncertainMark | None = None
 
     @property
@@ -114,7 +114,7 @@ def _marks_of(table: type[ProjectSection]) -> Mapping[str, Marks]:
 def _marks(field: FieldInfo) -> Marks:
     """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
     found = (*field.metadata, *_metadata(field.annotation))
-    kinds = {each for each in found if isinstance(each, Kind)}
+    kinds = {each for each in found if isinstance(each, QuantityKind)}
     uncertain = next((each for each in found if isinstance(each, UncertainMark)), None)
     return (kinds.pop() if len(kinds) == 1 else None), uncertain
 
@@ -215,7 +215,9 @@ def _bodies_of_mechanism(mechanism: ProjectSection, content: Content) -> set[str
 def _carries_bodies(mechanism: ProjectSection) -> bool:
     """Whether bodies load the mechanism: what they rest on besides may be any other body of the project."""
     loads = getattr(mechanism, "loads", ())
-    return any(isinstance(load, BodyLoad) or (isinstance(load, OverburdenLoad) and load.bodies) for load in loads)
+    return any(
+        isinstance(load, BodyLoadSection) or (isinstance(load, OverburdenLoadSection) and load.bodies) for load in loads
+    )
 
 
 def _texts_in(value: Any) -> Iterator[str]:
@@ -263,7 +265,7 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
     if not sweeps:
         return ()
     by_key = keyed_values(content)
-    single = isinstance(content.analysis.sweep, Sweep)
+    single = isinstance(content.analysis.sweep, SweepSection)
     names = ["analysis.sweep"] if single else [f"analysis.sweep[{i}]" for i in range(1, len(sweeps) + 1)]
     return tuple(
         _key_sweep(sweep, swept_value(sweep.key, by_key, where=where), content, raw, folder, where=where)
@@ -272,7 +274,7 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
 
 
 def _key_sweep(
-    sweep: Sweep, entry: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
+    sweep: SweepSection, entry: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
 ) -> KeySweep:
     variants, units = [], []
     for given in sweep.values or _values_in_range(sweep, where=where):
@@ -287,7 +289,7 @@ def _key_sweep(
     return KeySweep(where, sweep.key, entry.path, units[0] or symbol, tuple(variants))
 
 
-def _values_in_range(sweep: Sweep, *, where: str) -> tuple[WrittenNumber, ...]:
+def _values_in_range(sweep: SweepSection, *, where: str) -> tuple[WrittenNumber, ...]:
     """Return evenly spaced values in the unit of both ends."""
     assert sweep.start is not None  # the schema asks for all three
     assert sweep.to is not None
@@ -412,10 +414,10 @@ def _uncertain_value(
 def si_mean(content: Content, path: KeyPath) -> Any:
     """Return the number at a key [SI]; of a restitution that of both directions."""
     value = value_at(content, path)
-    return value.positive if isinstance(value, Restitution) else value
+    return value.positive if isinstance(value, RestitutionSection) else value
 
 
-def _cov_of_deviation(number: UncertainNumber, mean: float, kind: Kind, key: str) -> float:
+def _cov_of_deviation(number: UncertainNumber, mean: float, kind: QuantityKind, key: str) -> float:
     """Return the coefficient of variation of a number given by its standard deviation."""
     try:
         deviation = key_value(number.sd, kind)

@@ -61,7 +61,7 @@ from assess.project.units import (
     NUMBER,
     SIGNS,
     USUAL,
-    Kind,
+    QuantityKind,
     has_dimension,
     is_weight,
     name_pattern,
@@ -497,13 +497,13 @@ def quantity_pattern(kind: str, form: QuantityForm = "quantity") -> str:
     return f"^(?:{'|'.join(either)})$"
 
 
-def _unit_pattern(kind: Kind) -> str:
+def _unit_pattern(kind: QuantityKind) -> str:
     """Return the pattern of a unit: a name of the kind, or a product, unless it is known as of another kind."""
     plain = rf"(?:{name_pattern(_LETTER)}|[{SIGNS}])\s*$"
     return rf"(?!{_any_of(_refused_units(kind))}\s*$)(?:{_names_pattern(kind)}|(?!{plain}){unit_pattern(_LETTER)})"
 
 
-def _names_pattern(kind: Kind) -> str:
+def _names_pattern(kind: QuantityKind) -> str:
     """Return the pattern of the kind's names, with prefix and plural, and signs."""
     prefixes, names = (list(filter(str.isascii, each)) for each in prefixes_and_names(kind))
     single = [each for each in (*SIGNS, *USUAL.get(kind.name, {}), *OF_ACCELERATION) if _is_plain(each)]
@@ -512,7 +512,7 @@ def _names_pattern(kind: Kind) -> str:
     return "|".join(filter(None, (_any_of(alone) if alone else "", with_prefix)))
 
 
-def _refused_units(kind: Kind) -> Iterator[str]:
+def _refused_units(kind: QuantityKind) -> Iterator[str]:
     """Yield units that a pattern of the kind might take for one of it: usual ones of other kinds, ambiguous ones."""
     yield from (unit for unit in (*AMBIGUOUS, *OF_ACCELERATION) if not reads_unit(unit, kind))
     usual = dict.fromkeys(unit for units in USUAL.values() for unit in units)

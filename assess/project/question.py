@@ -38,7 +38,7 @@ from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
 
-Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
+VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and is not given, and what it depends on."""
 
 
@@ -120,7 +120,7 @@ def use_class_of(content: sections.Content) -> str | None:
 
 def facts_of(
     content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
-) -> Mapping[str, Facts]:
+) -> Mapping[str, VerdictFacts]:
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = () if question.basis is None else question.basis.premises
     holds = lowered_pga_conditions(content, spectrum)
@@ -158,7 +158,7 @@ def _missing_masonry(content: sections.Content, name: str, premises: Sequence[Pr
 def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
     """Return the disintegration stated for each masonry of a mechanism, by the table that states it."""
     section = content.mechanisms[name]
-    if isinstance(section, sections.EquivalentBlock):
+    if isinstance(section, sections.EquivalentBlockSection):
         return {f"mechanisms.{name}": section.disintegration}
     found: dict[str, str | None] = {}
     for body in (body for block in section.blocks for body in block):
@@ -175,8 +175,8 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
     keys = (f"premise-{premise.value}" for premise in premises if premise != Premise.SOUND_MASONRY)
     own = tuple(message(key, severity=Severity.WARNING) for key in keys)
     section = content.mechanisms[name]
-    loads = section.loads if isinstance(section, sections.Chained) else ()
-    tied = (load.body for load in loads if isinstance(load, sections.BodyLoad) and load.tied)
+    loads = section.loads if isinstance(section, sections.ChainSection) else ()
+    tied = (load.body for load in loads if isinstance(load, sections.BodyLoadSection) and load.tied)
     return (*own, *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied))
 
 

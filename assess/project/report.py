@@ -345,7 +345,7 @@ def uses_of(content: sections.Content, study: Study) -> tuple[str, ...]:
 
 
 def _uses_of_bodies(content: sections.Content) -> Iterator[str]:
-    chained = (each for each in content.mechanisms.values() if isinstance(each, sections.Chained))
+    chained = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
     names = {name for each in chained for block in each.blocks for name in block}
     yield from (
         USE_OF_BODY[type(body)] for name, body in content.bodies.items() if name in names and type(body) in USE_OF_BODY
@@ -354,7 +354,7 @@ def _uses_of_bodies(content: sections.Content) -> Iterator[str]:
 
 def _uses_of_section(section: sections.Mechanism) -> Iterator[str]:
     yield section.kind
-    if not isinstance(section, sections.Chained):
+    if not isinstance(section, sections.ChainSection):
         return
     yield from (str(getattr(load, "kind", "")) for load in section.loads)
     for joint in (section.interface, *section.interfaces.values()):
@@ -362,9 +362,9 @@ def _uses_of_section(section: sections.Mechanism) -> Iterator[str]:
             yield from ("outline",) if isinstance(joint.shape, str) else _sizes_given(joint.shape)
     if section.cut is not None:
         yield "cut"
-    if isinstance(section, sections.TwoBlock) and isinstance(section.crack, str):
+    if isinstance(section, sections.TwoBlockSection) and isinstance(section.crack, str):
         yield f"crack {section.crack}"
-    if isinstance(section, sections.FourHinge) and section.hinges == "minimum":
+    if isinstance(section, sections.FourHingeSection) and section.hinges == "minimum":
         yield "arch"
 
 

@@ -35,7 +35,7 @@ from assess.project.keys import error_line
 from assess.project.project_file import bare_number_messages, load
 from assess.project.question import limit_state_of, source_of, use_class_of
 from assess.project.section import ProjectSection
-from assess.project.sections.ground_motion import Site
+from assess.project.sections.ground_motion import SiteSection
 from assess.study.amplification import (
     AmplificationChoice,
     GroundLevel,
@@ -52,17 +52,17 @@ from spectra.table import read_table
 D = TypeVar("D")
 
 LOADS: dict[type[ProjectSection], type[LoadDefinition]] = {
-    sections.MassLoad: MassLoad,
-    sections.ForceLoad: ForceLoad,
-    sections.TieLoad: TieLoad,
-    sections.OverburdenLoad: OverburdenLoad,
-    sections.BodyLoad: BodyLoad,
+    sections.MassLoadSection: MassLoad,
+    sections.ForceLoadSection: ForceLoad,
+    sections.TieLoadSection: TieLoad,
+    sections.OverburdenLoadSection: OverburdenLoad,
+    sections.BodyLoadSection: BodyLoad,
 }
 
 CHAINED: dict[type[ProjectSection], type[BlockMechanism]] = {
-    sections.SingleBlock: SingleBlock,
-    sections.TwoBlock: TwoBlock,
-    sections.FourHinge: FourHinge,
+    sections.SingleBlockSection: SingleBlock,
+    sections.TwoBlockSection: TwoBlock,
+    sections.FourHingeSection: FourHinge,
 }
 
 SHOWN = (ForceLoad, TieLoad)
@@ -85,7 +85,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     section : the table, of any kind
     evidence : where it is shown that its forces and ties last; empty where it is not shown
     """
-    if isinstance(section, sections.EquivalentBlock):
+    if isinstance(section, sections.EquivalentBlockSection):
         return fill(EquivalentBlock, section, restitution=restitution_of(section))
     kind = CHAINED[type(section)]
     return fill(
@@ -98,7 +98,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
         interfaces={str(letter): interface_of(each) for letter, each in section.interfaces.items()},
         hinges=hinges_of(section.hinges),
         hinges_negative=hinges_of(section.hinges_negative),
-        **({"joints": joints_of(section.joints)} if isinstance(section, sections.FourHinge) else {}),
+        **({"joints": joints_of(section.joints)} if isinstance(section, sections.FourHingeSection) else {}),
     )
 
 
@@ -114,32 +114,34 @@ def load_of(load: ProjectSection, *, evidence: str = "") -> LoadDefinition:
     return fill(kind, load, **({"evidence": evidence} if kind in SHOWN else {}))
 
 
-def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> Restitution:
+def restitution_of(section: sections.ChainSection | sections.EquivalentBlockSection) -> Restitution:
     """Return the key `restitution`."""
     return Restitution(section.restitution.positive, section.restitution.negative)
 
 
-def interface_of(interface: sections.Interface) -> Interface:
+def interface_of(interface: sections.InterfaceSection) -> Interface:
     """Return a table `interface`."""
     shape = interface.shape
     return fill(Interface, interface, shape=shape if shape == "outline" else fill(Shape, shape))
 
 
-def cut_of(cut: float | sections.CutPlane | sections.CutAngle | None) -> float | CutPlane | CutAngle | None:
+def cut_of(
+    cut: float | sections.CutPlaneSection | sections.CutAngleSection | None,
+) -> float | CutPlane | CutAngle | None:
     """Return the key `cut`."""
-    if isinstance(cut, sections.CutPlane):
+    if isinstance(cut, sections.CutPlaneSection):
         return CutPlane(cut.point, cut.normal)
-    return CutAngle(cut.point, cut.angle) if isinstance(cut, sections.CutAngle) else cut
+    return CutAngle(cut.point, cut.angle) if isinstance(cut, sections.CutAngleSection) else cut
 
 
 def hinges_of(hinges: Any) -> Any:
     """Return the hinges of a table, from A on; "minimum" and None as they are."""
-    return tuple(at for _, at in hinges) if isinstance(hinges, sections.Hinges) else hinges
+    return tuple(at for _, at in hinges) if isinstance(hinges, sections.HingesSection) else hinges
 
 
 def joints_of(joints: Any) -> Any:
     """Return the key `joints` of an arch."""
-    if isinstance(joints, sections.RadialJoints):
+    if isinstance(joints, sections.RadialJointsSection):
         return RadialJoints(joints.centre, joints.first, joints.last, joints.count)
     return joints
 
@@ -151,7 +153,7 @@ def models_of(bodies: Mapping[str, sections.Body], *, known: MeshesBySelection) 
 
 
 def solid_of(
-    name: str, body: sections.Body, materials: Mapping[str, sections.Material], models: MeshesBySelection
+    name: str, body: sections.Body, materials: Mapping[str, sections.MaterialSection], models: MeshesBySelection
 ) -> Solid | None:
     """Return the solid of a body; None if it has direct values."""
     if isinstance(body, sections.DirectBody):
@@ -190,7 +192,9 @@ def material_of(name: str, content: sections.Content) -> Material:
     )
 
 
-def ground_of(building: sections.Building | None, definitions: Mapping[str, Definition], solids: Solids) -> GroundLevel:
+def ground_of(
+    building: sections.BuildingSection | None, definitions: Mapping[str, Definition], solids: Solids
+) -> GroundLevel:
     """Return what the project says of the ground."""
     lowest = lowest_body(definitions, solids)
     if building is None:
@@ -200,12 +204,12 @@ def ground_of(building: sections.Building | None, definitions: Mapping[str, Defi
 
 def base_elevation_of(section: sections.Mechanism) -> float | None:
     """Return the elevation of the base above the ground [m] that the table of a mechanism gives for it alone."""
-    return section.base_elevation if isinstance(section, sections.Chained) else None
+    return section.base_elevation if isinstance(section, sections.ChainSection) else None
 
 
 def ground_mechanism(section: sections.Mechanism, mechanism: Mechanism, ground: GroundLevel) -> HeightAboveGround:
     """Return where a mechanism stands over the ground."""
-    by_table = isinstance(section, sections.EquivalentBlock) and section.has_key("elevation")
+    by_table = isinstance(section, sections.EquivalentBlockSection) and section.has_key("elevation")
     return find_height(ground, mechanism, base_elevation=base_elevation_of(section), by_table=by_table)
 
 
@@ -215,7 +219,7 @@ def amplification_method_of(section: sections.Mechanism) -> AmplificationChoice 
     return None if isinstance(asked, sections.NoAmplification) else fill(AmplificationChoice, asked)
 
 
-def structure_of(building: sections.Building | None) -> Structure:
+def structure_of(building: sections.BuildingSection | None) -> Structure:
     """Return what the table [building] says of the structure below a mechanism; its period only where it is given."""
     if building is None:
         return Structure()
@@ -226,7 +230,7 @@ DEFAULT_STATE = "SLV"
 NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
 
 
-def site_of(path: Path) -> sections.Site:
+def site_of(path: Path) -> sections.SiteSection:
     """Read the site of the project at `path`; raise ProjectError if it has none."""
     project = load(path)
     site = site_in(project.content)
@@ -235,7 +239,7 @@ def site_of(path: Path) -> sections.Site:
     return site
 
 
-def site_in(content: sections.Content) -> sections.Site | None:
+def site_in(content: sections.Content) -> sections.SiteSection | None:
     """Return the site of a project; hazard over return periods gets its limit state and class of use.
 
     Raises ProjectError if the class of use is missing, or given twice with different values.
@@ -250,7 +254,7 @@ def site_in(content: sections.Content) -> sections.Site | None:
     return site.model_copy(update={"spectrum": site.spectrum.model_copy(update=given)})
 
 
-def spectrum_of(site: sections.Site) -> Spectrum:
+def spectrum_of(site: sections.SiteSection) -> Spectrum:
     """Return the site's horizontal spectrum at its damping, scaled to the PGA given."""
     section = site.spectrum
     if isinstance(section, sections.TableSpectrum):
@@ -265,7 +269,7 @@ def spectrum_of(site: sections.Site) -> Spectrum:
     )
 
 
-def vertical_of(site: sections.Site) -> Spectrum:
+def vertical_of(site: sections.SiteSection) -> Spectrum:
     """Return the site's vertical spectrum, with the factor by which `pga` scales the horizontal one.
 
     Raises SpectrumError for codes without one here.
@@ -374,7 +378,7 @@ def hazard_of(section: NtcSection) -> ntc.Hazard:
     )
 
 
-def hazard_over_periods(site: sections.Site) -> SiteHazard | None:
+def hazard_over_periods(site: sections.SiteSection) -> SiteHazard | None:
     """Return the spectra of the limit states and the PGA of each row, scaled as the site's spectrum; None without rows.
 
     A limit state whose return period lies outside the rows has no spectrum.
@@ -429,7 +433,7 @@ def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 
 
-def read_site_options(options: Mapping[str, str], *, folder: Path) -> Site:
+def read_site_options(options: Mapping[str, str], *, folder: Path) -> SiteSection:
     """Read a site from options of the command line, with the keys of [site.spectrum] and `pga`.
 
     Parameters
@@ -443,7 +447,7 @@ def read_site_options(options: Mapping[str, str], *, folder: Path) -> Site:
     """
     raw = _site_table(options)
     try:
-        return Site.model_validate(raw, context={"folder": folder})
+        return SiteSection.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
         raise ProjectError(_as_option(error_line(error, raw=raw))) from None
 

@@ -50,7 +50,7 @@ _ANGLES = frozenset({"radian", "degree", "gradian", "grade", "turn", "arcminute"
 
 
 @dataclass(frozen=True)
-class Kind:
+class QuantityKind:
     """What a key measures.
 
     name : in words; unit : SI, as pint reads it; symbol : SI, as the project file writes it; example : with its unit
@@ -73,19 +73,19 @@ class Kind:
     most: float = 1e18
 
 
-KINDS: dict[str, Kind] = {
-    "length": Kind("length", "meter", "m", "1.25 m", least=1e-9, most=1e8),
-    "mass": Kind("mass", "kilogram", "kg", "1200 kg", least=1e-6, most=1e12),
-    "time": Kind("time", "second", "s", "6 s", least=1e-6, most=1e6),
-    "duration": Kind(
+KINDS: dict[str, QuantityKind] = {
+    "length": QuantityKind("length", "meter", "m", "1.25 m", least=1e-9, most=1e8),
+    "mass": QuantityKind("mass", "kilogram", "kg", "1200 kg", least=1e-6, most=1e12),
+    "time": QuantityKind("time", "second", "s", "6 s", least=1e-6, most=1e6),
+    "duration": QuantityKind(
         "duration", "year", "years", "50 years", only=frozenset({"year"}), least=1e-3, most=1e7
     ),  # of hazards and buildings
-    "speed": Kind("speed", "meter/second", "m/s", "400 m/s", least=1e-3, most=1e5),
-    "acceleration": Kind("acceleration", "meter/second**2", "m/s^2", "0.10 g", least=1e-9, most=1e4),
-    "force": Kind("force", "newton", "N", "10 kN", least=1e-6, most=1e13),
-    "stress": Kind("stress", "pascal", "Pa", "1.0 MPa", least=1e-3, most=1e13),
-    "stiffness": Kind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m", least=1e-3, most=1e17),
-    "density": Kind(
+    "speed": QuantityKind("speed", "meter/second", "m/s", "400 m/s", least=1e-3, most=1e5),
+    "acceleration": QuantityKind("acceleration", "meter/second**2", "m/s^2", "0.10 g", least=1e-9, most=1e4),
+    "force": QuantityKind("force", "newton", "N", "10 kN", least=1e-6, most=1e13),
+    "stress": QuantityKind("stress", "pascal", "Pa", "1.0 MPa", least=1e-3, most=1e13),
+    "stiffness": QuantityKind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m", least=1e-3, most=1e17),
+    "density": QuantityKind(
         "density",
         "kilogram/meter**3",
         "kg/m^3",
@@ -95,11 +95,11 @@ KINDS: dict[str, Kind] = {
         least=1e-3,
         most=1e5,
     ),
-    "mass per area": Kind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2", least=1e-6, most=1e7),
-    "inertia": Kind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2", least=1e-12, most=1e18),
-    "angle": Kind("angle", "radian", "rad", "30 deg", only=_ANGLES, least=1e-9, most=1e3),
-    "frequency": Kind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS, least=1e-6, most=1e6),
-    "rate": Kind(
+    "mass per area": QuantityKind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2", least=1e-6, most=1e7),
+    "inertia": QuantityKind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2", least=1e-12, most=1e18),
+    "angle": QuantityKind("angle", "radian", "rad", "30 deg", only=_ANGLES, least=1e-9, most=1e3),
+    "frequency": QuantityKind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS, least=1e-6, most=1e6),
+    "rate": QuantityKind(
         "rate",
         "1/second",
         "1/s",
@@ -108,7 +108,7 @@ KINDS: dict[str, Kind] = {
         least=1e-3,
         most=1e3,
     ),
-    "ratio": Kind("ratio", "dimensionless", "no unit", "0.05", only=frozenset({"percent", "permille"})),
+    "ratio": QuantityKind("ratio", "dimensionless", "no unit", "0.05", only=frozenset({"percent", "permille"})),
 }
 
 
@@ -123,7 +123,7 @@ def to_si(value: Any, kind: str, *, key: str) -> float:
         raise ProjectError(f"{key}: {value!r:.80}: {error}") from None
 
 
-def si_value(value: Any, kind: Kind) -> float:
+def si_value(value: Any, kind: QuantityKind) -> float:
     """Return the SI value of a number or a string with a unit; raise QuantityError if it cannot be read."""
     if isinstance(value, str):
         return _finite(_from_text(value, kind), kind)
@@ -132,7 +132,7 @@ def si_value(value: Any, kind: Kind) -> float:
     return _finite(value, kind)
 
 
-def key_value(value: Any, kind: Kind) -> float:
+def key_value(value: Any, kind: QuantityKind) -> float:
     """Return the SI value of a key of the project file, within the range of its kind; else raise QuantityError."""
     number = si_value(value, kind)
     if number and not kind.least <= abs(number) <= kind.most:
@@ -143,7 +143,7 @@ def key_value(value: Any, kind: Kind) -> float:
     return number
 
 
-def _finite(value: int | float | Fraction, kind: Kind) -> float:
+def _finite(value: int | float | Fraction, kind: QuantityKind) -> float:
     try:
         number = float(value)
     except OverflowError:
@@ -155,7 +155,7 @@ def _finite(value: int | float | Fraction, kind: Kind) -> float:
     return number
 
 
-def _from_text(text: str, kind: Kind) -> Fraction:
+def _from_text(text: str, kind: QuantityKind) -> Fraction:
     try:
         number, unit = number_and_unit(text)
     except QuantityError as error:
@@ -166,7 +166,7 @@ def _from_text(text: str, kind: Kind) -> Fraction:
     return Fraction(number) * _factor(unit, kind)
 
 
-def _factor(unit: str, kind: Kind) -> Fraction:
+def _factor(unit: str, kind: QuantityKind) -> Fraction:
     """Return how many SI units of `kind` one `unit` is."""
     if kind.name == "acceleration" and unit in ("g", "gal"):
         return Fraction(str(g)) if unit == "g" else Fraction(1, 100)
@@ -185,7 +185,7 @@ def _factor(unit: str, kind: Kind) -> Fraction:
     return pint_factor(unit, kind) if usual is None else usual
 
 
-def reads_unit(unit: str, kind: Kind) -> bool:
+def reads_unit(unit: str, kind: QuantityKind) -> bool:
     """Whether `unit` is one of `kind`, as it is typed behind a number."""
     try:
         _factor(unit, kind)
@@ -194,7 +194,7 @@ def reads_unit(unit: str, kind: Kind) -> bool:
     return True
 
 
-def has_dimension(unit: str, kind: Kind) -> bool:
+def has_dimension(unit: str, kind: QuantityKind) -> bool:
     """Whether a unit of pint's has the dimension of `kind`, or that of its weight."""
     return _dimension(_as_pint(unit, kind)) in [_dimension(each) for each in (kind.unit, kind.weight) if each]
 
@@ -204,7 +204,7 @@ def _dimension(unit: str) -> Any:
     return _registry().parse_units(unit).dimensionality
 
 
-def is_weight(value: str, kind: Kind) -> bool:
+def is_weight(value: str, kind: QuantityKind) -> bool:
     """Whether a quantity that `si_value` reads is the weight of what it stands for, like a density in kN/m^3."""
     if not kind.weight:
         return False
@@ -216,7 +216,7 @@ def is_weight(value: str, kind: Kind) -> bool:
 
 
 @cache
-def pint_factor(unit: str, kind: Kind) -> Fraction:
+def pint_factor(unit: str, kind: QuantityKind) -> Fraction:
     """Return how many SI units one `unit` is by pint, for any unit; raise QuantityError for an unknown one."""
     import pint
 
@@ -249,7 +249,7 @@ def _registry() -> Any:
     return registry
 
 
-def prefixes_and_names(kind: Kind) -> tuple[list[str], list[str]]:
+def prefixes_and_names(kind: QuantityKind) -> tuple[list[str], list[str]]:
     """Return the prefixes of units and the names, without prefix and plural, that units of `kind` have by pint."""
     names = [name for name, root in _names().items() if _allows(kind, root) and has_dimension(name, kind)]
     return sorted(filter(None, _registry()._prefixes)), sorted(names)
@@ -267,12 +267,12 @@ def _names() -> dict[str, str]:
     return found
 
 
-def _allows(kind: Kind, name: str) -> bool:
+def _allows(kind: QuantityKind, name: str) -> bool:
     """Whether a unit of the right dimension is one of `kind`."""
     return name not in kind.never and (not kind.only or name in kind.only)
 
 
-def _as_pint(unit: str, kind: Kind) -> str:
+def _as_pint(unit: str, kind: QuantityKind) -> str:
     """Write `m/s2`, `kg·m²` and `5 %` for pint; a prime is a foot, or a minute of an angle."""
     powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
     prime, double = ("arcminute", "arcsecond") if kind.name == "angle" else ("foot", "inch")
@@ -280,7 +280,7 @@ def _as_pint(unit: str, kind: Kind) -> str:
     return plain.replace("%", "percent").replace("‰", "permille").replace("·", "*").replace("°", "degree")
 
 
-def _remedy(kind: Kind) -> str:
+def _remedy(kind: QuantityKind) -> str:
     if kind.unit == "dimensionless":
         return f"write a {kind.name} without unit, like {kind.example}"
     article = "an" if kind.name[0] in "aeiou" else "a"

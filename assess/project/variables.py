@@ -99,7 +99,7 @@ def variables_of(
 def fix_direction(project: Project, mechanism: Mechanism) -> Project:
     """Fix the direction and the sides that were found for a mechanism, so that they stay the same."""
     section = project.content.mechanisms[mechanism.name]
-    if isinstance(section, sections.EquivalentBlock):
+    if isinstance(section, sections.EquivalentBlockSection):
         return project
     raw = project.raw
     if section.direction in (None, "sweep") and mechanism.direction is not None:
@@ -113,7 +113,7 @@ def variables_of_mechanism(
     subject: VariedMechanism, asked: sections.Sensitivity
 ) -> Iterator[Variable | UnvariedNumber]:
     """Yield the variables of one mechanism that are requested."""
-    if asked.thickness is not None and isinstance(subject.section, sections.Chained):
+    if asked.thickness is not None and isinstance(subject.section, sections.ChainSection):
         yield vary_thickness(subject, subject.section, asked.thickness)
     for number in dict.fromkeys(numbers_of(subject)):
         change = asked.entries()[number.parameter]
@@ -126,7 +126,7 @@ def variables_of_mechanism(
 def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
     """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
     section, materials = subject.section, subject.project.content.materials
-    if isinstance(section, sections.EquivalentBlock):
+    if isinstance(section, sections.EquivalentBlockSection):
         yield VariedNumber("uplift", ("mechanisms", subject.name, "uplift"))
         yield VariedNumber("p", ("mechanisms", subject.name, "p"), "1/s")
         return
@@ -143,7 +143,7 @@ def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
     yield from load_numbers(subject, section)
 
 
-def joint_numbers(subject: VariedMechanism, section: sections.Chained) -> Iterator[VariedNumber]:
+def joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
     """Yield strength and stiffness of the joints, each at the key that gives it."""
     content = subject.project.content
     bodies = (content.bodies[name] for block in section.blocks for name in block)
@@ -164,17 +164,17 @@ def joint_numbers(subject: VariedMechanism, section: sections.Chained) -> Iterat
             yield VariedNumber("stiffness", ("materials", str(name), "young_modulus"), "Pa")
 
 
-def load_numbers(subject: VariedMechanism, section: sections.Chained) -> Iterator[VariedNumber]:
+def load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
     """Yield the loads given as numbers; a force given by two components is two of them."""
     for place, load in enumerate(section.loads):
         path = ("mechanisms", subject.name, "loads", place)
-        if isinstance(load, sections.TieLoad):
+        if isinstance(load, sections.TieLoadSection):
             yield VariedNumber("tie_force", (*path, "force"), "N")
-        elif isinstance(load, sections.MassLoad | sections.BodyLoad) and load.mass is not None:
+        elif isinstance(load, sections.MassLoadSection | sections.BodyLoadSection) and load.mass is not None:
             yield VariedNumber("loads", (*path, "mass"), "kg")
-        elif isinstance(load, sections.ForceLoad) and isinstance(load.force, tuple):
+        elif isinstance(load, sections.ForceLoadSection) and isinstance(load.force, tuple):
             yield from (VariedNumber("loads", (*path, "force", i), "N") for i in (0, 1) if load.force[i])
-        elif isinstance(load, sections.ForceLoad | sections.OverburdenLoad) and load.force is not None:
+        elif isinstance(load, sections.ForceLoadSection | sections.OverburdenLoadSection) and load.force is not None:
             yield VariedNumber("loads", (*path, "force"), "N")
 
 
@@ -236,7 +236,7 @@ def vary_restitution(subject: VariedMechanism, change: sections.Change) -> Varia
 
 
 def vary_thickness(
-    subject: VariedMechanism, section: sections.Chained, change: sections.Change
+    subject: VariedMechanism, section: sections.ChainSection, change: sections.Change
 ) -> Variable | UnvariedNumber:
     """Vary the size of the blocks along the direction about the middle of the base, whose thickness names it."""
     foot = block_base(subject, section)
@@ -255,7 +255,7 @@ class BlockBase(NamedTuple):
     middle: float
 
 
-def block_base(subject: VariedMechanism, section: sections.Chained) -> BlockBase | str:
+def block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
     """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
     why = why_thickness_is_fixed(subject, section)
     if why:
@@ -267,17 +267,17 @@ def block_base(subject: VariedMechanism, section: sections.Chained) -> BlockBase
     return BlockBase(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
 
 
-def key_of_thickness(section: sections.Chained) -> str:
+def key_of_thickness(section: sections.ChainSection) -> str:
     """Name the thickness of all blocks of a mechanism, which is no single number of the file."""
     return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
 
 
-def why_thickness_is_fixed(subject: VariedMechanism, section: sections.Chained) -> str:
+def why_thickness_is_fixed(subject: VariedMechanism, section: sections.ChainSection) -> str:
     """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
     direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
     if direct:
         return f'body "{direct[0]}" has no geometry'
-    if isinstance(section, sections.FourHinge) and section.joints is not None:
+    if isinstance(section, sections.FourHingeSection) and section.joints is not None:
         return "the thickness of an arch is not its size along the direction"
     hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
     if any(each is not None for each in hinges):
@@ -290,14 +290,14 @@ def why_thickness_is_fixed(subject: VariedMechanism, section: sections.Chained) 
 
 
 def study_with_thickness(
-    subject: VariedMechanism, section: sections.Chained, value: float, *, width: float, middle: float
+    subject: VariedMechanism, section: sections.ChainSection, value: float, *, width: float, middle: float
 ) -> Study:
     """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
     thick = thick_blocks(section, subject.solids, factor=value / width, middle=middle)
     return subject.alone(subject.name, subject.project.content, thick)
 
 
-def thick_blocks(section: sections.Chained, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
+def thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
     """Return the blocks of a mechanism scaled along its direction about `middle` [m]."""
     bodies = {name: solid for block in section.blocks for name in block if (solid := solids[name]) is not None}
     towards = definition_of(section).towards
@@ -321,7 +321,7 @@ def survey_of(project: Project, study: Study, solids: Mapping[str, Solid | None]
 
 def _surveyed_variables(subject: VariedMechanism, mechanism: Mechanism, *, tolerance: float) -> Iterator[Variable]:
     section = subject.section
-    if not isinstance(section, sections.Chained) or tolerance == 0.0:
+    if not isinstance(section, sections.ChainSection) or tolerance == 0.0:
         return
     found = [vary_thickness(subject, section, sections.Change(tolerance, "m"))]
     found += [
@@ -331,11 +331,11 @@ def _surveyed_variables(subject: VariedMechanism, mechanism: Mechanism, *, toler
     yield from _hinge_variables(subject, section, tolerance)
 
 
-def _hinge_variables(subject: VariedMechanism, section: sections.Chained, tolerance: float) -> Iterator[Variable]:
+def _hinge_variables(subject: VariedMechanism, section: sections.ChainSection, tolerance: float) -> Iterator[Variable]:
     """Yield each given hinge, moved along the direction of motion."""
     for table in ("hinges", "hinges_negative"):
         given = getattr(section, table, None)
-        if not isinstance(given, sections.Hinges):
+        if not isinstance(given, sections.HingesSection):
             continue
         for letter, place in given.entries().items():
             path: KeyPath = ("mechanisms", subject.name, table, letter)
@@ -374,7 +374,7 @@ CasesOf = Callable[[sections.Content], Cases]
 class SampledThickness:
     """The blocks of a mechanism whose thickness is sampled: the table, and the base that they are scaled about."""
 
-    section: sections.Chained
+    section: sections.ChainSection
     foot: BlockBase
 
 
@@ -429,7 +429,7 @@ def _sampled_thicknesses(
     own = {value.path[1] for value in project.uncertain if value.path[0] == "bodies"}
     for mechanism in study.mechanisms:
         section = project.content.mechanisms[mechanism.name]
-        if mechanism.name in swept or not isinstance(section, sections.Chained):
+        if mechanism.name in swept or not isinstance(section, sections.ChainSection):
             continue
         if own & {name for block in section.blocks for name in block}:
             continue
@@ -487,5 +487,5 @@ def uncertainty_messages(project: Project) -> Iterator[Message]:
 def _given_hinges(content: sections.Content, body: str) -> Iterator[KeyPath]:
     """Yield the keys of hinges given as points of mechanisms that a body is a block of."""
     for name, section in content.mechanisms.items():
-        if isinstance(section, sections.Chained) and any(body in block for block in section.blocks):
+        if isinstance(section, sections.ChainSection) and any(body in block for block in section.blocks):
             yield from (("mechanisms", name, key) for key, points in section.points().items() if points is not None)

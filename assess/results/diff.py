@@ -27,11 +27,11 @@ from assess.results.run import (
     UncertaintyResult,
 )
 
-Kind = Literal[
+DifferenceKind = Literal[
     "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity",
     "uncertainty", "other", "suite", "site", "project", "input", "warning", "program",
 ]  # fmt: skip
-KINDS: tuple[Kind, ...] = get_args(Kind)
+KINDS: tuple[DifferenceKind, ...] = get_args(DifferenceKind)
 TOLERANCE = 1e-6  # relative: differences of rounding
 ZERO = 1e-12  # numbers nearer to 0 are 0
 
@@ -44,7 +44,7 @@ class Difference:
     before, after : values as in results.json, None where a run has none; unit : of numbers, empty if dimensionless
     """
 
-    kind: Kind
+    kind: DifferenceKind
     where: str
     what: str
     before: Any
@@ -81,7 +81,7 @@ def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE
     return tuple(sorted(found, key=lambda each: KINDS.index(each.kind)))
 
 
-__all__ = ["COMPARED", "KINDS", "Difference", "Kind", "differences", "is_number", "same"]
+__all__ = ["COMPARED", "KINDS", "Difference", "DifferenceKind", "differences", "is_number", "same"]
 
 
 def compare_verdicts(before: Results, after: Results) -> Iterator[Difference]:

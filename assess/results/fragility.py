@@ -18,7 +18,7 @@ FRAGILITY_VERSION = 1
 FragilityMethod = Literal["ida", "stripes", "cloud"]
 StateName = Literal["rocking", "rotation", "overturning"]
 CurveName = Literal["empirical", "lognormal", "first"]
-Gap = Literal["motion", "runs", "hazard", "epistemic"]
+RateGap = Literal["motion", "runs", "hazard", "epistemic"]
 LARGE_SCALE = 4.0
 """Scale factor above which the runs are drawn hollow and counted."""
 FIVE_PERCENT = NormalDist().inv_cdf(0.05)
@@ -131,7 +131,7 @@ class FragilityCurve(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class RecordRuns(ShortRepr):
+class RecordRunsResult(ShortRepr):
     """The runs of one record on one mechanism, in the worse polarity, at rising scale.
 
     scale [n] [-]; ratio [n] : largest rotation over that which overturns it, None where it overturned
@@ -237,7 +237,7 @@ class RiskResult(ShortRepr):
         return "pass" if self.gap is None else "incomplete"
 
     @property
-    def gap(self) -> Gap | None:
+    def gap(self) -> RateGap | None:
         """What keeps the rate from being within its target; None where nothing does, or without a target."""
         if self.target_rate is None:
             return None
@@ -272,7 +272,7 @@ class MechanismFragility(ShortRepr):
     slenderness_rad: float
     p_eq_per_s: float
     above_ground: bool
-    runs: tuple[RecordRuns, ...]
+    runs: tuple[RecordRunsResult, ...]
     curves: tuple[FragilityCurve, ...]
     comparison: tuple[MeasureComparison, ...]
     risks: tuple[RiskResult, ...]

@@ -30,7 +30,7 @@ from assess.messages.message import Message, warning
 from assess.outputs.manifest import is_changed
 from assess.outputs.writing import recover_for_reading
 from assess.results import SCHEMA_VERSION, GroundMotionResult, MechanismResult, RecordResult, Results, SpectrumResult
-from assess.results.fragility import FRAGILITY_VERSION, CurveBand, FragilityResults, HazardResult, RecordRuns
+from assess.results.fragility import FRAGILITY_VERSION, CurveBand, FragilityResults, HazardResult, RecordRunsResult
 from assess.results.verification import VERIFICATION_VERSION, VerificationResults
 
 NAMES = ("results.json", "envelopes.json")
@@ -387,7 +387,7 @@ OF_ONE_LENGTH: Mapping[type, Groups] = {
         ("value", "p_eq_per_s", "uplift_multiplier", "overturning_rad", "overturning_flexible_rad",
          "elastic_frequency_hz", "restitution", "demand_capacity", "overturned", "capacity_pga_g", "outcome"),
     ),
-    RecordRuns: (("scale", "ratio"),),
+    RecordRunsResult: (("scale", "ratio"),),
     CurveBand: (("intensity", "low", "high"),),
     HazardResult: (("intensity", "annual_rate"),),
 }  # fmt: skip

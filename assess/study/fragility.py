@@ -27,7 +27,7 @@ from assess.results.fragility import (
     FragilityResults,
     LognormalResult,
     MechanismFragility,
-    RecordRuns,
+    RecordRunsResult,
     StateResult,
 )
 from assess.results.provenance import describe_program, stamp
@@ -277,7 +277,7 @@ def applicable_states(case: RockingCase, question: FragilityQuestion) -> tuple[S
     return tuple(state for state in question.states if state.name != "rocking" or not vibrates(case.oscillator))
 
 
-def record_runs(shaken: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRuns:
+def record_runs(shaken: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRunsResult:
     """Return the runs of one record.
 
     Parameters
@@ -293,7 +293,7 @@ def record_runs(shaken: MechanismRuns, place: int, record: Record, origins: Orig
     """
     run = shaken.runs.run[place]
     scale, ratio = shaken.runs.scale[place][run], shaken.runs.ratio[place][run]
-    return RecordRuns(
+    return RecordRunsResult(
         record=record.id,
         event=origins.event[place],
         magnitude=record.earthquake.magnitude,

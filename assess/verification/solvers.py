@@ -87,13 +87,13 @@ def solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """
     from scipy.constants import g
 
-    from assess.project.sections import Site
+    from assess.project.sections import SiteSection
     from assess.project.site_and_structure import spectrum_of, vertical_of
 
     make = vertical_of if given.get("vertical", False) else spectrum_of
     tree: dict[str, dict[str, Any]] = {"parameters": {}, "acceleration_g": {}, "displacement_m": {}}
     for name, table in given["spectra"].items():
-        spectrum = make(Site.model_validate({"spectrum": table}, context={"folder": folder}))
+        spectrum = make(SiteSection.model_validate({"spectrum": table}, context={"folder": folder}))
         tree["parameters"][name] = dict(spectrum.parameters)
         for T in given["periods"]:
             row = f"{name}, {T:g} s"

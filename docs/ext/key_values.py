@@ -13,7 +13,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from assess.project.section import UncertainMark
-from assess.project.units import Kind
+from assess.project.units import QuantityKind
 from docs.ext.schema_tables import form, is_table, target, title
 
 PLAIN: dict[Any, str] = {
@@ -47,7 +47,7 @@ def default_words(field: FieldInfo) -> str:
         return f"`{_toml(value)}`"
     if isinstance(value, tuple):
         return f"`[{', '.join(map(_toml, value))}]`"
-    kind = next((mark for mark in _flat(field.metadata) if isinstance(mark, Kind)), None)
+    kind = next((mark for mark in _flat(field.metadata) if isinstance(mark, QuantityKind)), None)
     unit = f" {_symbol(kind)}" if kind is not None and _symbol(kind) else ""
     return f"{value:g}{unit}" if isinstance(value, float) else "–"
 
@@ -60,7 +60,7 @@ def _words(annotation: Any, marks: tuple[Any, ...] = ()) -> str:
     if is_table(annotation):
         return f"table: [{title(annotation)}](#{target(annotation)})"
     for mark in marks:
-        if isinstance(mark, Kind):
+        if isinstance(mark, QuantityKind):
             return _quantity(mark) + _bounds(marks)
     for mark in marks:
         if isinstance(mark, WithJsonSchema) and "description" in (mark.json_schema or {}):
@@ -98,13 +98,13 @@ def _tables_by_form(arguments: tuple[Any, ...]) -> str:
     return f"table, by its `{key}`: {'; '.join(links)}"
 
 
-def _quantity(kind: Kind) -> str:
+def _quantity(kind: QuantityKind) -> str:
     if kind.name == "ratio":
         return "number"
     return f'{kind.name} [{_symbol(kind)}], like `"{kind.example}"`'
 
 
-def _symbol(kind: Kind) -> str:
+def _symbol(kind: QuantityKind) -> str:
     return "" if kind.symbol == "no unit" else kind.symbol.replace("^2", "²").replace("^3", "³")
 
 

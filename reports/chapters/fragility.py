@@ -6,7 +6,13 @@ from collections.abc import Iterator
 from functools import partial
 
 from assess.messages.message import Severity, distinct
-from assess.results.fragility import FragilityCurve, FragilityResults, MeasureResult, MechanismFragility, RecordRuns
+from assess.results.fragility import (
+    FragilityCurve,
+    FragilityResults,
+    MeasureResult,
+    MechanismFragility,
+    RecordRunsResult,
+)
 from reports.chapters import fragility_tables, scope
 from reports.chapters import fragility_tables as tables
 from reports.chapters import fragility_words as words
@@ -213,7 +219,7 @@ def _run_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
     yield from [FigureRow(tuple(found))] if len(found) > 1 else found
 
 
-def _with_units(mechanism: MechanismFragility, measure: MeasureResult | None) -> list[tuple[RecordRuns, float]]:
+def _with_units(mechanism: MechanismFragility, measure: MeasureResult | None) -> list[tuple[RecordRunsResult, float]]:
     """Return the runs of each record whose intensity is known, with its intensity at scale 1."""
     if measure is None:
         return []

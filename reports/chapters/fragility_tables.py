@@ -13,7 +13,7 @@ from assess.results.fragility import (
     LognormalResult,
     MeasureComparison,
     MechanismFragility,
-    RecordRuns,
+    RecordRunsResult,
     RiskResult,
     Trend,
 )
@@ -271,7 +271,7 @@ def records_table(results: FragilityResults) -> Table:
         Column(say("Least scale"), "ratio", FIGURES),
         Column(say("Largest scale"), "ratio", FIGURES),
     )
-    found: dict[str, list[RecordRuns]] = {}
+    found: dict[str, list[RecordRunsResult]] = {}
     for mechanism in results.mechanisms:
         for run in mechanism.runs:
             found.setdefault(run.record, []).append(run)
@@ -281,7 +281,7 @@ def records_table(results: FragilityResults) -> Table:
     )
 
 
-def _record_row(runs: list[RecordRuns]) -> tuple[Cell, ...]:
+def _record_row(runs: list[RecordRunsResult]) -> tuple[Cell, ...]:
     scales = [scale for run in runs for scale in run.scale]
     far = runs[0].distance_km
     return (

@@ -7,11 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from assess.results.fragility import (
     FragilityCurve,
     FragilityMethod,
-    Gap,
     HazardResult,
     LognormalResult,
     MeasureResult,
     MechanismFragility,
+    RateGap,
     RiskResult,
 )
 from reports.intensity_measures import (
@@ -47,7 +47,7 @@ RATE_CURVES: Mapping[str, Phrase] = {
     "lognormal": say("from the lognormal"),
     "first": say("bound, from the first intensity"),
 }
-GAPS: Mapping[Gap, Phrase] = {
+GAPS: Mapping[RateGap, Phrase] = {
     "motion": say(
         "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
         "modal filter"

@@ -18,7 +18,7 @@ from assess.results.fragility import (
     HazardResult,
     LognormalResult,
     MeasureResult,
-    RecordRuns,
+    RecordRunsResult,
     RiskResult,
 )
 from reports.figures.style import (
@@ -172,7 +172,7 @@ MANY_RECORDS = 30  # records, whose lines are fainter and whose islands are smal
 
 
 def draw_record_runs(
-    runs: Sequence[RecordRuns],
+    runs: Sequence[RecordRunsResult],
     units: Sequence[float],
     measure: MeasureResult,
     locale: Locale,
@@ -216,18 +216,20 @@ def draw_record_runs(
         return figure
 
 
-def _record_curve(run: RecordRuns, unit: float, top: float) -> tuple[FloatArray, FloatArray]:
+def _record_curve(run: RecordRunsResult, unit: float, top: float) -> tuple[FloatArray, FloatArray]:
     """Return intensities and rotations of a record, `top` where it overturned."""
     ratio = np.array([top if each is None else each for each in run.ratio])
     return unit * np.array(run.scale), ratio
 
 
-def _first_overturning_scale(run: RecordRuns) -> float | None:
+def _first_overturning_scale(run: RecordRunsResult) -> float | None:
     """Return the least scale that overturns; None for a record that never does."""
     return next((scale for scale, ratio in zip(run.scale, run.ratio, strict=True) if ratio is None), None)
 
 
-def _mark_first_overturning(axes: Axes, pairs: Sequence[tuple[RecordRuns, float]], top: float, locale: Locale) -> None:
+def _mark_first_overturning(
+    axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], top: float, locale: Locale
+) -> None:
     """Mark the first run of each record that overturns; hollow where it is scaled by more than 4."""
     first = [(_first_overturning_scale(run), unit) for run, unit in pairs]
     for large, face, words in (
@@ -240,7 +242,7 @@ def _mark_first_overturning(axes: Axes, pairs: Sequence[tuple[RecordRuns, float]
             axes.plot(at, [top] * len(at), "o", color=FAIL, markersize=3.5, markerfacecolor=face, label=name, zorder=3)
 
 
-def _draw_islands(axes: Axes, pairs: Sequence[tuple[RecordRuns, float]], locale: Locale) -> None:
+def _draw_islands(axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], locale: Locale) -> None:
     """Draw runs that stand although a lower scale overturns the mechanism."""
     found = [
         (scale * unit, ratio)

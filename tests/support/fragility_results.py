@@ -20,7 +20,7 @@ from assess.results.fragility import (
     MeasureComparison,
     MeasureResult,
     MechanismFragility,
-    RecordRuns,
+    RecordRunsResult,
     RiskResult,
     StateResult,
     Trend,
@@ -66,7 +66,7 @@ def lognormal(median: float, dispersion: float, n: int) -> LognormalResult:
     )
 
 
-def runs_of(capacity: float, place: int, pga: float) -> RecordRuns:
+def runs_of(capacity: float, place: int, pga: float) -> RecordRunsResult:
     """A record that overturns from its capacity on, but for an island of every fourth one."""
     at = SCALES * pga
     fallen = at >= capacity
@@ -77,7 +77,7 @@ def runs_of(capacity: float, place: int, pga: float) -> RecordRuns:
         islands = ((float(SCALES[first + 1]), float(SCALES[first + 2])),)
     ratio = np.where(at < 0.2 * capacity, 0.0, np.minimum(0.95, 0.8 * at / capacity) ** 2)
     scaled = (1.0, 0.12 / 0.2, 2.1, 1.4, 1 / 0.18, 1.7)
-    return RecordRuns(
+    return RecordRunsResult(
         f"record {place:02d}",
         f"Event {place // 3}",
         5.5 + 0.1 * (place // 3),
@@ -90,7 +90,7 @@ def runs_of(capacity: float, place: int, pga: float) -> RecordRuns:
 
 
 def curve_of(
-    runs: tuple[RecordRuns, ...], measure: MeasureResult, state: StateResult, median: float, dispersion: float
+    runs: tuple[RecordRunsResult, ...], measure: MeasureResult, state: StateResult, median: float, dispersion: float
 ) -> FragilityCurve:
     which = MEASURES.index(measure)
     limit = {"rocking": 0.0, "rotation": 0.5, "overturning": np.inf}[state.name]
@@ -120,7 +120,7 @@ def curve_of(
     )
 
 
-def _reaches(run: RecordRuns, scale: float, limit: float) -> bool:
+def _reaches(run: RecordRunsResult, scale: float, limit: float) -> bool:
     ratio = run.ratio[int(np.argmin(np.abs(np.log(SCALES / scale))))]
     return ratio is None or ratio > limit
 

@@ -14,7 +14,7 @@ from assess.cli.tables import on_one_line, text_table
 from assess.codes.verdict import Answer, Decision, MechanismVerdict
 from assess.messages.message import count_noun, escape_text
 from assess.results import MechanismResult, OscillatorResult, Results
-from assess.results.diff import Difference, Kind, is_number
+from assess.results.diff import Difference, DifferenceKind, is_number
 from reports.render.csv import csv_lines
 
 SEVERITY = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
@@ -124,7 +124,7 @@ def mechanisms_json(rows: Sequence[MechanismRow]) -> str:
     return json.dumps([asdict(row) for row in rows], ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-HEADINGS: Mapping[Kind, str] = {
+HEADINGS: Mapping[DifferenceKind, str] = {
     "verdict": "verdicts",
     "mechanism": "mechanisms",
     "capacity": "PGA [g]",
@@ -183,12 +183,12 @@ def changes_json(changes: Sequence[Difference]) -> str:
     return json.dumps(plain, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-def _changes_table(kind: Kind, changes: Sequence[Difference]) -> str:
+def _changes_table(kind: DifferenceKind, changes: Sequence[Difference]) -> str:
     rows = [[on_one_line(change.where, LONGEST), change.what, *_both_sides(change), _by(change)] for change in changes]
     return text_table([HEADINGS[kind], "", "before", "after", "change"], rows, widest=WIDEST)
 
 
-def _lines(kind: Kind, changes: Sequence[Difference]) -> str:
+def _lines(kind: DifferenceKind, changes: Sequence[Difference]) -> str:
     """Write texts that are too long for a table, each after the sign of its run."""
     lines = (
         f"{'+' if change.before is None else '-'} {escape_text(change.where)}: "
@@ -198,12 +198,15 @@ def _lines(kind: Kind, changes: Sequence[Difference]) -> str:
     return f"{HEADINGS[kind]}\n{''.join(lines)}"
 
 
-def _names(kind: Kind, changes: Sequence[Difference]) -> str:
+def _names(kind: DifferenceKind, changes: Sequence[Difference]) -> str:
     """Write names alone, for changes that have no two sides."""
     return f"{HEADINGS[kind]}: {', '.join(escape_text(change.after) for change in changes)}\n"
 
 
-TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Difference]], str]] = {"warning": _lines, "other": _names}
+TEXTS: Mapping[DifferenceKind, Callable[[DifferenceKind, Sequence[Difference]], str]] = {
+    "warning": _lines,
+    "other": _names,
+}
 
 
 def _both_sides(change: Difference) -> tuple[str, str]:
@@ -216,7 +219,7 @@ def _both_sides(change: Difference) -> tuple[str, str]:
     return on_one_line(before, LONGEST), on_one_line(after, LONGEST)
 
 
-def _shown(value: Any, kind: Kind) -> str:
+def _shown(value: Any, kind: DifferenceKind) -> str:
     if value is None:
         return "-"
     if kind == "verdict" and isinstance(value, str):

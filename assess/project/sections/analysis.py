@@ -113,7 +113,7 @@ SweptQuantity = Annotated[
 ]
 
 
-class Sweep(ProjectSection):
+class SweepSection(ProjectSection):
     """A parametric study: the mechanisms that one number of the project changes, for each of several values of it."""
 
     key: StrictStr
@@ -130,7 +130,7 @@ class Sweep(ProjectSection):
     """how many, with both ends"""
 
     @model_validator(mode="after")
-    def _values_or_range(self) -> Sweep:
+    def _values_or_range(self) -> SweepSection:
         given = {"from": self.start, "to": self.to, "count": self.count}
         absent = [key for key, value in given.items() if value is None]
         if self.values and len(absent) < len(given):
@@ -145,7 +145,7 @@ def _sweeps_tag(value: Any) -> str:
 
 
 Sweeps = Annotated[
-    Annotated[Sweep, Tag("<one>")] | Annotated[tuple[Sweep, ...], Tag("<several>")],
+    Annotated[SweepSection, Tag("<one>")] | Annotated[tuple[SweepSection, ...], Tag("<several>")],
     Discriminator(_sweeps_tag),
 ]
 SHARE = "share"
@@ -326,8 +326,8 @@ def _a_state(value: Any) -> Any:
     return float(value)
 
 
-Measure = Annotated[str, BeforeValidator(_a_measure)]
-State = Annotated[
+MeasureText = Annotated[str, BeforeValidator(_a_measure)]
+StateValue = Annotated[
     str | float,
     BeforeValidator(_a_state),
     WithJsonSchema({"anyOf": [{"enum": list(STATE_NAMES)}, {"type": "number"}]}),
@@ -337,10 +337,10 @@ State = Annotated[
 class Fragility(ProjectSection):
     """Fragility curves of `assess fragility`: measures of intensity, states, and how records are run."""
 
-    measures: Annotated[tuple[Measure, ...], Field(min_length=1), AfterValidator(unique("measure"))] | None = None
+    measures: Annotated[tuple[MeasureText, ...], Field(min_length=1), AfterValidator(unique("measure"))] | None = None
     """measures of intensity, the one that records are scaled by first: "pga", "pgv", "sa(0.5 s)", "sa-average",
     "sa-average(0.2 s, 0.5 s, 1 s)", "pga/(g tan alpha)", "p pgv/(g tan alpha)"; all that apply if absent"""
-    states: Annotated[tuple[State, ...], Field(min_length=1), AfterValidator(unique("state"))] = (
+    states: Annotated[tuple[StateValue, ...], Field(min_length=1), AfterValidator(unique("state"))] = (
         "rocking",
         0.5,
         "overturning",
@@ -414,7 +414,7 @@ class HazardPoint(ProjectSection):
         return 1.0 / self.return_period
 
 
-class Place(ProjectSection):
+class PlaceSection(ProjectSection):
     """A place on the earth."""
 
     longitude: Annotated[Ratio, Field(ge=-180, le=360)]
@@ -430,7 +430,7 @@ class Risk(ProjectSection):
     """rows [{ return_period | rate, pga }, …], of falling rate; those of [site.spectrum] if absent"""
     curve: InputFile | None = None
     """hazard curves of OpenQuake as CSV, like "hazard_curve-mean-PGA.csv", in place of hazard"""
-    site: Place | None = None
+    site: PlaceSection | None = None
     """{ longitude, latitude } in degrees: which site of `curve`, the nearest, at most 50 km away; needed where it holds
     several"""
     target: PositiveRatio | None = None
@@ -477,6 +477,6 @@ class Analysis(ProjectSection):
     """{ samples, seed, thickness }: how the answers spread when the numbers given as { mean, cov } vary together"""
 
     @property
-    def sweeps(self) -> tuple[Sweep, ...]:
+    def sweeps(self) -> tuple[SweepSection, ...]:
         """All sweeps, in order."""
         return self.sweep if isinstance(self.sweep, tuple) else (self.sweep,)

@@ -50,7 +50,7 @@ from assess.project.section import (
 from assess.project.units import KINDS, key_value
 
 
-class Material(ProjectSection):
+class MaterialSection(ProjectSection):
     """A masonry."""
 
     density: Annotated[PositiveDensity, UNCERTAIN]
@@ -67,7 +67,7 @@ class Material(ProjectSection):
     """coefficient of friction"""
 
 
-class Box(ProjectSection):
+class BoxSection(ProjectSection):
     """A rectangular block: thickness along x, length along y."""
 
     thickness: Annotated[PositiveLength, UNCERTAIN]
@@ -104,7 +104,7 @@ class BoxBody(ProjectSection):
 
     material: Name
     """the name of a table [materials.NAME]"""
-    box: Box
+    box: BoxSection
     """{ thickness, length, height, base }"""
 
 
@@ -228,7 +228,7 @@ Until = Annotated[
 ]
 
 
-class MassLoad(ProjectSection):
+class MassLoadSection(ProjectSection):
     """A point mass: a floor, a roof, a wall that moves with the block."""
 
     kind: Literal["mass"]
@@ -245,13 +245,13 @@ class MassLoad(ProjectSection):
     """which block it acts on, from 0 at the base"""
 
     @model_validator(mode="after")
-    def _what_bears_has_a_seat(self) -> MassLoad:
+    def _what_bears_has_a_seat(self) -> MassLoadSection:
         if self.seat is not None and not self.bearing:
             raise error_at("seat", "only what bears on the block has a seat; remove it, or write bearing = true")
         return self
 
 
-class ForceLoad(ProjectSection):
+class ForceLoadSection(ProjectSection):
     """A dead force: the thrust of a vault or roof."""
 
     kind: Literal["force"]
@@ -269,7 +269,7 @@ class ForceLoad(ProjectSection):
     """which block it acts on, from 0 at the base"""
 
     @model_validator(mode="after")
-    def _size_has_a_direction(self) -> ForceLoad:
+    def _size_has_a_direction(self) -> ForceLoadSection:
         if isinstance(self.force, float) and self.direction is None:
             raise error_at("direction", "missing; a force given by its size needs one, or write force = [x, z]")
         if not isinstance(self.force, float) and self.direction is not None:
@@ -277,7 +277,7 @@ class ForceLoad(ProjectSection):
         return self
 
 
-class TieLoad(ProjectSection):
+class TieLoadSection(ProjectSection):
     """A tie of constant pretension; slack on the branch where it shortens.
 
     It counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source.
@@ -308,13 +308,13 @@ class TieLoad(ProjectSection):
     """which block it acts on, from 0 at the base"""
 
     @model_validator(mode="after")
-    def _one_way_to_pull(self) -> TieLoad:
+    def _one_way_to_pull(self) -> TieLoadSection:
         if (self.direction is None) == (self.anchor is None):
             raise error_at("anchor", "give either anchor or direction, the way the tie pulls")
         return self
 
 
-class OverburdenLoad(ProjectSection):
+class OverburdenLoadSection(ProjectSection):
     """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own."""
 
     kind: Literal["overburden"]
@@ -330,7 +330,7 @@ class OverburdenLoad(ProjectSection):
     "fixed": it stays in its place on the wall; if absent "joint" on the middle of a joint at C, else "fixed\""""
 
     @model_validator(mode="after")
-    def _one_of_them(self) -> OverburdenLoad:
+    def _one_of_them(self) -> OverburdenLoadSection:
         if (self.force is None) == (not self.bodies):
             raise error_at("force", "give either force, or the bodies that press")
         if self.through == "joint" and self.eccentricity:
@@ -341,7 +341,7 @@ class OverburdenLoad(ProjectSection):
         return self
 
 
-class BodyLoad(ProjectSection):
+class BodyLoadSection(ProjectSection):
     """A floor, roof or vault given as a body: what it puts on the block is found where it touches it."""
 
     kind: Literal["body"]
@@ -380,7 +380,7 @@ class BodyLoad(ProjectSection):
     """which block it acts on, from 0 at the base; if absent the one that it touches, or all that it bears on"""
 
     @model_validator(mode="after")
-    def _keys_belong_together(self) -> BodyLoad:
+    def _keys_belong_together(self) -> BodyLoadSection:
         for key in ("thrust", "span", "rise", "tied"):
             if self.role == "floor" and self.has_key(key):
                 raise error_at(key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it')
@@ -404,11 +404,11 @@ def _load_tag(values: Any) -> str | None:
 
 
 LoadSection = Annotated[
-    Annotated[MassLoad, Tag("<mass>")]
-    | Annotated[ForceLoad, Tag("<force>")]
-    | Annotated[TieLoad, Tag("<tie>")]
-    | Annotated[OverburdenLoad, Tag("<overburden>")]
-    | Annotated[BodyLoad, Tag("<body>")],
+    Annotated[MassLoadSection, Tag("<mass>")]
+    | Annotated[ForceLoadSection, Tag("<force>")]
+    | Annotated[TieLoadSection, Tag("<tie>")]
+    | Annotated[OverburdenLoadSection, Tag("<overburden>")]
+    | Annotated[BodyLoadSection, Tag("<body>")],
     Discriminator(
         _load_tag,
         custom_error_type="project",

@@ -32,16 +32,22 @@ from assess.project.section import (
     value_text,
 )
 from assess.project.sections.analysis import Analysis
-from assess.project.sections.bodies_and_loads import BodyLoad, BodySection, DirectBody, Material, OverburdenLoad
-from assess.project.sections.ground_motion import Building, Records, Site
+from assess.project.sections.bodies_and_loads import (
+    BodyLoadSection,
+    BodySection,
+    DirectBody,
+    MaterialSection,
+    OverburdenLoadSection,
+)
+from assess.project.sections.ground_motion import BuildingSection, Records, SiteSection
 from assess.project.sections.mechanisms import (
-    Chained,
-    CutAngle,
-    CutPlane,
+    ChainSection,
+    CutAngleSection,
+    CutPlaneSection,
     Mechanism,
     MechanismSection,
-    SingleBlock,
-    TwoBlock,
+    SingleBlockSection,
+    TwoBlockSection,
 )
 from assess.project.sections.procedures import Procedures, VerdictSection
 from assess.results import ChecklistItem
@@ -171,13 +177,13 @@ class Content(ProjectSection):
     """remarks for the report"""
     masonry_quality: StrictStr = ""
     """the engineer's judgement of the masonry, for the report"""
-    site: Site | None = None
+    site: SiteSection | None = None
     """a table [site] with the spectrum"""
     verdict: VerdictSection = Field(default_factory=VerdictSection)
     """a table [verdict]: what decides"""
-    building: Building | None = None
+    building: BuildingSection | None = None
     """a table [building], for mechanisms above ground"""
-    materials: dict[Name, Material] = Field(default_factory=dict)
+    materials: dict[Name, MaterialSection] = Field(default_factory=dict)
     """a table [materials.NAME] for each material"""
     bodies: dict[Name, BodySection] = Field(default_factory=dict)
     """a table [bodies.NAME] for each body"""
@@ -207,7 +213,7 @@ class Content(ProjectSection):
                     ("bodies", name, "material"), f"no such material; {_known_names('materials', self.materials)}"
                 )
         for name, mechanism in self.mechanisms.items():
-            used = [body for block in mechanism.blocks for body in block] if isinstance(mechanism, Chained) else []
+            used = [body for block in mechanism.blocks for body in block] if isinstance(mechanism, ChainSection) else []
             if not set(used) <= set(self.bodies):
                 raise error_at(("mechanisms", name, "blocks"), f"no such body; {_known_names('bodies', self.bodies)}")
             twice = sorted({body for body in used if used.count(body) > 1})
@@ -215,7 +221,7 @@ class Content(ProjectSection):
                 raise error_at(
                     ("mechanisms", name, "blocks"), f"{quote_names(tuple(twice))} named twice; a body moves once"
                 )
-            if isinstance(mechanism, Chained):
+            if isinstance(mechanism, ChainSection):
                 self._bodies_are_loads(name, mechanism, set(used))
         return self
 
@@ -232,14 +238,14 @@ class Content(ProjectSection):
         checklist(self.report, self.mechanisms)
         return self
 
-    def _bodies_are_loads(self, name: str, mechanism: Chained, moving: set[str]) -> None:
+    def _bodies_are_loads(self, name: str, mechanism: ChainSection, moving: set[str]) -> None:
         """Refuse a body as load that does not exist, is part of the mechanism, or loads the same block already."""
         taken: dict[str, set[int | None]] = {}
         for place, load in enumerate(mechanism.loads):
-            if isinstance(load, OverburdenLoad) and not set(load.bodies) <= set(self.bodies) - moving:
+            if isinstance(load, OverburdenLoadSection) and not set(load.bodies) <= set(self.bodies) - moving:
                 known = _known_names("bodies", self.bodies)
                 raise error_at(("mechanisms", name, "loads", place, "bodies"), f"no body beside the wall; {known}")
-            if not isinstance(load, BodyLoad):
+            if not isinstance(load, BodyLoadSection):
                 continue
             key = ("mechanisms", name, "loads", place, "body")
             if load.body not in self.bodies:
@@ -329,10 +335,12 @@ def _items_by_kind(building_type: BuildingType, mechanism: Mechanism) -> tuple[s
     """Return the item that the kind of a mechanism tells: of houses, for one wall above a level crack or its base."""
     if building_type != "house":
         return ()
-    if isinstance(mechanism, TwoBlock):
+    if isinstance(mechanism, TwoBlockSection):
         return ("vertical-bending",)
-    inclined = isinstance(mechanism, SingleBlock) and isinstance(mechanism.cut, CutPlane | CutAngle)
-    if isinstance(mechanism, SingleBlock) and len(mechanism.blocks[0]) == 1 and not inclined:
+    inclined = isinstance(mechanism, SingleBlockSection) and isinstance(
+        mechanism.cut, CutPlaneSection | CutAngleSection
+    )
+    if isinstance(mechanism, SingleBlockSection) and len(mechanism.blocks[0]) == 1 and not inclined:
         return ("simple-overturning",)
     return ()
 

@@ -230,7 +230,7 @@ SpectrumSection = Annotated[
 ]
 
 
-class Site(ProjectSection):
+class SiteSection(ProjectSection):
     """What the ground demands."""
 
     spectrum: SpectrumSection
@@ -243,7 +243,7 @@ class Site(ProjectSection):
     """vertical over horizontal spectral acceleration, for F_V of ASCE 43-05"""
 
     @model_validator(mode="after")
-    def _one_limit_state(self) -> Site:
+    def _one_limit_state(self) -> SiteSection:
         old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
         if old is not None and self.limit_state is not None and old != self.limit_state:
             raise error_at("limit_state", f'site.spectrum.limit_state, its old spelling, is "{old}"; give one')
@@ -271,7 +271,7 @@ class LimitStatePeriod(ProjectSection):
     """why, for the report"""
 
 
-class Building(ProjectSection):
+class BuildingSection(ProjectSection):
     """The structure below a mechanism; what the clauses for mechanisms above ground need."""
 
     height: PositiveLength | None = None

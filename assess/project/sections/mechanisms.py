@@ -58,7 +58,7 @@ from assess.project.section import (
     quote_names,
     unique,
 )
-from assess.project.sections.bodies_and_loads import Corners, LoadSection, OverburdenLoad
+from assess.project.sections.bodies_and_loads import Corners, LoadSection, OverburdenLoadSection
 from assess.project.units import KINDS, key_value
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
@@ -78,7 +78,7 @@ BlockNames = Annotated[
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
 
 
-class CutPlane(ProjectSection):
+class CutPlaneSection(ProjectSection):
     """An inclined crack."""
 
     point: SpacePoint
@@ -87,7 +87,7 @@ class CutPlane(ProjectSection):
     """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
 
 
-class CutAngle(ProjectSection):
+class CutAngleSection(ProjectSection):
     """A crack inclined in the plane of motion."""
 
     point: SpacePoint
@@ -104,13 +104,15 @@ class CutAngle(ProjectSection):
 
 
 def _cut_tag(value: Any) -> str:
-    if isinstance(value, CutAngle) or (isinstance(value, dict) and "angle" in value):
+    if isinstance(value, CutAngleSection) or (isinstance(value, dict) and "angle" in value):
         return "<angle>"
-    return "<plane>" if isinstance(value, dict | CutPlane) else "<elevation>"
+    return "<plane>" if isinstance(value, dict | CutPlaneSection) else "<elevation>"
 
 
 Cut = Annotated[
-    Annotated[Length, Tag("<elevation>")] | Annotated[CutPlane, Tag("<plane>")] | Annotated[CutAngle, Tag("<angle>")],
+    Annotated[Length, Tag("<elevation>")]
+    | Annotated[CutPlaneSection, Tag("<plane>")]
+    | Annotated[CutAngleSection, Tag("<angle>")],
     Discriminator(_cut_tag),
 ]
 HingeName = Literal["A", "B", "C", "D"]
@@ -118,7 +120,7 @@ HingeName = Literal["A", "B", "C", "D"]
 
 def _contact_shape(value: Any) -> Any:
     """Check that the value is "outline" or a table."""
-    if value == "outline" or isinstance(value, dict | Shape):
+    if value == "outline" or isinstance(value, dict | ShapeSection):
         return value
     meant = [value] if value in list(SHAPE_SIZES) else list(SHAPE_SIZES)
     forms = ", ".join(f"{{ {name} = {SHAPE_SIZES[name]} }}" for name in meant)
@@ -137,7 +139,7 @@ def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
     return sizes
 
 
-class Shape(ProjectSection):
+class ShapeSection(ProjectSection):
     """The contact by one of its sizes, the first along the direction of motion, the second across."""
 
     rectangle: tuple[JointSize, JointSize] | None = None
@@ -161,7 +163,7 @@ class Shape(ProjectSection):
         return self
 
 
-class Interface(ProjectSection):
+class InterfaceSection(ProjectSection):
     """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
 
     model: Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"] = "rigid"
@@ -174,8 +176,8 @@ class Interface(ProjectSection):
     strength: Annotated[Strength, UNCERTAIN] | None = None
     """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""
     shape: Annotated[
-        Annotated[Literal["outline"], Tag("<outline>")] | Annotated[Shape, Tag("<shape>")],
-        Discriminator(lambda value: "<shape>" if isinstance(value, dict | Shape) else "<outline>"),
+        Annotated[Literal["outline"], Tag("<outline>")] | Annotated[ShapeSection, Tag("<shape>")],
+        Discriminator(lambda value: "<shape>" if isinstance(value, dict | ShapeSection) else "<outline>"),
         BeforeValidator(_contact_shape),
     ] = "outline"
     """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
@@ -222,7 +224,7 @@ RestitutionValue = Annotated[
 ]
 
 
-class Restitution(ProjectSection):
+class RestitutionSection(ProjectSection):
     """Velocity after over velocity before the impact that ends a rotation, for each direction."""
 
     positive: RestitutionValue | None = None
@@ -233,7 +235,7 @@ class Restitution(ProjectSection):
     @model_validator(mode="before")
     @classmethod
     def _one_for_both(cls, value: Any) -> Any:
-        return value if isinstance(value, dict | Restitution) else {"positive": value, "negative": value}
+        return value if isinstance(value, dict | RestitutionSection) else {"positive": value, "negative": value}
 
 
 class NoAmplification(ProjectSection):
@@ -308,7 +310,7 @@ AmplificationSection = Annotated[
 ]
 
 
-class Chained(ProjectSection):
+class ChainSection(ProjectSection):
     """What all mechanisms of blocks share."""
 
     number_of_blocks: ClassVar[int] = 1
@@ -324,11 +326,13 @@ class Chained(ProjectSection):
     """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadSection, ...] = ()
     """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
-    restitution: Annotated[Restitution, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
+    restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
+        default_factory=RestitutionSection
+    )
     """a number in [0, 1], a name, or { positive, negative }"""
-    interface: Interface = Field(default_factory=Interface)
+    interface: InterfaceSection = Field(default_factory=InterfaceSection)
     """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
-    interfaces: dict[HingeName, Interface] = Field(default_factory=dict)
+    interfaces: dict[HingeName, InterfaceSection] = Field(default_factory=dict)
     """the same for single hinges of a chain, { A = { … }, B = { … } }"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
@@ -348,7 +352,9 @@ class Chained(ProjectSection):
     def points(self) -> dict[str, tuple[tuple[float, ...], ...] | None]:
         """The hinges that are given as points, from A on, by key."""
         given = {key: getattr(self, key, None) for key in ("hinges", "hinges_negative")}
-        return {key: tuple(at for _, at in each) if isinstance(each, Hinges) else None for key, each in given.items()}
+        return {
+            key: tuple(at for _, at in each) if isinstance(each, HingesSection) else None for key, each in given.items()
+        }
 
     @model_validator(mode="after")
     def _nothing_turns_with_a_sought_direction(self) -> Self:
@@ -363,8 +369,8 @@ class Chained(ProjectSection):
     def _loads_find_their_block(self) -> Self:
         last = self.number_of_blocks - 1
         for number, load in enumerate(self.loads):
-            if isinstance(load, OverburdenLoad):
-                if not isinstance(self, TwoBlock):
+            if isinstance(load, OverburdenLoadSection):
+                if not isinstance(self, TwoBlockSection):
                     raise error_at(("loads", number, "kind"), "is for two-block mechanisms; use a mass or a force")
             elif load.block is not None and load.block > last:
                 raise error_at(("loads", number, "block"), f"must be {last} or less, counted from 0 at the base")
@@ -375,27 +381,27 @@ HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
 UncertainPoint = Annotated[tuple[HingeCoordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
 
 
-class Hinges(ProjectSection):
+class HingesSection(ProjectSection):
     """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
 
     A: UncertainPoint
     """the base hinge"""
 
 
-class SingleBlock(Chained):
+class SingleBlockSection(ChainSection):
     """One block that rocks about its base."""
 
     kind: Literal["single-block"]
     """"single-block\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=1)]
     """the body that rocks, ["wall"], or several that move as one, [["wall", "buttress"]]"""
-    hinges: Hinges | None = None
+    hinges: HingesSection | None = None
     """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
-    hinges_negative: Hinges | None = None
+    hinges_negative: HingesSection | None = None
     """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
 
 
-class ThreeHinges(Hinges):
+class ThreeHingesSection(HingesSection):
     """Hinges of a wall of two blocks."""
 
     B: UncertainPoint
@@ -412,7 +418,7 @@ def _crack(value: Any) -> float | str:
     return key_value(value, KINDS["length"])
 
 
-Crack = Annotated[
+CrackElevation = Annotated[
     float | Literal["sorrentino", "minimum"],
     BeforeValidator(_crack),
     WithJsonSchema(
@@ -425,7 +431,7 @@ Crack = Annotated[
 ]
 
 
-class TwoBlock(Chained):
+class TwoBlockSection(ChainSection):
     """A wall held at its base and its top that opens at a crack between."""
 
     number_of_blocks: ClassVar[int] = 2
@@ -433,11 +439,11 @@ class TwoBlock(Chained):
     """"two-block\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=2)]
     """one body, cut at the crack, or two, the lower first"""
-    hinges: ThreeHinges | None = None
+    hinges: ThreeHingesSection | None = None
     """hinges of positive rotation; the edges of base, crack and top if absent"""
-    hinges_negative: ThreeHinges | None = None
+    hinges_negative: ThreeHingesSection | None = None
     """hinges of negative rotation; the edges of base, crack and top if absent"""
-    crack: Crack | None = None
+    crack: CrackElevation | None = None
     """"sorrentino" (eq. 3.27), "minimum" (least uplift multiplier), or an elevation; hinge B's if hinges are given"""
 
     @model_validator(mode="after")
@@ -447,14 +453,14 @@ class TwoBlock(Chained):
         return self
 
 
-class FourHinges(ThreeHinges):
+class FourHingesSection(ThreeHingesSection):
     """Hinges of three blocks."""
 
     D: UncertainPoint
     """the far base hinge"""
 
 
-class RadialJoints(ProjectSection):
+class RadialJointsSection(ProjectSection):
     """Joints of an arch that all point to its centre, evenly spaced."""
 
     centre: PlanePoint
@@ -476,9 +482,9 @@ class RadialJoints(ProjectSection):
 JointLine = tuple[PlanePoint, PlanePoint]
 
 Joints = Annotated[
-    Annotated[RadialJoints, Tag("<radial>")]
+    Annotated[RadialJointsSection, Tag("<radial>")]
     | Annotated[tuple[JointLine, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
-    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJoints) else "<lines>"),
+    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJointsSection) else "<lines>"),
 ]
 
 
@@ -488,13 +494,14 @@ def _minimum(value: Any) -> Any:
     return value
 
 
-ArchHinges = Annotated[
-    Annotated[FourHinges, Tag("<hinges>")] | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
-    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHinges) else "<minimum>"),
+ArchHingesValue = Annotated[
+    Annotated[FourHingesSection, Tag("<hinges>")]
+    | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
+    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHingesSection) else "<minimum>"),
 ]
 
 
-class FourHinge(Chained):
+class FourHingeSection(ChainSection):
     """Three blocks between two fixed hinges: portal, frame, arch, side-aisle vault, belfry."""
 
     number_of_blocks: ClassVar[int] = 3
@@ -502,9 +509,9 @@ class FourHinge(Chained):
     """"four-hinge\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
     """the bodies A-B, B-C and C-D; or one arch, with joints and hinges = "minimum\""""
-    hinges: ArchHinges
+    hinges: ArchHingesValue
     """hinges A, B, C, D of positive rotation, or "minimum": where the arch resists least"""
-    hinges_negative: FourHinges | None = None
+    hinges_negative: FourHingesSection | None = None
     """hinges A, B, C, D of negative rotation"""
     joints: Joints | None = None
     """of an arch, in order: [[[x, z], [x, z]], …], or { centre, first, last, count } for radial ones"""
@@ -532,7 +539,7 @@ class FourHinge(Chained):
         return self
 
 
-class EquivalentBlock(ProjectSection):
+class EquivalentBlockSection(ProjectSection):
     """A mechanism by its rocking parameters, as published tables give them."""
 
     kind: Literal["equivalent-block"]
@@ -547,7 +554,9 @@ class EquivalentBlock(ProjectSection):
     """what the report calls it; the name of the table if absent"""
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
-    restitution: Annotated[Restitution, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(default_factory=Restitution)
+    restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
+        default_factory=RestitutionSection
+    )
     """a number in [0, 1], a name, or { positive, negative }"""
     mass: PositiveMass = 1.0
     """mass of the mechanism"""
@@ -575,7 +584,7 @@ class EquivalentBlock(ProjectSection):
         return self
 
 
-Mechanism = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
+Mechanism = SingleBlockSection | TwoBlockSection | FourHingeSection | EquivalentBlockSection
 
 
 def _mechanism_tag(values: Any) -> str | None:
@@ -584,10 +593,10 @@ def _mechanism_tag(values: Any) -> str | None:
 
 
 MechanismSection = Annotated[
-    Annotated[SingleBlock, Tag("<single-block>")]
-    | Annotated[TwoBlock, Tag("<two-block>")]
-    | Annotated[FourHinge, Tag("<four-hinge>")]
-    | Annotated[EquivalentBlock, Tag("<equivalent-block>")],
+    Annotated[SingleBlockSection, Tag("<single-block>")]
+    | Annotated[TwoBlockSection, Tag("<two-block>")]
+    | Annotated[FourHingeSection, Tag("<four-hinge>")]
+    | Annotated[EquivalentBlockSection, Tag("<equivalent-block>")],
     Discriminator(
         _mechanism_tag,
         custom_error_type="choice",

@@ -16,7 +16,7 @@ from assess.oscillator import equivalent_block
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.sections.ground_motion import Asce7Spectrum
-from assess.project.sections.mechanisms import EquivalentBlock, SingleBlock
+from assess.project.sections.mechanisms import EquivalentBlockSection, SingleBlockSection
 
 # Tables 8.2 and 8.3: p [1/s], lambda [rad], restitution, R0 [m], elevation [m]
 PUBLISHED = {
@@ -97,8 +97,8 @@ def test_the_hinges_of_an_eroded_band_lie_inside_the_faces(wall, mechanisms, pro
 def test_the_two_mechanisms_of_wall_0_are_one_mesh(project):
     sections = load(project).content.mechanisms
     whole, top = sections["W0a"], sections["W0b"]
-    assert isinstance(whole, SingleBlock)
-    assert isinstance(top, SingleBlock)
+    assert isinstance(whole, SingleBlockSection)
+    assert isinstance(top, SingleBlockSection)
     assert whole.blocks == top.blocks
     assert (whole.cut, top.cut) == (None, 4.98)
     assert np.abs(misfit(wall_0(), (TABLE["W0a"], TABLE["W0b"]))).max() < 1e-12
@@ -108,7 +108,7 @@ def test_the_table_example_has_the_published_parameters(tmp_path):
     sections = load(copy_example("casa_grande_table", tmp_path / "table")).content.mechanisms
     assert list(sections) == list(PUBLISHED)
     for wall, section in sections.items():
-        assert isinstance(section, EquivalentBlock)
+        assert isinstance(section, EquivalentBlockSection)
         p, slenderness, _, radius, elevation = PUBLISHED[wall]
         assert (section.p, section.uplift, section.radius, section.elevation) == (p, slenderness, radius, elevation)
 
@@ -121,8 +121,8 @@ def test_walls_on_flexible_joints_are_those_on_rigid_ones(name, walls, tmp_path)
     assert [key for key in sections if key.endswith("-flexible")] == [f"{wall}-flexible" for wall in walls]
     for wall in walls:
         rigid, flexible = sections[wall], sections[f"{wall}-flexible"]
-        assert isinstance(rigid, SingleBlock)
-        assert isinstance(flexible, SingleBlock)
+        assert isinstance(rigid, SingleBlockSection)
+        assert isinstance(flexible, SingleBlockSection)
         assert rigid.model_copy(update={"label": flexible.label, "interface": flexible.interface}) == flexible
         assert flexible.interface.model == "flexible"
         assert flexible.interface.stiffness == pytest.approx(6.89e9 / 0.69, rel=2e-3)

@@ -153,8 +153,8 @@ def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
             factor = srss_factor(mode, record, height=height)
             return BaseMotion(scale(record, factor), factor)
         case ModalFilter(mode=mode, height=height):
-            at = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
-            return BaseMotion(at, at.pga / _peak_of_motion(record))
+            filtered = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
+            return BaseMotion(filtered, filtered.pga / _peak_of_motion(record))
     assert_never(amplification)
 
 
@@ -251,7 +251,7 @@ def first_mode(*, frequency: float, effective_height: float, damping: float = 0.
 
 
 def _peak_of_motion(record: Record) -> float:
-    """The record's peak acceleration [m/s2], if it has motion."""
+    """Return the record's peak acceleration [m/s2]; refuse a record without motion."""
     if not record.pga > 0.0:
         raise RecordError(f'record "{record.id}": no motion; it cannot be carried up a structure')
     return record.pga
@@ -286,17 +286,17 @@ def floor_motion(record: Record, *, frequency: float, shape: float, damping: flo
     period = 1.0 / frequency
     parts = max(1, ceil(record.dt * STEPS_PER_PERIOD * frequency - 1e-9))
     tail = min(record.npts, ceil(log(1.0 / FADED) / (2.0 * pi * damping) * period / record.dt))
-    ground = np.concatenate([record.acceleration, np.zeros(tail)])
-    relative = relative_accelerations(ground, record.dt, parts, period, damping)
-    at_height = shape * relative + subdivide(ground, parts)
-    at_height.flags.writeable = False
+    ground_acceleration = np.concatenate([record.acceleration, np.zeros(tail)])
+    relative = relative_accelerations(ground_acceleration, record.dt, parts, period, damping)
+    acceleration = shape * relative + subdivide(ground_acceleration, parts)
+    acceleration.flags.writeable = False
     step = note(
         "through-first-mode",
         frequency=Quantity(frequency, "frequency", 6),
         damping=Quantity(damping, figures=3),
         shape=Quantity(shape, figures=6),
     )
-    return with_step(replace(record, acceleration=at_height, dt=record.dt / parts), step)
+    return with_step(replace(record, acceleration=acceleration, dt=record.dt / parts), step)
 
 
 def subdivide(
@@ -320,6 +320,7 @@ def _check_first_mode(record: Record, *, frequency: float, shape: float, damping
 
 
 ResponseQuantity = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
+"""A quantity from a_g, u and u' of the oscillator [n] each."""
 POINTS_PER_PERIOD = 400  # in a period of the pulse or of the oscillator, whichever is shorter
 
 
@@ -374,14 +375,17 @@ def largest_total(ratio: ArrayLike, *, shape: float, damping: float = 0.05) -> F
 
 
 def _largest_response(ratio: ArrayLike, quantity: ResponseQuantity, *, damping: float) -> FloatArray:
+    """Return the largest |quantity| at each f_p / f_n, during the pulse and after it."""
     r = np.asarray(ratio, dtype=np.float64)
     bad = r[~(np.isfinite(r) & (r > 0.0))]
     if bad.size:
         raise ValueError(f"pulse frequency over natural frequency {bad.flat[0]}; it must be positive and finite")
     if not 0.0 < damping < 1.0:
         raise ValueError(f"damping ratio {damping}; it must lie between 0 and 1")
-    found = [max(_parabola_peak(quantity(*part)) for part in _responses(float(each), damping)) for each in r.ravel()]
-    return np.array(found).reshape(r.shape)
+    largest = [
+        max(_parabola_peak(quantity(*response)) for response in _responses(float(each), damping)) for each in r.ravel()
+    ]
+    return np.array(largest).reshape(r.shape)
 
 
 def _responses(r: float, damping: float) -> tuple[tuple[FloatArray, FloatArray, FloatArray], ...]:
@@ -496,7 +500,7 @@ def rayleigh_mode(slices: Slices, *, top_mass: float = 0.0) -> RayleighMode:
 
     Returns
     -------
-    Rayleigh
+    RayleighMode
 
     Raises
     ------
@@ -520,23 +524,23 @@ def self_weight_deflection(slices: Slices, *, top_mass: float = 0.0) -> FloatArr
     h, w = slices.height, g * slices.mass / slices.height
     V = g * top_mass + np.append(np.cumsum((w * h)[::-1])[::-1], 0.0)  # at the joints [n + 1]
     M = np.append(np.cumsum((h * (V[1:] + w * h / 2.0))[::-1])[::-1], 0.0)
-    turn, shift = np.zeros(h.size + 1), np.zeros(h.size + 1)  # at the joints, from the foot up
+    rotation, u = np.zeros(h.size + 1), np.zeros(h.size + 1)  # at the joints, from the foot up
     middle = np.empty(h.size)
     for i in range(h.size):
-        middle[i] = shift[i] + _slice_deflection(slices, i, h[i] / 2.0, turn[i], V[i], M[i], w[i])[1]
-        turned, gained = _slice_deflection(slices, i, h[i], turn[i], V[i], M[i], w[i])
-        turn[i + 1], shift[i + 1] = turned, shift[i] + gained
-    return np.append(middle, shift[-1])
+        middle[i] = u[i] + _slice_deflection(slices, i, h[i] / 2.0, rotation[i], V[i], M[i], w[i])[1]
+        rotation[i + 1], gained = _slice_deflection(slices, i, h[i], rotation[i], V[i], M[i], w[i])
+        u[i + 1] = u[i] + gained
+    return np.append(middle, u[-1])
 
 
 def _slice_deflection(
-    slices: Slices, i: int, s: float, turn: float, V: float, M: float, w: float
+    slices: Slices, i: int, s: float, rotation: float, V: float, M: float, w: float
 ) -> tuple[float, float]:
     """Return the rotation at `s` above the foot of slice i, and the deflection gained up to there.
 
     V, M act at its foot, w along it. The moment at s is M - V s + w s^2 / 2, exact for a uniform slice.
     """
     EI, GA = slices.bending[i], slices.shear[i]
-    rotation = turn + (M * s - V * s**2 / 2.0 + w * s**3 / 6.0) / EI
-    bent = turn * s + (M * s**2 / 2.0 - V * s**3 / 6.0 + w * s**4 / 24.0) / EI
-    return rotation, bent + (V * s - w * s**2 / 2.0) / GA
+    rotation_at_s = rotation + (M * s - V * s**2 / 2.0 + w * s**3 / 6.0) / EI
+    bending = rotation * s + (M * s**2 / 2.0 - V * s**3 / 6.0 + w * s**4 / 24.0) / EI
+    return rotation_at_s, bending + (V * s - w * s**2 / 2.0) / GA

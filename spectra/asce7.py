@@ -54,7 +54,7 @@ def mapped_spectrum(
     F_v = site_coefficient(s_1, table=edition.f_v, site_class=site_class, study=edition.study)
     S_MS, S_M1 = F_a * s_s, F_v * s_1
     spectrum = design_spectrum(s_ds=2 / 3 * S_MS, s_d1=2 / 3 * S_M1, t_l=t_l, code=code, hazard=hazard)
-    mapped: dict[str, float | str] = {
+    inputs: dict[str, float | str] = {
         "s_s": s_s,
         "s_1": s_1,
         "site_class": site_class,
@@ -63,14 +63,16 @@ def mapped_spectrum(
         "s_ms": S_MS,
         "s_m1": S_M1,
     }
-    given = {"s_s": s_s / g, "s_1": s_1 / g}
+    in_units_of_g = {"s_s": s_s / g, "s_1": s_1 / g}
     warnings = [
-        warning(r.key) for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING
+        warning(r.key)
+        for r in edition.rules
+        if site_class in r.classes and in_units_of_g[r.parameter] >= r.least - ROUNDING
     ]
     if s_1 > s_s:
         warnings.append(warning("mapped-exchanged", s_1=in_g(s_1), s_s=in_g(s_s)))
     implausible = plausibility_warnings(s_s=s_s, s_1=s_1)
-    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, warnings=(*implausible, *warnings))
+    return replace(spectrum, parameters={**inputs, **spectrum.parameters}, warnings=(*implausible, *warnings))
 
 
 def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:

@@ -23,7 +23,7 @@ ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "
 SEPARATORS = (";", "\t", ",")
 BRACKETS = re.compile(r"\[([^\]]*)\]|\(([^)]*)\)")
 DECIMAL_COMMA = re.compile(r"\d,\d")
-PART = 1_000_000  # characters
+PIECE = 1_000_000  # characters
 BATCH = 50_000  # lines that are turned into numbers at once
 CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
@@ -57,7 +57,7 @@ def read_columns(path: Path) -> Columns:
     Raises ColumnError for a file that is empty, is not text, has a line that is not two numbers, or no numbers.
     """
     text = decode(path.read_bytes(), where=str(path))
-    lines = _lines(text)
+    lines = _content_lines(text)
     top = next(lines, None)
     if top is None:
         raise ColumnError(f"{path}: the file is empty; two columns of numbers are expected")
@@ -68,7 +68,7 @@ def read_columns(path: Path) -> Columns:
     values = [_numbers(batch, separator, path=path) for batch in iter(lambda: list(islice(rows, BATCH)), [])]
     if not values:
         raise ColumnError(f"{path}: no numbers below the header; the file is cut short")
-    comments = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), _each(text))
+    comments = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), _iterate_lines(text))
     return Columns(header, np.concatenate(values), tuple(comments))
 
 
@@ -148,25 +148,25 @@ def factor_of(unit: str, *, known: Mapping[str, float]) -> float:
     return known[name]
 
 
-def _each(text: str) -> Iterator[str]:
-    """Yield the lines of a text, a part of it at a time, for a long file has millions of them."""
+def _iterate_lines(text: str) -> Iterator[str]:
+    """Yield the lines of a text, a piece at a time, for a long file has millions of them."""
     start = 0
     while start < len(text):
-        end = text.find("\n", start + PART) + 1 or len(text)
+        end = text.find("\n", start + PIECE) + 1 or len(text)
         yield from text[start:end].splitlines()
         start = end
 
 
-def _lines(text: str) -> Iterator[tuple[int, str]]:
+def _content_lines(text: str) -> Iterator[tuple[int, str]]:
     """Return the line number and content of every line that is neither blank nor a comment."""
-    lines = enumerate(_each(text), start=1)
+    lines = enumerate(_iterate_lines(text), start=1)
     return ((number, line) for number, line in lines if line.strip() and not line.lstrip().startswith("#"))
 
 
 def _header(fields: list[str], *, where: str) -> tuple[str, str]:
     """Return both labels of a header line; labels separated by blanks keep their bracketed unit apart."""
     if len(fields) > 2:
-        fields = _rejoined(fields)
+        fields = _rejoin_units(fields)
     if len(fields) != 2:
         raise ColumnError(
             f"{where}: {len(fields)} columns in the header; two are expected, like: period [s], acceleration [g]"
@@ -174,7 +174,7 @@ def _header(fields: list[str], *, where: str) -> tuple[str, str]:
     return fields[0], fields[1]
 
 
-def _rejoined(fields: list[str]) -> list[str]:
+def _rejoin_units(fields: list[str]) -> list[str]:
     """Return fields with each lone `[unit]` put back onto the label before it."""
     joined: list[str] = []
     for field in fields:
@@ -190,16 +190,16 @@ def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) 
     fields = [split(line, separator) for _, line in rows]
     for (number, line), row in zip(rows, fields, strict=True):
         if len(row) != 2:
-            remedy = _comma(line) or "two are expected"
+            remedy = _decimal_comma_remedy(line) or "two are expected"
             raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" has {len(row)} columns; {remedy}')
     try:
         return np.array(fields, dtype=np.float64)
     except ValueError:
         number, line = next(at for at, row in zip(rows, fields, strict=True) if not is_row(row))
-        remedy = _comma(line) or "write one for each column, without units"
+        remedy = _decimal_comma_remedy(line) or "write one for each column, without units"
         raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" is not two numbers; {remedy}') from None
 
 
-def _comma(line: str) -> str:
+def _decimal_comma_remedy(line: str) -> str:
     """Return what to do about a line with decimal commas; empty where there is none."""
     return "two are expected, and decimal commas only between semicolons" if DECIMAL_COMMA.search(line) else ""

@@ -46,7 +46,7 @@ GROUNDS: Mapping[int, Mapping[str, Ground]] = {
         "E": Ground(1.60, 0.05, 0.25, 1.2),
     },
 }
-STUDIED = ("S1", "S2")  # ground types that 3.1.2(4) leaves to a special study
+SPECIAL_STUDY = ("S1", "S2")  # ground types that 3.1.2(4) leaves to one
 VERTICAL_RATIO: Mapping[int, float] = {1: 0.90, 2: 0.45}  # a_vg / a_g, Table 3.4
 VERTICAL_CORNERS = (0.05, 0.15, 1.0)  # T_B, T_C, T_D [s] of both types, Table 3.4
 
@@ -73,21 +73,21 @@ def elastic_spectrum(
     Source: EN 1998-1:2004, 3.2.2.2, (3.2)-(3.7), Tables 3.2 and 3.3; Annex A; importance 3.2.1(3).
     """
     check_positive("ec8", a_g=a_g, importance_factor=importance_factor)
-    ground = _ground(ground_type, spectrum_type)
+    ground = _ground_type(ground_type, spectrum_type)
     design = importance_factor * a_g
     shape = FourBranches(design * ground.s, AMPLIFICATION, ground.t_b, ground.t_c, ground.t_d)
-    long = ground.t_e < inf
+    annex_a = ground.t_e < inf
     return Spectrum(
         code="ec8",
         parameters={
-            **_given(a_g, ground_type, spectrum_type, importance_factor),
+            **_parameters(a_g, ground_type, spectrum_type, importance_factor),
             **{name: value for name, value in asdict(ground).items() if value < inf},
         },
         damping=0.05,
         damping_rule=DAMPING_RULE,
         ordinates=shape.ordinates,
         clause="EN 1998-1:2004, 3.2.2.2, recommended values",
-        displacements=partial(shape.displacements, t_e=ground.t_e, t_f=ground.t_f) if long else None,
+        displacements=partial(shape.displacements, t_e=ground.t_e, t_f=ground.t_f) if annex_a else None,
         warnings=plausibility_warnings(a_g=a_g),
     )
 
@@ -104,13 +104,13 @@ def vertical_spectrum(
     Source: EN 1998-1:2004, 3.2.2.3, (3.8)-(3.11), Table 3.4.
     """
     check_positive("ec8", a_g=a_g, importance_factor=importance_factor)
-    _ground(ground_type, spectrum_type)
+    _ground_type(ground_type, spectrum_type)
     a_vg = VERTICAL_RATIO[spectrum_type] * importance_factor * a_g
     t_b, t_c, t_d = VERTICAL_CORNERS
     return Spectrum(
         code="ec8",
         parameters={
-            **_given(a_g, ground_type, spectrum_type, importance_factor),
+            **_parameters(a_g, ground_type, spectrum_type, importance_factor),
             "a_vg": a_vg,
             "t_b": t_b,
             "t_c": t_c,
@@ -124,8 +124,8 @@ def vertical_spectrum(
     )
 
 
-def _given(a_g: float, ground_type: str, spectrum_type: int, importance_factor: float) -> dict[str, float | str]:
-    """Return what a spectrum was asked for, with the design ground acceleration."""
+def _parameters(a_g: float, ground_type: str, spectrum_type: int, importance_factor: float) -> dict[str, float | str]:
+    """Return the parameters of a spectrum, with the design ground acceleration."""
     return {
         "a_g": a_g,
         "importance_factor": importance_factor,
@@ -135,10 +135,10 @@ def _given(a_g: float, ground_type: str, spectrum_type: int, importance_factor: 
     }
 
 
-def _ground(ground_type: str, spectrum_type: int) -> Ground:
+def _ground_type(ground_type: str, spectrum_type: int) -> Ground:
     if spectrum_type not in GROUNDS:
         raise SpectrumError(f"ec8 spectrum: type = {spectrum_type}; write 1 (M_s > 5.5) or 2 (EN 1998-1, 3.2.2.2(2)P)")
-    if ground_type in STUDIED:
+    if ground_type in SPECIAL_STUDY:
         raise SpectrumError(
             f"ec8 spectrum: ground_type = {ground_type}: EN 1998-1, 3.1.2(4)P asks for a special study of this ground; "
             'give its spectrum with code = "table"'

@@ -203,10 +203,12 @@ def part_action(coefficient: ArrayLike, *, ductility: float = 1.0, risk_factor: 
 
 
 def period_array(period: ArrayLike) -> FloatArray:
+    """Return periods [s] as an array; refuse periods that are negative or not numbers."""
     return check_periods(np.asarray(period, dtype=np.float64))
 
 
 def first_period(building_period: float, *, clause: str) -> float:
+    """Return T_1 of the building [s]; refuse one that is not positive, citing the clause."""
     if not building_period > 0.0:
         raise SpectrumError(f"period of the building {building_period} s; {clause} needs one that is positive")
     return building_period
@@ -282,10 +284,10 @@ def circolare2019_floor_spectrum(
     Source: Circolare 7/2019, C7.2.5-C7.2.7, by a public transcription of the text.
     """
     T = period_array(period)
-    summed = np.sqrt(sum(_modal_floor_spectrum(T, spectrum, mode, damping) ** 2 for mode in _check_modes(modes)))
+    S_eZ = np.sqrt(sum(_modal_floor_spectrum(T, spectrum, mode, damping) ** 2 for mode in _check_modes(modes)))
     beyond = max(mode.period for mode in modes) < T
     ground = spectrum.acceleration(T, damping=damping)
-    return np.asarray(np.where(beyond, np.maximum(summed, ground), summed), dtype=np.float64)
+    return np.asarray(np.where(beyond, np.maximum(S_eZ, ground), S_eZ), dtype=np.float64)
 
 
 def circolare2019_first_mode(
@@ -309,9 +311,9 @@ def circolare2019_first_mode(
     T, T_1 = period_array(period), np.asarray(first, dtype=np.float64)
     _check_modes([Mode(float(T_1.min()), mode_damping, share)])
     peak = first_mode_peak(T_1, spectrum=spectrum, mode_damping=mode_damping, share=share)
-    found = _three_branches(T, T_1, peak, _resonance(mode_damping, damping))
+    S_eZ = _three_branches(T, T_1, peak, _resonance(mode_damping, damping))
     ground = spectrum.acceleration(T, damping=damping)
-    return np.asarray(np.where(T_1 < T, np.maximum(found, ground), found), dtype=np.float64)
+    return np.asarray(np.where(T_1 < T, np.maximum(S_eZ, ground), S_eZ), dtype=np.float64)
 
 
 def first_mode_peak(first: ArrayLike, *, spectrum: Spectrum, mode_damping: float, share: float) -> FloatArray:
@@ -427,6 +429,7 @@ def _three_branches(period: FloatArray, first: ArrayLike, peak: ArrayLike, A: fl
 
 
 def _check_modes(modes: Sequence[Mode]) -> Sequence[Mode]:
+    """Return the modes, at least one, with positive periods and damping."""
     if not modes:
         raise SpectrumError("a floor spectrum of Circolare 7/2019 needs at least one mode of the building")
     for mode in modes:

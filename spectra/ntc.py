@@ -57,7 +57,7 @@ SOILS: Mapping[str, Soil] = {  # NTC 2018 Table 3.2.IV (2008: Table 3.2.V)
     "D": Soil(2.40, 1.50, 0.90, 1.80, 1.25, -0.50),
     "E": Soil(2.00, 1.10, 1.00, 1.60, 1.15, -0.40),
 }
-STUDIED = ("S1", "S2")  # soils that need a special analysis
+SPECIAL_ANALYSIS = ("S1", "S2")  # soils that need one
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def elastic_spectrum(hazard: Hazard, *, place: SoilAndTopography, code: str = "n
     return Spectrum(
         code=code,
         parameters={
-            **_given(hazard, place),
+            **_parameters(hazard, place),
             "s_soil": S_S,
             "s_topography": S_T,
             "s": S_S * S_T,
@@ -142,7 +142,7 @@ def vertical_spectrum(hazard: Hazard, *, place: SoilAndTopography, code: str = "
     return Spectrum(
         code=code,
         parameters={
-            **_given(hazard, place),
+            **_parameters(hazard, place),
             "f_vertical": F_V,
             "s_topography": S_T,
             "t_b": T_B,
@@ -194,7 +194,7 @@ def reference_life(nominal_life: float, *, use_class: str) -> float:
 
     Source: NTC 2018 §2.4.3, (2.4.1).
     """
-    _known("use_class", use_class, USE_FACTORS)
+    _check_known("use_class", use_class, USE_FACTORS)
     check_positive("ntc", nominal_life=nominal_life)
     return max(nominal_life * USE_FACTORS[use_class], SHORTEST_LIFE)
 
@@ -209,7 +209,7 @@ def return_period(limit_state: str, *, reference_life: float) -> float:
 
     Source: NTC 2018 §3.2.1, (3.2.0).
     """
-    _known("limit_state", limit_state, EXCEEDANCE)
+    _check_known("limit_state", limit_state, EXCEEDANCE)
     T_R = -reference_life / np.log1p(-EXCEEDANCE[limit_state])
     return float(np.clip(T_R, *RETURN_PERIODS))
 
@@ -254,17 +254,17 @@ def limit_state_hazard(
 
 def _check(hazard: Hazard, place: SoilAndTopography, code: str) -> str:
     """Return the clause of the `code`, once the values are within it."""
-    _known("code", code, CLAUSES)
+    _check_known("code", code, CLAUSES)
     check_positive(code, a_g=hazard.a_g, f_0=hazard.f_0, t_c_star=hazard.t_c_star)
     if hazard.f_0 < LEAST_F_0:
         raise SpectrumError(f"{code} spectrum: f_0 = {hazard.f_0:.4g}; {CLAUSES[code]} has at least {LEAST_F_0}")
-    if place.soil in STUDIED:
+    if place.soil in SPECIAL_ANALYSIS:
         raise SpectrumError(
             f"{code} spectrum: soil = {place.soil}: §3.2.2 asks for a special analysis; give its spectrum with "
             'code = "table"'
         )
-    _known("soil", place.soil, SOILS)
-    _known("topography", place.topography, LARGEST_FACTORS)
+    _check_known("soil", place.soil, SOILS)
+    _check_known("topography", place.topography, LARGEST_FACTORS)
     if not 0.0 <= place.relief_position <= 1.0:
         raise SpectrumError(
             f"{code} spectrum: relief_position = {place.relief_position}; it is 1 at the top of a relief, 0 at its foot"
@@ -272,7 +272,7 @@ def _check(hazard: Hazard, place: SoilAndTopography, code: str) -> str:
     return CLAUSES[code]
 
 
-def _given(hazard: Hazard, place: SoilAndTopography) -> dict[str, float | str]:
+def _parameters(hazard: Hazard, place: SoilAndTopography) -> dict[str, float | str]:
     """Return the hazard and the site as used."""
     years = {} if hazard.return_period is None else {"return_period": hazard.return_period}
     return {
@@ -285,6 +285,7 @@ def _given(hazard: Hazard, place: SoilAndTopography) -> dict[str, float | str]:
     }
 
 
-def _known(key: str, value: str, known: Mapping[str, object]) -> None:
+def _check_known(key: str, value: str, known: Mapping[str, object]) -> None:
+    """Refuse a value that is not among those known."""
     if value not in known:
         raise SpectrumError(f"ntc spectrum: {key} = {value}; choose one of {', '.join(known)}")

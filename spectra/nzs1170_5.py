@@ -116,7 +116,7 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
         damping_rule=DAMPING_RULE,
         ordinates=ordinates,
         clause="NZS 1170.5:2004, 3.1.1",
-        warnings=_capped(z, r),
+        warnings=_cap_warning(z, r),
     )
 
 
@@ -141,7 +141,7 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
     )
 
 
-def _capped(z: float, r: float) -> tuple[Message, ...]:
+def _cap_warning(z: float, r: float) -> tuple[Message, ...]:
     """Return a warning where Z R is more than the standard asks for."""
     if z * r <= LARGEST_ZR:
         return ()

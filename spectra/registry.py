@@ -23,10 +23,10 @@ COMMON = ("damping", "pga")  # of every spectrum
 
 @dataclass(frozen=True)
 class SpectrumForm:
-    """One way to give a code's spectrum: a function of keyword arguments, and the names that tell it from others."""
+    """One way to give a code's spectrum: a function of keyword arguments, and parameters that tell it from others."""
 
     make: Callable[..., Spectrum]
-    marks: tuple[str, ...] = ()
+    distinguishing: tuple[str, ...] = ()
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -36,8 +36,8 @@ class SpectrumForm:
     @property
     def required(self) -> tuple[str, ...]:
         """Names of those without a default."""
-        every = signature(self.make).parameters.values()
-        return tuple(one.name for one in every if one.default is Parameter.empty and one.name not in COMMON)
+        arguments = signature(self.make).parameters.values()
+        return tuple(each.name for each in arguments if each.default is Parameter.empty and each.name not in COMMON)
 
 
 def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **parameters: Any) -> Spectrum:
@@ -71,18 +71,18 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
     form = _form(SPECTRA[code], parameters)
     _check_names(code, form, parameters)
     if form.make in (_from_file, table_spectrum):
-        found = form.make(**parameters, damping=damping, pga=pga)
+        spectrum = form.make(**parameters, damping=damping, pga=pga)
     else:
-        found = replace(form.make(**parameters), damping=check_damping(damping))
+        spectrum = replace(form.make(**parameters), damping=check_damping(damping))
     if pga is None:
-        return found
+        return spectrum
     check_positive(code, pga=pga)
-    return scale_to_pga(found, pga)
+    return scale_to_pga(spectrum, pga)
 
 
 def _form(forms: tuple[SpectrumForm, ...], parameters: Mapping[str, Any]) -> SpectrumForm:
-    """Return the form whose marks are among the parameters; else the first."""
-    return next((form for form in forms if any(mark in parameters for mark in form.marks)), forms[0])
+    """Return the form whose distinguishing parameters are among the parameters; else the first."""
+    return next((form for form in forms if any(name in parameters for name in form.distinguishing)), forms[0])
 
 
 def _check_names(code: str, form: SpectrumForm, parameters: Mapping[str, Any]) -> None:
@@ -105,7 +105,7 @@ def _check_names(code: str, form: SpectrumForm, parameters: Mapping[str, Any]) -
 
 
 def _ec8(*, a_g: float, ground_type: str, type: int = 1, importance_factor: float = 1.0) -> Spectrum:
-    """Return the name the type of the spectrum as the project file does."""
+    """Name the type of the spectrum as the project file does."""
     return ec8.elastic_spectrum(
         a_g=a_g, ground_type=ground_type, spectrum_type=type, importance_factor=importance_factor
     )
@@ -153,17 +153,25 @@ def _ntc_limit_state(
     topography: str = "T1",
     relief_position: float = 1.0,
 ) -> Spectrum:
-    """Take the hazard over return periods, and the limit state at which the spectrum is wanted."""
+    """Take the hazard over return periods, and the limit state of the spectrum."""
     try:
         rows = [row if isinstance(row, ntc.Hazard) else ntc.Hazard(**row) for row in hazard]
     except TypeError:
         raise SpectrumError(
             f"{code} spectrum: hazard: give rows of return_period, a_g, f_0 and t_c_star, rising in return period"
         ) from None
-    asked: dict[str, float | str] = {"limit_state": limit_state, "nominal_life": nominal_life, "use_class": use_class}
-    at = ntc.limit_state_hazard(rows, limit_state=limit_state, nominal_life=nominal_life, use_class=use_class)
-    found = ntc.elastic_spectrum(at, place=ntc.SoilAndTopography(soil, topography, relief_position), code=code)
-    return replace(found, parameters={**asked, **found.parameters})
+    parameters: dict[str, float | str] = {
+        "limit_state": limit_state,
+        "nominal_life": nominal_life,
+        "use_class": use_class,
+    }
+    hazard_on_rock = ntc.limit_state_hazard(
+        rows, limit_state=limit_state, nominal_life=nominal_life, use_class=use_class
+    )
+    spectrum = ntc.elastic_spectrum(
+        hazard_on_rock, place=ntc.SoilAndTopography(soil, topography, relief_position), code=code
+    )
+    return replace(spectrum, parameters={**parameters, **spectrum.parameters})
 
 
 def _from_file(*, file: str | Path, damping: float, pga: float | None) -> Spectrum:

@@ -40,7 +40,7 @@ def table_spectrum(
     ------
     SpectrumError : points are not finite, not positive or not rising in period, or there is no PGA
     """
-    points = _with_pga(*_check(period, acceleration), pga=pga)
+    points = _with_pga(*_check_points(period, acceleration), pga=pga)
     T_max = float(points.period[-1])
     check_damping(damping)
     return Spectrum(
@@ -48,7 +48,7 @@ def table_spectrum(
         parameters={"points": float(points.period.size), "period_max": T_max, "pga": float(points.acceleration[0])},
         damping=damping,
         damping_rule=DAMPING_RULE,
-        ordinates=lambda at, other: points.ordinates(at, ec8_eta(other) / ec8_eta(damping)),
+        ordinates=lambda at, other_damping: points.ordinates(at, ec8_eta(other_damping) / ec8_eta(damping)),
         clause="table given by the user",
         longest_period=T_max,
         warnings=plausibility_warnings(**{"S_a(0)": float(points.acceleration[0])}),
@@ -116,7 +116,7 @@ class _Points:
         return np.asarray((1.0 + tau * (amplification * eta - 1.0)) / (1.0 + tau * (amplification - 1.0)))
 
 
-def _check(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
+def _check_points(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
     """Return both columns as arrays [n], once they make a spectrum."""
     try:
         T, S_a = np.array(period, dtype=np.float64), np.array(acceleration, dtype=np.float64)

@@ -98,7 +98,7 @@ def wilson_interval(
     return low, np.where(p == 1.0, 1.0, np.clip(centre + half, 0.0, 1.0))
 
 
-LEAST_EVENTS = 3  # events
+LEAST_EVENTS = 3
 
 
 def event_counts(event: Sequence[str], *, seed: int, draws: int) -> FloatArray:
@@ -113,8 +113,8 @@ def event_counts(event: Sequence[str], *, seed: int, draws: int) -> FloatArray:
     _, index = np.unique(np.asarray(event, dtype=str), return_inverse=True)
     events = int(index.max()) + 1
     generator = np.random.Generator(np.random.PCG64(seed))
-    times = generator.multinomial(events, np.full(events, 1.0 / events), size=draws)
-    return times[:, index].astype(np.float64)
+    draws_of_event = generator.multinomial(events, np.full(events, 1.0 / events), size=draws)
+    return draws_of_event[:, index].astype(np.float64)
 
 
 def mirrored_draws(draws: FloatArray, estimate: float) -> FloatArray:

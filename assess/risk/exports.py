@@ -15,7 +15,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 from xml.etree import ElementTree as ET
@@ -113,22 +113,34 @@ def common_states(curves: Sequence[ExportedCurve], *, fitted: bool) -> tuple[lis
     def names_of(curve: ExportedCurve) -> list[str]:
         return [each.name for each in curve.states if each.lognormal is not None or not fitted]
 
-    whole = [each for each in curves if each.states[-1].name in names_of(each)]
-    known = dict.fromkeys(state.name for each in whole for state in each.states)
-    common = [name for name in known if all(name in names_of(each) for each in whole)]
+    complete = [each for each in curves if each.states[-1].name in names_of(each)]
+    names = dict.fromkeys(state.name for each in complete for state in each.states)
+    common = [name for name in names if all(name in names_of(each) for each in complete)]
     left_out = [
         LeftOut(each.name, each.measure, each.period, "state-without-curve", each.states[-1].name)
         for each in curves
-        if not any(each is one for one in whole)
+        if not any(each is other for other in complete)
     ]
     left_out += [
         LeftOut(each.name, each.measure, each.period, "state-left-out", name)
-        for name in known
-        for each in whole
+        for name in names
+        for each in complete
         if name not in names_of(each)
     ]
-    kept = [replace(each, states=tuple(one for one in each.states if one.name in common)) for each in whole]
+    kept = [replace(each, states=tuple(state for state in each.states if state.name in common)) for each in complete]
     return kept, left_out
+
+
+def _named_curves(
+    curves: Sequence[ExportedCurve], measure_name: Callable[[ExportedCurve], str | None]
+) -> tuple[list[ExportedCurve], list[LeftOut]]:
+    """Return the curves whose measure has a name in a format, and the others as left out."""
+    left_out = [
+        LeftOut(each.name, each.measure, each.period, "no-name-of-measure")
+        for each in curves
+        if measure_name(each) is None
+    ]
+    return [each for each in curves if measure_name(each) is not None], left_out
 
 
 CSV_HEADER = (
@@ -182,13 +194,13 @@ def nrml_text(curves: Sequence[ExportedCurve], *, format: NrmlFormat, descriptio
     format : "continuous": lognormal curves; "discrete": the empirical ones
     description : of the model; text of the user
     """
-    inside, left_out = _choose(curves, format)
-    states = [] if not inside else [openquake_word(each.name) for each in inside[0].states]
+    exported, left_out = _exported_curves(curves, format)
+    states = [] if not exported else [openquake_word(each.name) for each in exported[0].states]
     root = ET.Element("nrml", xmlns=NAMESPACE)
     model = ET.SubElement(root, "fragilityModel", id="rocking", assetCategory="buildings", lossCategory="structural")
     ET.SubElement(model, "description").text = printable(description) or "Rocking of masonry mechanisms"
     ET.SubElement(model, "limitStates").text = " ".join(states)
-    for taxonomy, each in zip(_taxonomies(inside), inside, strict=True):
+    for taxonomy, each in zip(_taxonomies(exported), exported, strict=True):
         function = ET.SubElement(model, "fragilityFunction", id=taxonomy, format=format)
         (_continuous if format == "continuous" else _discrete)(function, each)
     ET.indent(root)
@@ -215,29 +227,31 @@ def printable(text: str) -> str:
 
 def _taxonomies(curves: Sequence[ExportedCurve]) -> list[str]:
     """Return names that differ, without the characters that OpenQuake refuses in them."""
-    names, found = [each.name for each in curves], list[str]()
+    names, taxonomies = [each.name for each in curves], list[str]()
     for each in curves:
         text = each.name if names.count(each.name) == 1 else f"{each.name} {openquake_measure(each)}"
         word = re.sub("[#'\"]", "_", printable(text))
-        alike = sum(other == word or other.startswith(f"{word} ..") for other in found)
-        found.append(f"{word} ..{alike + 1}" if alike else word)
-    return found
+        alike = sum(other == word or other.startswith(f"{word} ..") for other in taxonomies)
+        taxonomies.append(f"{word} ..{alike + 1}" if alike else word)
+    return taxonomies
 
 
-def _choose(curves: Sequence[ExportedCurve], format: NrmlFormat) -> tuple[list[ExportedCurve], tuple[LeftOut, ...]]:
-    """Return the curves that the model has a place for, and what is to be said of the others."""
-    unnamed = [each for each in curves if openquake_measure(each) is None]
-    left_out = [LeftOut(each.name, each.measure, each.period, "no-name-of-measure") for each in unnamed]
-    named = [each for each in curves if openquake_measure(each) is not None]
-    inside, lacking = common_states(named, fitted=format == "continuous")
-    crossing = ((each, _crossing(each, format)) for each in inside)
-    crossed = [
-        LeftOut(each.name, each.measure, each.period, "curves-cross", state.name) for each, state in crossing if state
+def _exported_curves(
+    curves: Sequence[ExportedCurve], format: NrmlFormat
+) -> tuple[list[ExportedCurve], tuple[LeftOut, ...]]:
+    """Return the curves that the model has a place for, and what it leaves out."""
+    named, unnamed = _named_curves(curves, openquake_measure)
+    exported, incomplete = common_states(named, fitted=format == "continuous")
+    crossing_states = ((each, _crossing_state(each, format)) for each in exported)
+    crossing = [
+        LeftOut(each.name, each.measure, each.period, "curves-cross", state.name)
+        for each, state in crossing_states
+        if state
     ]
-    return inside, (*left_out, *lacking, *crossed)
+    return exported, (*unnamed, *incomplete, *crossing)
 
 
-def _crossing(curve: ExportedCurve, format: NrmlFormat) -> ExportedState | None:
+def _crossing_state(curve: ExportedCurve, format: NrmlFormat) -> ExportedState | None:
     """Return the first state that is somewhere more likely than the milder one before it; None where there is none."""
     at = _lognormal_range(curve) if format == "continuous" else _empirical_intensities(curve)
     before = np.ones_like(at)
@@ -291,6 +305,7 @@ def _empirical_intensities(curve: ExportedCurve) -> FloatArray:
 
 
 def _shares(state: ExportedState, at: FloatArray) -> FloatArray:
+    """Return the empirical shares of a state at intensities [n]."""
     return EmpiricalCurve(state.intensity, state.share).probability(at)
 
 
@@ -315,18 +330,17 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
     ----------
     curves : of the mechanisms
     """
-    unnamed = [each for each in curves if pelicun_demand(each) is None]
-    left_out = [LeftOut(each.name, each.measure, each.period, "no-name-of-measure") for each in unnamed]
-    inside, lacking = common_states([each for each in curves if pelicun_demand(each) is not None], fitted=True)
+    named, unnamed = _named_curves(curves, pelicun_demand)
+    exported, incomplete = common_states(named, fitted=True)
     rows: list[list[Cell]] = []
-    number = max((len(each.states) for each in inside), default=0)
-    names = [each.name for each in inside]
-    for each in inside:
+    most_states = max((len(each.states) for each in exported), default=0)
+    names = [each.name for each in exported]
+    for each in exported:
         demand = str(pelicun_demand(each))
         name = pelicun_identifier(f"{each.name}.{demand}" if names.count(each.name) > 1 else each.name)
         alike = sum(str(row[0]).split("..")[0] == name for row in rows)
         rows.append(_pelicun_row(each, demand, f"{name}..{alike + 1}" if alike else name))
-    return Export(table_text([_pelicun_header(number), *rows]), (*left_out, *lacking))
+    return Export(table_text([_pelicun_header(most_states), *rows]), (*unnamed, *incomplete))
 
 
 def pelicun_demand(curve: ExportedCurve) -> str | None:

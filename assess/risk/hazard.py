@@ -94,13 +94,13 @@ def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (
     u, v = np.log(hazard.intensity), np.log(hazard.annual_rate)
     slopes = -np.diff(v) / np.diff(u)
     kinks = np.log(np.asarray(breaks, dtype=np.float64))
-    parting = np.log(np.asarray(edges, dtype=np.float64)) if np.size(edges) else u
-    also = np.concatenate([kinks, parting])
-    corners = np.unique(np.concatenate([u, also[(also > u[0]) & (also < u[-1])]]))
+    dividing = np.log(np.asarray(edges, dtype=np.float64)) if np.size(edges) else u
+    further = np.concatenate([kinks, dividing])
+    corners = np.unique(np.concatenate([u, further[(further > u[0]) & (further < u[-1])]]))
     row = np.clip(np.searchsorted(u, corners[:-1], side="right") - 1, 0, slopes.size - 1)
     parts = _integrate(probability, corners, u[row], v[row], slopes[row])
-    place = np.clip(np.searchsorted(parting, corners[:-1], side="right") - 1, 0, parting.size - 2)
-    contribution = np.asarray(np.bincount(place, weights=parts, minlength=parting.size - 1), dtype=np.float64)
+    place = np.clip(np.searchsorted(dividing, corners[:-1], side="right") - 1, 0, dividing.size - 2)
+    contribution = np.asarray(np.bincount(place, weights=parts, minlength=dividing.size - 1), dtype=np.float64)
     return Rate(
         float(contribution.sum()),
         contribution,
@@ -196,7 +196,7 @@ IMT = r"([A-Za-z][A-Za-z0-9]*(?:\([^)]*\))?)"
 
 @dataclass(frozen=True, repr=False)
 class HazardFile(ShortRepr):
-    """A hazard curve with what its file says of it.
+    """A hazard curve as read from a file, with what the file says of it.
 
     curve : PGA and SA in g, PGV in m/s
     measure : "pga", "sa", "pgv"; period : of "sa" [s]

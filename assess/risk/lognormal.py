@@ -121,15 +121,18 @@ def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLik
     records : how many there are at each [k]
     """
     x = np.log(np.asarray(intensity, dtype=np.float64))
-    yes, n = (np.atleast_2d(np.asarray(each, dtype=np.float64)) for each in (reached, records))
-    if not yes.any():
+    reached_counts, record_counts = (np.atleast_2d(np.asarray(each, dtype=np.float64)) for each in (reached, records))
+    if not reached_counts.any():
         return UnboundedReason.NONE_REACH
-    if np.array_equal(yes, n):
+    if np.array_equal(reached_counts, record_counts):
         return UnboundedReason.ALL_REACH
-    if np.unique(x[n[0] > 0]).size < 2:
+    if np.unique(x[record_counts[0] > 0]).size < 2:
         return UnboundedReason.ONE_INTENSITY
-    if not counts_overlap(x, yes, n)[0]:
-        (first_reached, _), (_, last_not) = least_and_largest(x, yes > 0), least_and_largest(x, n > yes)
+    if not counts_overlap(x, reached_counts, record_counts)[0]:
+        (first_reached, _), (_, last_not) = (
+            least_and_largest(x, reached_counts > 0),
+            least_and_largest(x, record_counts > reached_counts),
+        )
         return UnboundedReason.SEPARATED if first_reached[0] >= last_not[0] else UnboundedReason.FALLING
     return UnboundedReason.FALLING if fit_lognormal(intensity, reached, records) is None else None
 
@@ -150,13 +153,15 @@ def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, lin
     theta = np.full((len(reached), 2), np.nan)
     overlap = counts_overlap(x, reached, records)
     if overlap.any():
-        middle, spread = float(np.mean(x)), float(np.std(x))
-        u, yes, n = (x - middle) / spread, reached[overlap], records[overlap]
-        pooled = _BinomialLikelihood(u, yes.sum(axis=0, keepdims=True), n.sum(axis=0, keepdims=True), link)
-        near = maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
-        start = np.tile(np.nan_to_num(near), (len(yes), 1))
-        a, b = maximise_likelihood(_BinomialLikelihood(u, yes, n, link), start).T
-        theta[overlap] = np.stack([a - b * middle / spread, b / spread], axis=1)
+        mean, spread = float(np.mean(x)), float(np.std(x))
+        u, reached_counts, record_counts = (x - mean) / spread, reached[overlap], records[overlap]
+        pooled = _BinomialLikelihood(
+            u, reached_counts.sum(axis=0, keepdims=True), record_counts.sum(axis=0, keepdims=True), link
+        )
+        pooled_fit = maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
+        start = np.tile(np.nan_to_num(pooled_fit), (len(reached_counts), 1))
+        a, b = maximise_likelihood(_BinomialLikelihood(u, reached_counts, record_counts, link), start).T
+        theta[overlap] = np.stack([a - b * mean / spread, b / spread], axis=1)
     return theta
 
 
@@ -174,16 +179,16 @@ def counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> B
     return np.asarray((first_reached < last_not) & (first_not < last_reached))
 
 
-def least_and_largest(x: FloatArray, there: BoolArray) -> tuple[FloatArray, FloatArray]:
-    """Return the least and largest variable of groups that are there [draws]; inf and -inf where none is.
+def least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Return the least and largest variable of the groups counted [draws]; inf and -inf where none is.
 
     Parameters
     ----------
     x : variable of each group [k]
-    there : which groups count [draws, k]
+    counted : which groups count [draws, k]
     """
-    least = np.where(there, x, np.inf).min(axis=1, initial=np.inf)
-    return least, np.where(there, x, -np.inf).max(axis=1, initial=-np.inf)
+    least = np.where(counted, x, np.inf).min(axis=1, initial=np.inf)
+    return least, np.where(counted, x, -np.inf).max(axis=1, initial=-np.inf)
 
 
 class _BinomialLikelihood:
@@ -194,25 +199,25 @@ class _BinomialLikelihood:
 
     def __call__(self, theta: FloatArray, draws: IntArray) -> Likelihood:
         z = theta[:, :1] + theta[:, 1:] * self.x
-        yes, no = self.reached[draws], self.others[draws]
-        value, slope, bend = (_probit if self.link == "probit" else _logit)(z, yes, no)
+        reached, others = self.reached[draws], self.others[draws]
+        value, slope, bend = (_probit if self.link == "probit" else _logit)(z, reached, others)
         gradient = np.stack([slope.sum(axis=1), slope @ self.x], axis=1)
         curvature = np.stack([bend.sum(axis=1), bend @ self.x, bend @ self.x**2], axis=1)
         return Likelihood(value.sum(axis=1), gradient, curvature)
 
 
-def _probit(z: FloatArray, yes: FloatArray, no: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _probit(z: FloatArray, reached: FloatArray, others: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
-    above, below = log_ndtr(z), log_ndtr(-z)
+    log_p, log_q = log_ndtr(z), log_ndtr(-z)
     log_density = -0.5 * z**2 - 0.5 * np.log(2.0 * np.pi)
-    u, v = np.exp(log_density - above), np.exp(log_density - below)
-    return yes * above + no * below, yes * u - no * v, -yes * u * (z + u) - no * v * (v - z)
+    u, v = np.exp(log_density - log_p), np.exp(log_density - log_q)
+    return reached * log_p + others * log_q, reached * u - others * v, -reached * u * (z + u) - others * v * (v - z)
 
 
-def _logit(z: FloatArray, yes: FloatArray, no: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _logit(z: FloatArray, reached: FloatArray, others: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
-    p, records = expit(z), yes + no
-    return yes * log_expit(z) + no * log_expit(-z), yes - records * p, -records * p * (1.0 - p)
+    p, records = expit(z), reached + others
+    return reached * log_expit(z) + others * log_expit(-z), reached - records * p, -records * p * (1.0 - p)
 
 
 def fit_first_exceedances(stands: FloatArray, reaches: FloatArray, counts: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -235,9 +240,9 @@ def fit_first_exceedances(stands: FloatArray, reaches: FloatArray, counts: Float
         known = np.concatenate([lower[np.isfinite(lower)], upper[np.isfinite(upper)]])
         middle, spread = float(known.mean()), float(known.std())
         low, high, n = (lower - middle) / spread, (upper - middle) / spread, counts[bounded]
-        plain = np.array([[0.0, 1.0]])
-        near = maximise_likelihood(_IntervalLikelihood(low, high, n.sum(axis=0, keepdims=True)), plain)
-        start = np.tile(near if np.isfinite(near).all() else plain, (len(n), 1))
+        standard_normal = np.array([[0.0, 1.0]])
+        pooled_fit = maximise_likelihood(_IntervalLikelihood(low, high, n.sum(axis=0, keepdims=True)), standard_normal)
+        start = np.tile(pooled_fit if np.isfinite(pooled_fit).all() else standard_normal, (len(n), 1))
         a, b = maximise_likelihood(_IntervalLikelihood(low, high, n), start).T
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             m, beta = np.exp(middle - a / b * spread), spread / b
@@ -328,48 +333,48 @@ def maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
     """
     theta = np.array(start, dtype=np.float64)
     active = np.arange(len(theta))
-    now = terms(theta, active)
+    likelihood = terms(theta, active)
     for _ in range(ITERATIONS):
-        step = _newton_step(now)
-        theta[active], now = _halve_steps(terms, theta[active], step, now, active)
-        moving = ~(np.abs(step).max(axis=1) <= STEP * (1.0 + np.abs(theta[active]).max(axis=1)))
-        active, now = active[moving], _select_draws(now, moving)
+        step = _newton_step(likelihood)
+        theta[active], likelihood = _halve_steps(terms, theta[active], step, likelihood, active)
+        not_converged = ~(np.abs(step).max(axis=1) <= STEP * (1.0 + np.abs(theta[active]).max(axis=1)))
+        active, likelihood = active[not_converged], _select_draws(likelihood, not_converged)
         if not active.size:
             break
     theta[active] = np.nan
     return theta
 
 
-def _newton_step(at: Likelihood) -> FloatArray:
+def _newton_step(likelihood: Likelihood) -> FloatArray:
     """Return Newton's steps [n, 2]; zero curvature gives a step that is not finite."""
-    (g_a, g_b), (aa, ab, bb) = at.gradient.T, at.curvature.T
+    (g_a, g_b), (aa, ab, bb) = likelihood.gradient.T, likelihood.curvature.T
     with np.errstate(divide="ignore", invalid="ignore"):
         step = np.stack([ab * g_b - bb * g_a, ab * g_a - aa * g_b], axis=1) / (aa * bb - ab**2)[:, None]
     return np.asarray(step)
 
 
 def _halve_steps(
-    terms: Terms, theta: FloatArray, step: FloatArray, now: Likelihood, draws: IntArray
+    terms: Terms, theta: FloatArray, step: FloatArray, likelihood: Likelihood, draws: IntArray
 ) -> tuple[FloatArray, Likelihood]:
     """Return the parameters after steps halved until no likelihood falls, and the likelihoods there."""
     step = np.where(np.isfinite(step), step, 0.0)
     tried = theta + step
-    there = terms(tried, draws)
+    tried_likelihood = terms(tried, draws)
     for _ in range(HALVINGS):
-        worse = ~(there.value >= now.value - 1e-12 * np.abs(now.value))
+        worse = ~(tried_likelihood.value >= likelihood.value - 1e-12 * np.abs(likelihood.value))
         if not worse.any():
             break
         step[worse] *= 0.5
         tried[worse] = theta[worse] + step[worse]
-        again = terms(tried[worse], draws[worse])
-        for whole, part in zip(_arrays(there), _arrays(again), strict=True):
+        halved = terms(tried[worse], draws[worse])
+        for whole, part in zip(_arrays(tried_likelihood), _arrays(halved), strict=True):
             whole[worse] = part
-    return tried, there
+    return tried, tried_likelihood
 
 
-def _select_draws(at: Likelihood, rows: BoolArray) -> Likelihood:
-    return Likelihood(*(each[rows] for each in _arrays(at)))
+def _select_draws(likelihood: Likelihood, rows: BoolArray) -> Likelihood:
+    return Likelihood(*(each[rows] for each in _arrays(likelihood)))
 
 
-def _arrays(at: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:
-    return at.value, at.gradient, at.curvature
+def _arrays(likelihood: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:
+    return likelihood.value, likelihood.gradient, likelihood.curvature

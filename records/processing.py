@@ -49,9 +49,9 @@ def correct_baseline(record: Record, *, degree: int) -> Record:
     """
     if not 0 <= degree <= HIGHEST_DEGREE:
         raise RecordError(f"{_where(record)}: baseline of degree {degree}; it must be from 0 to {HIGHEST_DEGREE}")
-    time = np.linspace(-1.0, 1.0, record.npts)
-    baseline = np.polynomial.Legendre.fit(time, record.acceleration, min(degree, record.npts - 1))(time)
-    return _with_samples(
+    x = np.linspace(-1.0, 1.0, record.npts)
+    baseline = np.polynomial.Legendre.fit(x, record.acceleration, min(degree, record.npts - 1))(x)
+    return _with_acceleration(
         record, record.acceleration - baseline, step=note("baseline-removed", degree=whole_number(degree))
     )
 
@@ -90,8 +90,8 @@ def butterworth(record: Record, *, low: float | None = None, high: float | None 
     sections = butter(order, corners if len(corners) == 2 else corners[0], btype=kind, fs=1.0 / record.dt, output="sos")
     pad = _check_size(1.5 * order / (corners[0] * record.dt), record)
     padded = np.pad(record.acceleration, pad)
-    filtered = sosfiltfilt(sections, padded, padtype=None)[pad : pad + record.npts]
-    return _with_samples(record, filtered, step=_filter_step(low, high, order=order))
+    acceleration = sosfiltfilt(sections, padded, padtype=None)[pad : pad + record.npts]
+    return _with_acceleration(record, acceleration, step=_filter_step(low, high, order=order))
 
 
 def _filter_step(low: float | None, high: float | None, *, order: int) -> Message:
@@ -130,10 +130,10 @@ def resample(record: Record, *, dt: float) -> Record:
     if up == down:
         return record
     taps = firwin(2 * REACH * max(up, down) + 1, CUT_OFF / max(up, down), window=("kaiser", KAISER))
-    samples = resample_poly(record.acceleration, up, down, window=taps)  # type: ignore[call-overload]  # stubs: no taps
-    return _with_samples(
+    acceleration = resample_poly(record.acceleration, up, down, window=taps)  # type: ignore[call-overload]  # stubs: no taps
+    return _with_acceleration(
         record,
-        samples,
+        acceleration,
         dt=dt,
         step=note("resampled", before=Quantity(record.dt, "time", 9), after=Quantity(dt, "time", 9)),
     )
@@ -166,12 +166,12 @@ def trim(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
         first=Quantity(first * record.dt, "time", 6),
         last=Quantity(last * record.dt, "time", 6),
     )
-    return _with_samples(record, record.acceleration[first : last + 1], step=step)
+    return _with_acceleration(record, record.acceleration[first : last + 1], step=step)
 
 
-def _with_samples(record: Record, samples: FloatArray, *, step: Message, dt: float | None = None) -> Record:
-    """Replace the samples, checked as when read, and add `step` to the processing history."""
-    checked = make_record(record.id, samples, record.dt if dt is None else dt, path=record.path)
+def _with_acceleration(record: Record, acceleration: FloatArray, *, step: Message, dt: float | None = None) -> Record:
+    """Replace the acceleration, checked as when read, and add `step` to the processing history."""
+    checked = make_record(record.id, acceleration, record.dt if dt is None else dt, path=record.path)
     return with_step(replace(record, acceleration=checked.acceleration, dt=checked.dt), step)
 
 
@@ -212,15 +212,15 @@ def rotate_to_azimuth(first: Record, second: Record, *, azimuth: float) -> Recor
     if not isfinite(azimuth):
         raise RecordError(f'records "{first.id}" and "{second.id}": azimuth {azimuth} to turn to; it must be finite')
     a, b = _shared_time(first, second)
-    one, two = _azimuths(first, second)
-    across = sin(two - one)
+    azimuth_1, azimuth_2 = _azimuths(first, second)
+    across = sin(azimuth_2 - azimuth_1)
     if abs(across) < sin(LEAST_ANGLE):
         raise RecordError(
-            f'records "{first.id}" and "{second.id}": azimuths {degrees(one):.4g} and {degrees(two):.4g} deg; '
-            "two components at least 10 deg apart are needed"
+            f'records "{first.id}" and "{second.id}": azimuths {degrees(azimuth_1):.4g} and '
+            f"{degrees(azimuth_2):.4g} deg; two components at least 10 deg apart are needed"
         )
-    turned = a * (sin(two - azimuth) / across) + b * (sin(azimuth - one) / across)
-    return _rotated_record(first, second, turned, name=f"{degrees(azimuth):.6g}", azimuth=azimuth % (2.0 * pi))
+    acceleration = a * (sin(azimuth_2 - azimuth) / across) + b * (sin(azimuth - azimuth_1) / across)
+    return _rotated_record(first, second, acceleration, name=f"{degrees(azimuth):.6g}", azimuth=azimuth % (2.0 * pi))
 
 
 def rotd(first: Record, second: Record, *, percentile: float) -> Record:
@@ -242,8 +242,10 @@ def rotd(first: Record, second: Record, *, percentile: float) -> Record:
     """
     a, b = _perpendicular(first, second)
     angle = _angle(a, b, _check_percentile(percentile))
-    turned = a * cos(angle) + b * sin(angle)
-    return _rotated_record(first, second, turned, name=f"RotD{percentile:g}", azimuth=_azimuth_at(first, second, angle))
+    acceleration = a * cos(angle) + b * sin(angle)
+    return _rotated_record(
+        first, second, acceleration, name=f"RotD{percentile:g}", azimuth=_azimuth_at(first, second, angle)
+    )
 
 
 def rotd_spectrum(
@@ -254,12 +256,12 @@ def rotd_spectrum(
     As `rotd`, period by period. Source: Boore (2010), BSSA 100, 1830-1835: RotD50 and RotD100.
     """
     a, b = _perpendicular(first, second)
-    at = _check_percentile(percentile)
-    each = [
+    _check_percentile(percentile)
+    spectra = [
         response_spectrum(make_record(first.id, a * cos(angle) + b * sin(angle), first.dt), period, damping=damping)
         for angle in ANGLES
     ]
-    return np.asarray(np.percentile(np.array(each), at, axis=0), dtype=np.float64)
+    return np.asarray(np.percentile(np.array(spectra), percentile, axis=0), dtype=np.float64)
 
 
 def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
@@ -270,15 +272,15 @@ def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
     """
 
     def beyond(angle: float) -> float:
-        return float(np.max(np.abs(a * cos(angle) + b * sin(angle)))) - wanted
+        return float(np.max(np.abs(a * cos(angle) + b * sin(angle)))) - peak
 
-    wanted = 0.0
+    peak = 0.0
     peaks = np.array([beyond(angle) for angle in ANGLES])
-    wanted = float(np.percentile(peaks, percentile))
-    off = np.abs(np.append(peaks, peaks[0]) - wanted)
+    peak = float(np.percentile(peaks, percentile))
+    off = np.abs(np.append(peaks, peaks[0]) - peak)
     if not off.min() > 0.0:
         return float(ANGLES[int(np.argmin(off[:-1]))])
-    above = np.append(peaks, peaks[0]) > wanted
+    above = np.append(peaks, peaks[0]) > peak
     between = np.flatnonzero(above[1:] != above[:-1])
     at = between[np.argmin(np.minimum(off[between], off[between + 1]))]
     return float(brentq(beyond, ANGLES[at], ANGLES[at] + pi / 180.0, xtol=1e-14))
@@ -286,10 +288,10 @@ def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
 
 def _shared_time(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:
     """Return both accelerations over the time that they share, of two components of one recording."""
-    for what, one, other in (("station", first.station, second.station), ("event", first.event, second.event)):
-        if one and other and one != other:
+    for what, name, other in (("station", first.station, second.station), ("event", first.event, second.event)):
+        if name and other and name != other:
             raise RecordError(
-                f'records "{first.id}" and "{second.id}": {what} {one!r} and {other!r}; two components of one '
+                f'records "{first.id}" and "{second.id}": {what} {name!r} and {other!r}; two components of one '
                 "recording are turned together"
             )
     if abs(first.dt / second.dt - 1.0) > COINCIDE:
@@ -314,6 +316,7 @@ def _perpendicular(first: Record, second: Record) -> tuple[FloatArray, FloatArra
 
 
 def _azimuths(first: Record, second: Record) -> tuple[float, float]:
+    """Return both azimuths [rad]; refuse a component whose azimuth is not known."""
     for record in (first, second):
         if record.azimuth is None:
             raise RecordError(
@@ -332,19 +335,22 @@ def _azimuth_at(first: Record, second: Record, angle: float) -> float | None:
 
 
 def _check_percentile(percentile: float) -> float:
+    """Return the percentile, from 0 to 100."""
     if not 0.0 <= percentile <= 100.0:
         raise RecordError(f"percentile {percentile} over the directions; it must be from 0 to 100")
     return percentile
 
 
-def _rotated_record(first: Record, second: Record, samples: FloatArray, *, name: str, azimuth: float | None) -> Record:
-    """Return what has become of two components, under the names of the first."""
+def _rotated_record(
+    first: Record, second: Record, acceleration: FloatArray, *, name: str, azimuth: float | None
+) -> Record:
+    """Return the record made of two components, under the names of the first."""
     values: dict[str, Value] = {"component": second.component, "record": second.id, "name": name}
     step = note("turned", **values)
     if azimuth is not None:
         step = note("turned-to", azimuth=Quantity(azimuth, "angle", 6), **values)
-    made = make_record(f"{first.id} {name}", samples, first.dt, path=first.path)
-    rotated = replace(first, id=made.id, acceleration=made.acceleration, component=name, azimuth=azimuth)
+    checked = make_record(f"{first.id} {name}", acceleration, first.dt, path=first.path)
+    rotated = replace(first, id=checked.id, acceleration=checked.acceleration, component=name, azimuth=azimuth)
     return with_step(rotated, step)
 
 
@@ -378,33 +384,33 @@ class Processing:
     scale: float | None
 
     @property
-    def turns(self) -> bool:
+    def rotates(self) -> bool:
         """Whether two components are rotated into one."""
         return self.azimuth is not None or self.rotd is not None
 
 
-def choose_records(found: Sequence[Record], *, component: str | None, turned: bool) -> tuple[Record, ...]:
+def choose_records(records: Sequence[Record], *, component: str | None, rotated: bool) -> tuple[Record, ...]:
     """Choose the one record to convert, or the two horizontal ones to rotate.
 
     Parameters
     ----------
-    found : the records of the files
+    records : of the files
     component : name of the one to convert
-    turned : whether two are rotated into one
+    rotated : whether two are combined into one
 
     Raises
     ------
     RecordError : the choice is not unique; it lists the records there are
     """
-    names = ", ".join(f'"{record.component}" of {record.id}' for record in found)
-    if turned:
-        level = tuple(record for record in found if not is_vertical(record.component))
-        if len(level) != 2 or component is not None:
+    names = ", ".join(f'"{record.component}" of {record.id}' for record in records)
+    if rotated:
+        horizontal = tuple(record for record in records if not is_vertical(record.component))
+        if len(horizontal) != 2 or component is not None:
             raise RecordError(f"two horizontal components are turned, without --component; the files hold {names}")
-        return level
+        return horizontal
     kept = tuple(
         record
-        for record in found
+        for record in records
         if component is None or _normalised_component(record.component) == _normalised_component(component)
     )
     if len(kept) != 1:
@@ -417,27 +423,27 @@ def _normalised_component(component: str) -> str:
     return " ".join(component.casefold().split())
 
 
-def process(records: tuple[Record, ...], wanted: Processing) -> Record:
+def process(records: tuple[Record, ...], processing: Processing) -> Record:
     """Process records into one: rotated, baseline corrected, filtered, trimmed, resampled and scaled, as requested.
 
     Parameters
     ----------
     records : one record, or the two horizontal ones that are rotated
-    wanted : the steps
+    processing : the steps
     """
     record = records[0]
-    if wanted.azimuth is not None:
-        record = rotate_to_azimuth(*records, azimuth=radians(wanted.azimuth))
-    if wanted.rotd is not None:
-        record = rotd(*records, percentile=wanted.rotd)
-    if wanted.baseline is not None:
-        record = correct_baseline(record, degree=wanted.baseline)
-    record = butterworth(record, low=wanted.low_cut, high=wanted.high_cut, order=wanted.order)
-    if wanted.trim is not None:
-        record = trim(record, start=wanted.trim[0], end=wanted.trim[1])
-    if wanted.step is not None:
-        record = resample(record, dt=wanted.step)
-    return record if wanted.scale is None else _scale_by_option(record, wanted.scale)
+    if processing.azimuth is not None:
+        record = rotate_to_azimuth(*records, azimuth=radians(processing.azimuth))
+    if processing.rotd is not None:
+        record = rotd(*records, percentile=processing.rotd)
+    if processing.baseline is not None:
+        record = correct_baseline(record, degree=processing.baseline)
+    record = butterworth(record, low=processing.low_cut, high=processing.high_cut, order=processing.order)
+    if processing.trim is not None:
+        record = trim(record, start=processing.trim[0], end=processing.trim[1])
+    if processing.step is not None:
+        record = resample(record, dt=processing.step)
+    return record if processing.scale is None else _scale_by_option(record, processing.scale)
 
 
 def _scale_by_option(record: Record, factor: float) -> Record:
@@ -490,9 +496,9 @@ def csv_text(record: Record, *, unit: str = "m/s2", stamp: str = "") -> str:
     ------
     ColumnError : the unit is unknown
     """
-    samples = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
+    a = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
     printed = repr if unit == "m/s2" else "{:.15g}".format  # what was divided has no more digits
-    rows = (f"{i * record.dt:.12g},{printed(a)}\n" for i, a in enumerate(samples.tolist()))
+    rows = (f"{i * record.dt:.12g},{printed(value)}\n" for i, value in enumerate(a.tolist()))
     stamped = f"# stamp: {stamp}\n" if stamp else ""
     return "".join(comments(record)) + stamped + f"time [s],acceleration [{unit}]\n" + "".join(rows)
 

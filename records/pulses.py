@@ -230,8 +230,8 @@ def pulse_record(shape: PulseShape, *, frequency: float, amplitude: float, dt: f
         raise RecordError(f"{where}: a step of {dt:.6g} s gives more than {LONGEST:,} samples; take a longer step")
     size = Quantity(amplitude, "acceleration", 6)
     history = note("pulse", shape=shape.name, frequency=Quantity(frequency, "frequency", 6), amplitude=size)
-    samples = amplitude * _end_at_zero(shape.value(_phases(shape, step=2 * pi * frequency * dt)))
-    return make_record(f"{shape.name}-{frequency:.6g}Hz", samples, dt, processing_history=(history,))
+    acceleration = amplitude * _end_at_zero(shape.value(_phases(shape, step=2 * pi * frequency * dt)))
+    return make_record(f"{shape.name}-{frequency:.6g}Hz", acceleration, dt, processing_history=(history,))
 
 
 def _phases(shape: PulseShape, *, step: float) -> FloatArray:

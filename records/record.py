@@ -63,9 +63,9 @@ def scale(record: Record, factor: float) -> Record:
     record : accelerogram
     factor : scale factor [-]
     """
-    samples = record.acceleration * factor
-    samples.flags.writeable = False
-    return with_step(replace(record, acceleration=samples), note("scaled-by", factor=Quantity(factor, figures=6)))
+    acceleration = record.acceleration * factor
+    acceleration.flags.writeable = False
+    return with_step(replace(record, acceleration=acceleration), note("scaled-by", factor=Quantity(factor, figures=6)))
 
 
 def with_step(record: Record, step: Message) -> Record:
@@ -164,7 +164,7 @@ def make_record(
     start: str = "",
     warnings: Sequence[Message | None] = (),
 ) -> Record:
-    """Make a record, checked, with a read-only copy of the samples.
+    """Make a record, checked, with a read-only copy of the acceleration.
 
     Parameters
     ----------
@@ -178,30 +178,28 @@ def make_record(
     ------
     RecordError : fewer than two samples, values not finite or beyond any ground motion, a step that is not positive
     """
-    samples = np.array(acceleration, dtype=np.float64)
+    a = np.array(acceleration, dtype=np.float64)
     where = path or f'record "{id}"'
-    if samples.ndim != 1 or samples.size < 2:
-        raise RecordError(f"{where}: {samples.size} samples of acceleration; a record needs at least two")
-    bad = np.flatnonzero(~np.isfinite(samples))
+    if a.ndim != 1 or a.size < 2:
+        raise RecordError(f"{where}: {a.size} samples of acceleration; a record needs at least two")
+    bad = np.flatnonzero(~np.isfinite(a))
     if bad.size:
-        raise RecordError(
-            f"{where}: sample {bad[0] + 1} is {samples[bad[0]]}; every acceleration must be a finite number"
-        )
-    beyond = np.flatnonzero(np.abs(samples) > STRONGEST)
+        raise RecordError(f"{where}: sample {bad[0] + 1} is {a[bad[0]]}; every acceleration must be a finite number")
+    beyond = np.flatnonzero(np.abs(a) > STRONGEST)
     if beyond.size:
         raise RecordError(
-            f"{where}: sample {beyond[0] + 1} is {samples[beyond[0]]:.4g} m/s2, over {STRONGEST:g}; check the unit"
+            f"{where}: sample {beyond[0] + 1} is {a[beyond[0]]:.4g} m/s2, over {STRONGEST:g}; check the unit"
         )
     if not (np.isfinite(dt) and dt > 0):
         raise RecordError(f"{where}: time step {dt} s; it must be positive")
-    samples.flags.writeable = False
-    named = event or designation(earthquake)
+    a.flags.writeable = False
+    event_name = event or designation(earthquake)
     return Record(
         id,
-        samples,
+        a,
         float(dt),
         path,
-        named,
+        event_name,
         station,
         component,
         processing_history,

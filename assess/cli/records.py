@@ -78,9 +78,9 @@ def index(
     from assess.cli.tables.records import index_json, index_text
     from assess.workers import process_pool
     from records.catalogue import NAME, catalogue_candidates, open_catalogue, store_flatfile
+    from records.catalogue import index as brought_up
     from records.flatfile import match_flatfile, read_flatfile
     from records.formats.header import HeaderOverrides
-    from records.indexing import index as brought_up
     from records.plausibility import candidate_warning
     from records.reading import files_below
 
@@ -208,7 +208,7 @@ def convert(
 
     found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
     wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
-    used = choose_records(found, component=component, turned=wanted.turns)
+    used = choose_records(found, component=component, rotated=wanted.rotates)
     print_warnings([*map(record_warning, used), *map(str, warnings_among(used))])
     record = process(used, wanted)
     stamp = stamp_of_files("records convert", files, wanted, component, unit, step, to_unit)

@@ -50,12 +50,12 @@ from assess.study.study import (
 )
 from records import catalogue
 from records.candidates import Candidate, read_candidates
+from records.catalogue import index
 from records.compliance import CodeName, Requirements, asce43_05, ntc2018
 from records.compliance.asce43_05 import fit_of_mean
 from records.compliance.suite import FINE, Requirement, RequirementKind, Suite, common_factor, suite_of
 from records.flatfile import BadCell, FlatfileMatch, describe_candidates, match_flatfile, read_flatfile
 from records.formats.header import NO_OVERRIDES, HeaderOverrides
-from records.indexing import index
 from records.plausibility import implausibility_warnings, warnings_among
 from records.reading import read_with_overrides, relative_path
 from records.record import Record, with_step
@@ -439,7 +439,7 @@ def _faults_by_code(code: str, study: Study, spectrum: Spectrum, motions: Sequen
     shortest, longest = rules.periods(study)
     review = SuiteReview(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
     yield from _not_named(code, review)
-    yield from (_unmet_message(one, REMEDIES[one.rule](one, review)) for one in review.unmet)
+    yield from (_unmet_message(one, REMEDIES[one.kind](one, review)) for one in review.unmet)
     yield from (_out_of_reach(one, review) for one in review.found if one.verdict == "not answered")
 
 
@@ -471,7 +471,7 @@ def _unmet_message(one: Requirement, remedy: Remedy) -> Message:
         "low": Quantity(low, "time", 3),
         "high": Quantity(high, "time", 3),
     }
-    return _message_with_remedy(f"suite-{one.rule}", values, remedy)
+    return _message_with_remedy(f"suite-{one.kind}", values, remedy)
 
 
 def _out_of_reach(one: Requirement, review: SuiteReview) -> Message:
@@ -489,7 +489,7 @@ def _message_with_remedy(key: str, values: Mapping[str, Value], remedy: Remedy) 
 
 
 def _quantity_of(one: Requirement, value: float) -> Quantity:
-    return whole_number(round(value)) if one.rule in COUNTED_RULES else Quantity(value, DIMENSIONS[one.unit], 3)
+    return whole_number(round(value)) if one.kind in COUNTED_RULES else Quantity(value, DIMENSIONS[one.unit], 3)
 
 
 FACTOR_STEPS = 1000.0  # a factor is proposed to three decimals, rounded to the side that meets the rule
@@ -586,16 +586,16 @@ def _remake(text: Term | Message, review: SuiteReview) -> Remedy | None:
 
 def improve_artificial(made: ArtificialRecords, review: SuiteReview) -> ArtificialRecords:
     """Return the artificial records with the number and the duration that the rules require."""
-    few = [round(one.limit - (one.value or 0.0)) for one in review.unmet if one.rule == RequirementKind.COUNT]
+    few = [round(one.limit - (one.value or 0.0)) for one in review.unmet if one.kind == RequirementKind.COUNT]
     long = [_required_duration(one, review) for one in review.unmet]
     return replace(made, count=made.count + max(few, default=0), duration=max([made.duration, *long]))
 
 
 def _required_duration(one: Requirement, review: SuiteReview) -> float:
     """Return the duration [s] that a rule requires of artificial records, directly, by level part or by periods."""
-    if one.rule == RequirementKind.DURATION:
+    if one.kind == RequirementKind.DURATION:
         return one.limit
-    if one.rule == RequirementKind.STATIONARY:
+    if one.kind == RequirementKind.STATIONARY:
         return one.limit / STATIONARY
     made, end = review.study.artificial, 0.0 if one.periods is None else one.periods[1]
     return (

@@ -22,21 +22,21 @@ from spectra.arrays import BoolArray, FloatArray
 CodeName = Literal["asce7-16", "asce43-05", "ec8", "ntc2018", "nzs1170.5"]
 
 
-class Interest(Protocol):
+class PeriodsOfInterest(Protocol):
     """The range of periods over which a code compares a suite with its target [s]."""
 
     def __call__(self, *, shortest: float, longest: float) -> tuple[float, float]:
         """Return the range for the shortest and the longest period of the mechanisms [s]."""
 
 
-class Unfit(Protocol):
+class UnfitRecords(Protocol):
     """Which records break a rule of a code by themselves [n]."""
 
     def __call__(self, suite: Suite, *, shortest: float, longest: float) -> BoolArray:
         """Return true for each record that has to be replaced."""
 
 
-class Factors(Protocol):
+class ScaleFactors(Protocol):
     """The factors on a suite with which it meets a code, if any do [n]."""
 
     def __call__(self, suite: Suite, *, shortest: float, longest: float) -> FloatArray | None:
@@ -47,22 +47,22 @@ class Factors(Protocol):
 class SelectionRules:
     """What a code lets one choose of a suite.
 
-    code : as in `REQUIREMENTS`; least : number of records; interest : periods over which records are fitted
-    unfit : which records break a rule by themselves; factors : with which the suite meets the code
+    code : as in `REQUIREMENTS`; least : number of records; periods_of_interest : periods over which records are fitted
+    unfit_records : which records break a rule by themselves; factors : with which the suite meets the code
     own_factors : whether the code finds the factor of each record itself, over the period and not its logarithm
     record_factors : least and largest factor of a record; record_misfit : of a record, mean square of ln [-]
     """
 
     code: str
     least: int
-    interest: Interest
-    unfit: Unfit
-    factors: Factors
+    periods_of_interest: PeriodsOfInterest
+    unfit_records: UnfitRecords
+    factors: ScaleFactors
     own_factors: bool = False
     record_factors: tuple[float, float] = (0.0, inf)
     record_misfit: float = inf
 
-    def found(self, suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+    def requirements(self, suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
         """Return the requirements of the code on a suite."""
         return REQUIREMENTS[self.code](suite, shortest=shortest, longest=longest)
 
@@ -77,18 +77,20 @@ def any_record(suite: Suite, *, shortest: float, longest: float) -> BoolArray:
     return np.zeros(suite.count, dtype=np.bool_)
 
 
-def _one_factor(code: str) -> Factors:
+def _one_factor(code: str) -> ScaleFactors:
     """Return the search for one further factor on all records, nearest to 1, with which the mean meets a code."""
 
     def factors(suite: Suite, *, shortest: float, longest: float) -> FloatArray | None:
-        further = common_factor(REQUIREMENTS[code](suite, shortest=shortest, longest=longest))
-        return None if further is None else suite.factor * further
+        further_factor = common_factor(REQUIREMENTS[code](suite, shortest=shortest, longest=longest))
+        return None if further_factor is None else suite.factor * further_factor
 
     return factors
 
 
-def _rules_on_mean(code: str, least: int, interest: Interest, unfit: Unfit) -> SelectionRules:
-    return SelectionRules(code, least, interest, unfit, _one_factor(code))
+def _rules_on_mean(
+    code: str, least: int, periods_of_interest: PeriodsOfInterest, unfit_records: UnfitRecords
+) -> SelectionRules:
+    return SelectionRules(code, least, periods_of_interest, unfit_records, _one_factor(code))
 
 
 class Requirements(Protocol):
@@ -107,14 +109,16 @@ REQUIREMENTS: Mapping[str, Requirements] = {
 }
 
 SELECTION_RULES: Mapping[CodeName, SelectionRules] = {
-    "asce7-16": _rules_on_mean(asce7_16.CODE, asce7_16.LEAST_RECORDS, asce7_16.interest, any_record),
-    "asce43-05": _rules_on_mean(asce43_05.CODE, asce43_05.LEAST_RECORDS, asce43_05.interest, unusable_records),
-    "ec8": _rules_on_mean(en1998_1.CODE, en1998_1.LEAST_RECORDS, en1998_1.interest, any_record),
-    "ntc2018": _rules_on_mean(ntc2018.CODE, ntc2018.LEAST_RECORDS, ntc2018.interest, unusable_records),
+    "asce7-16": _rules_on_mean(asce7_16.CODE, asce7_16.LEAST_RECORDS, asce7_16.periods_of_interest, any_record),
+    "asce43-05": _rules_on_mean(
+        asce43_05.CODE, asce43_05.LEAST_RECORDS, asce43_05.periods_of_interest, unusable_records
+    ),
+    "ec8": _rules_on_mean(en1998_1.CODE, en1998_1.LEAST_RECORDS, en1998_1.periods_of_interest, any_record),
+    "ntc2018": _rules_on_mean(ntc2018.CODE, ntc2018.LEAST_RECORDS, ntc2018.periods_of_interest, unusable_records),
     "nzs1170.5": SelectionRules(
         nzs1170_5.CODE,
         nzs1170_5.LEAST_RECORDS,
-        nzs1170_5.interest,
+        nzs1170_5.periods_of_interest,
         nzs1170_5.unfit_records,
         nzs1170_5.scale_factors,
         own_factors=True,
@@ -127,9 +131,9 @@ SELECTION_RULES: Mapping[CodeName, SelectionRules] = {
 
 def linear_weights(period: Sequence[float]) -> tuple[tuple[float, float], ...]:
     """Return (period [s], weight [-]) with which a mean over periods is one over the period, not its logarithm."""
-    at = np.asarray(period, dtype=np.float64)
-    share = np.convolve(np.diff(at), [0.5, 0.5]) if at.size > 1 else np.ones(1)
-    return tuple(zip(at.tolist(), share.tolist(), strict=True))
+    T = np.asarray(period, dtype=np.float64)
+    weight = np.convolve(np.diff(T), [0.5, 0.5]) if T.size > 1 else np.ones(1)
+    return tuple(zip(T.tolist(), weight.tolist(), strict=True))
 
 
 def all_requirements(
@@ -143,8 +147,8 @@ def all_requirements(
     shortest, longest : equivalent periods of the mechanisms [s]
     own : shortest and longest period [s] of the codes that define their own, by code
     """
-    found: list[Requirement] = []
+    requirements: list[Requirement] = []
     for code, check in REQUIREMENTS.items():
         low, high = own.get(code, (shortest, longest))
-        found += check(suite, shortest=low, longest=high)
-    return tuple(found)
+        requirements += check(suite, shortest=low, longest=high)
+    return tuple(requirements)

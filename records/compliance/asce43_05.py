@@ -35,7 +35,7 @@ RECORDED = "2.4 is of synthetic or modified motions; of recorded ones this bound
 ARTIFICIAL = "seven with artificial records among them is this program's own rule"
 
 
-def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+def periods_of_interest(*, shortest: float, longest: float) -> tuple[float, float]:
     """Return the range of periods over which the mean of recorded motions is compared with the target [s]."""
     return OF_INTEREST[0] * shortest, OF_INTEREST[1] * longest
 
@@ -50,7 +50,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     """
     if suite.artificial.any():
         return (_number(suite, LEAST_ARTIFICIAL, ARTIFICIAL), *_fitted(suite, longest=longest))
-    periods = interest(shortest=shortest, longest=longest)
+    periods = periods_of_interest(shortest=shortest, longest=longest)
     return (
         _number(suite, LEAST_RECORDS, ""),
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods, remark=RECORDED),

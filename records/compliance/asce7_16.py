@@ -13,7 +13,7 @@ REMARK = (
 )
 
 
-def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+def periods_of_interest(*, shortest: float, longest: float) -> tuple[float, float]:
     """Return the range of periods over which the mean is compared with the target [s]."""
     return 0.2 * shortest, 2.0 * longest
 
@@ -23,7 +23,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
 
     shortest, longest : equivalent periods in place of those of the first modes [s].
     """
-    periods = interest(shortest=shortest, longest=longest)
+    periods = periods_of_interest(shortest=shortest, longest=longest)
     return (
         check_limit(
             CODE, "16.2.2", RequirementKind.COUNT, "number of ground motions", suite.count, ">=", LEAST_RECORDS

@@ -11,14 +11,14 @@ LEAST_RECORDS = 3
 BELOW = 0.90
 
 
-def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+def periods_of_interest(*, shortest: float, longest: float) -> tuple[float, float]:
     """Return the range of periods over which the mean is compared with the target [s]."""
     return 0.2 * shortest, 2.0 * longest
 
 
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
     """Check the number (a), mean peak at least a_g S (b), mean spectrum over 0.2 T_1 to 2 T_1 (c)."""
-    clause, periods = "3.2.3.1.2(4)", interest(shortest=shortest, longest=longest)
+    clause, periods = "3.2.3.1.2(4)", periods_of_interest(shortest=shortest, longest=longest)
     seven = "from seven on the mean of the responses may be taken, else the largest (4.3.3.4.3(3))"
     peaks = float(np.mean(suite.pga)) / suite.target_pga
     return (

@@ -23,7 +23,7 @@ SEVEN = "from seven on the mean of the effects may be taken, else the worst"
 ARTIFICIAL = "seven with artificial records among them is this program's own rule; the clause asks for three"
 
 
-def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+def periods_of_interest(*, shortest: float, longest: float) -> tuple[float, float]:
     """Return the range of periods over which the mean of recorded motions is compared with the target [s]."""
     return OF_INTEREST[0] * shortest, OF_INTEREST[1] * longest
 
@@ -51,7 +51,7 @@ def fit_periods(*, longest: float) -> tuple[float, float]:
 
 def _natural(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
     """Require the mean from 10 % below to 30 % above over the range of interest, which the clause leaves open."""
-    periods = interest(shortest=shortest, longest=longest)
+    periods = periods_of_interest(shortest=shortest, longest=longest)
     return (
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods),
         mean_at_most(suite, CODE, CLAUSE, share=ABOVE, periods=periods),

@@ -28,7 +28,7 @@ FAMILY = 1.3
 IN_USE = "least scale factor in use over k_1 k_2"
 
 
-def interest(*, shortest: float, longest: float) -> tuple[float, float]:
+def periods_of_interest(*, shortest: float, longest: float) -> tuple[float, float]:
     """Return the range of periods over which records are fitted to the target, 0.4 to 1.3 T_1 [s]."""
     return 0.4 * max(shortest, LEAST_PERIOD), 1.3 * max(longest, LEAST_PERIOD)
 
@@ -39,7 +39,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     k_1 of a record makes the mean square of log10(k_1 SA / SA_target) over the period least, D_1 is the root of that.
     k_2 is what then brings the largest of the records up to the target at every period, at least 1.
     """
-    periods = interest(shortest=shortest, longest=longest)
+    periods = periods_of_interest(shortest=shortest, longest=longest)
     number = check_limit(CODE, "5.5.1", RequirementKind.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
     least, most = "least record scale factor k_1", "largest record scale factor k_1"
     fit, family = "largest misfit D_1 of a record", "family scale factor k_2"
@@ -53,7 +53,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
             (RequirementKind.IN_USE, IN_USE, ">=", 1.0),
         )
         silent = (
-            not_answered(CODE, "5.5.2", rule, what, sense, limit, periods, suite) for rule, what, sense, limit in rows
+            not_answered(CODE, "5.5.2", kind, what, sense, limit, periods, suite) for kind, what, sense, limit in rows
         )
         return (number, *silent)
     k_1, k_2, used = fits.k_1, fits.k_2, float((suite.factor / (fits.k_1 * fits.k_2)).min())
@@ -71,13 +71,13 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
 
 def scale_factors(suite: Suite, *, shortest: float, longest: float) -> FloatArray | None:
     """Return k_1 k_2 of each record [n]; None where the target does not cover the range of periods."""
-    fits = _fits(suite, interest(shortest=shortest, longest=longest))
+    fits = _fits(suite, periods_of_interest(shortest=shortest, longest=longest))
     return None if fits is None else fits.k_1 * fits.k_2
 
 
 def unfit_records(suite: Suite, *, shortest: float, longest: float) -> BoolArray:
     """Return which records have a k_1 or D_1 beyond its limit [n]."""
-    fits = _fits(suite, interest(shortest=shortest, longest=longest))
+    fits = _fits(suite, periods_of_interest(shortest=shortest, longest=longest))
     if fits is None:
         return np.zeros(suite.count, dtype=np.bool_)
     return np.asarray((fits.k_1 < LEAST_FACTOR) | (fits.k_1 > LARGEST_FACTOR) | (fits.D_1 > LOG_FIT))

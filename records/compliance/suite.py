@@ -125,7 +125,7 @@ class Requirement:
 
     code: str
     clause: str
-    rule: RequirementKind
+    kind: RequirementKind
     what: str
     value: float | None
     sense: Sense
@@ -144,7 +144,7 @@ class Requirement:
 def check_limit(
     code: str,
     clause: str,
-    rule: RequirementKind,
+    kind: RequirementKind,
     what: str,
     value: float,
     sense: Sense,
@@ -158,14 +158,14 @@ def check_limit(
     met = value >= limit * (1 - 1e-12) if sense == ">=" else value <= limit * (1 + 1e-12)
     verdict: Verdict = "met" if met else "not met"
     return Requirement(
-        code, clause, rule, what, float(value), sense, limit, unit, verdict, periods, remark, note=remark
+        code, clause, kind, what, float(value), sense, limit, unit, verdict, periods, remark, note=remark
     )
 
 
 def not_answered(
     code: str,
     clause: str,
-    rule: RequirementKind,
+    kind: RequirementKind,
     what: str,
     sense: Sense,
     limit: float,
@@ -176,7 +176,7 @@ def not_answered(
     low, high = suite.period_range
     remark = f"the target is known from {low:.3g} to {high:.4g} s only"
     return Requirement(
-        code, clause, rule, what, None, sense, limit, "-", "not answered", periods, remark, known=(low, high)
+        code, clause, kind, what, None, sense, limit, "-", "not answered", periods, remark, known=(low, high)
     )
 
 

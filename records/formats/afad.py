@@ -65,7 +65,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 def _record(
     text: dict[str, str],
     name: str,
-    samples: FloatArray,
+    acceleration: FloatArray,
     dt: float,
     unit: str,
     warnings: tuple[Message | None, ...],
@@ -75,7 +75,7 @@ def _record(
     """Return the component `name` of the header's station."""
     return make_record(
         f"{path.stem} {name}",
-        samples,
+        acceleration,
         dt,
         path=str(path),
         station=text.get("STATION ID", ""),

@@ -157,16 +157,16 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
     if response is None:
         unit = str(overrides.unit)
         factor = acceleration_factor(unit, line=0, path=path)
-        samples = factor * np.asarray(trace.data, dtype=np.float64)
+        acceleration = factor * np.asarray(trace.data, dtype=np.float64)
         history: tuple[Message, ...] = (note("read-from-given", format=name, unit=unit),)
     else:
-        samples = _without_response(trace, response, path=path)
+        acceleration = _without_response(trace, response, path=path)
         file = Path(overrides.response or "").name
         history = (note("read-from-response", format=name, file=file), note("mean-removed"))
     channel = trace.stats.channel
     return make_record(
         f"{path.stem} {trace.id}",
-        samples,
+        acceleration,
         float(trace.stats.delta),
         path=str(path),
         event=_text(trace, "kevnm"),

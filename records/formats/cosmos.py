@@ -46,10 +46,27 @@ CHANNEL = re.compile(r"Sta\s+Chan?\s*:?\s*[\w?]*\s*:\s*(.*?)\s*\(")
 CODE = re.compile(r"Code:\s*(\S+)\s*(.*)")
 ORIGIN = re.compile(r"Origin:\s*(\d+)/(\d+)/(\d+)[,\s]+(\d+):(\d+):([\d.]+)\s*UTC")
 TITLE = re.compile(r"(?:Record of )?(.*?)(?: of \w{3} \w{3} \d.*| {2,}.*)?")
-STEP_MS, PEAK, EPICENTRE, STATION, DISTANCE = 61, 63, 9, 0, 16  # indices of real values, from 0
 MAGNITUDES = {12: "Mw", 14: "ML", 13: "Ms"}
-AZIMUTH = 53  # index of the integer value; 1 to 360, north is 360
 UNKNOWN = -999.0
+# indices of the header's numbers, from 0
+STATION, EPICENTRE, DISTANCE, SECONDS, STEP_MS, LENGTH, PEAK, TIME = 0, 9, 16, 29, 61, 62, 63, 64  # of reals
+STARTED, AZIMUTH = 39, 53  # of integers: year, day of the year, month, day, hour, minute; 1 to 360, north is 360
+
+# what the text says again of the numbers
+CHANNEL_AZIMUTH = re.compile(r"Sta\s+Cha?n?\s*:?\s*[\w?]*\s*:\s*(\d+)\s*deg", re.IGNORECASE)
+PROCESSED = re.compile(r"Processed.*\bMax\s*=\s*([-+\d.]+)\s+\S+\s+at\s+([\d.]+)\s*sec", re.IGNORECASE)
+PLACES = (
+    ("latitude", "longitude", re.compile(r"Coords:\s*([-+\d.]+)[\s,]+([-+\d.]+)"), STATION),
+    (
+        "epicentre's latitude",
+        "epicentre's longitude",
+        re.compile(r"Hypocenter:\s*([-+\d.]+)[\s,]+([-+\d.]+)"),
+        EPICENTRE,
+    ),
+)
+RECORDER = re.compile(r"Rcrd start time:\s*(\d+)/(\d+)/(\d+)[,\s]+(\d+):(\d+):([\d.]+)")
+FILTER = re.compile(r"Record filtered below.*\babove\s+([\d.]+)\s*Hz", re.IGNORECASE)
+NUMBER = "number in the header"
 
 
 def looks_like(head: bytes) -> bool:
@@ -95,7 +112,7 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
     check_count(series[1], samples.size, path=path, name=f"line {at + 1}")
     odd = check_peak(_known(reals, PEAK), samples, unit=series[4], digits=1e-3, path=path)
     dt = _step(reals, samples.size, float(series[3]), path=path)
-    warnings = check_header(lines[start:at], integers, reals, samples, dt, path=path, line=start + 1)
+    warnings = _check_header(lines[start:at], integers, reals, samples, dt, path=path, line=start + 1)
     station, component = _names(lines[start:at])
     degrees = _known(integers, AZIMUTH)
     return make_record(
@@ -175,34 +192,13 @@ def _earthquake(header: list[str], reals: FloatArray) -> Earthquake:
     )
 
 
-def _time(origin: re.Match[str]) -> str:
+def _time(date_and_clock: re.Match[str]) -> str:
     """Return the time as ISO 8601; dates are month/day/year, or year/month/day where the year comes first."""
-    one, two, three, *clock = origin.groups()
+    one, two, three, *clock = date_and_clock.groups()
     return iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
 
 
-UNKNOWN_VALUE = -999.0
-NUMBER = "number in the header"
-AZIMUTH_INTEGER, STARTED = 53, 39  # indices of integers, from 0: year, day of the year, month, day, hour, minute
-SITE, EPICENTRE_REAL, SECONDS, HIGHEST = 0, 9, 29, 25  # of reals
-LENGTH, PEAK_REAL, TIME = 62, 63, 64
-CHANNEL_AZIMUTH = re.compile(r"Sta\s+Cha?n?\s*:?\s*[\w?]*\s*:\s*(\d+)\s*deg", re.IGNORECASE)
-PROCESSED = re.compile(r"Processed.*\bMax\s*=\s*([-+\d.]+)\s+\S+\s+at\s+([\d.]+)\s*sec", re.IGNORECASE)
-
-PLACES = (
-    ("latitude", "longitude", re.compile(r"Coords:\s*([-+\d.]+)[\s,]+([-+\d.]+)"), SITE),
-    (
-        "epicentre's latitude",
-        "epicentre's longitude",
-        re.compile(r"Hypocenter:\s*([-+\d.]+)[\s,]+([-+\d.]+)"),
-        EPICENTRE_REAL,
-    ),
-)
-RECORDER = re.compile(r"Rcrd start time:\s*(\d+)/(\d+)/(\d+)[,\s]+(\d+):(\d+):([\d.]+)")
-FILTER = re.compile(r"Record filtered below.*\babove\s+([\d.]+)\s*Hz", re.IGNORECASE)
-
-
-def check_header(
+def _check_header(
     text: Sequence[str],
     integers: FloatArray,
     reals: FloatArray,
@@ -226,9 +222,9 @@ def check_header(
     check_time_of_peak(_finite_value(reals, TIME), samples, dt, slack=0.006, path=path)
     processed, channel = PROCESSED.search(words), CHANNEL_AZIMUTH.search(words)
     peak, when = (number(processed[1]), number(processed[2])) if processed else (None, None)
-    check_same(f"{where} peak", peak, "real value 64", _finite_value(reals, PEAK_REAL), slack=0.002, path=path)
+    check_same(f"{where} peak", peak, "real value 64", _finite_value(reals, PEAK), slack=0.002, path=path)
     check_same(f"{where} time of the peak", when, "real value 65", _finite_value(reals, TIME), slack=0.006, path=path)
-    azimuth = _finite_value(integers, AZIMUTH_INTEGER)
+    azimuth = _finite_value(integers, AZIMUTH)
     printed = number(channel[1]) if channel else None
     if printed is not None and azimuth is not None and 0.0 < azimuth <= 360.0:
         check_same(f"{where} azimuth", printed % 360.0, "integer value 54", azimuth % 360.0, slack=1.0, path=path)
@@ -241,7 +237,7 @@ def check_header(
 
 
 def _finite_value(values: FloatArray, index: int) -> float | None:
-    return number(str(values[index]), unknown=(UNKNOWN_VALUE,)) if index < values.size else None
+    return number(str(values[index]), unknown=(UNKNOWN,)) if index < values.size else None
 
 
 def _place_warnings(words: str, reals: FloatArray) -> Iterator[Message | None]:
@@ -256,10 +252,9 @@ def _place_warnings(words: str, reals: FloatArray) -> Iterator[Message | None]:
 def _start_warning(words: str, integers: FloatArray, reals: FloatArray) -> Message | None:
     """Return a warning about when the recorder started, to the second."""
     found = RECORDER.search(words)
-    seconds, numbers = _finite_value(reals, SECONDS), [_finite_value(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
-    if found is None or seconds is None or None in numbers:
+    seconds, start = _finite_value(reals, SECONDS), [_finite_value(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
+    if found is None or seconds is None or None in start:
         return None
-    again = iso(*(f"{each:.0f}" for each in numbers), str(seconds))
-    one, two, three, *clock = found.groups()
-    printed = iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
+    again = iso(*(f"{each:.0f}" for each in start), str(seconds))
+    printed = _time(found)
     return describe_disagreement("start", printed, NUMBER, again) if printed[:19] != again[:19] else None

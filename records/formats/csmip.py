@@ -65,6 +65,24 @@ PEAK_2 = re.compile(r"Peak acceleration\s*=\s*(\S+)\s+(\S+)\s", re.IGNORECASE)
 NAME_OF_EVENT, NAME_OF_STATION, OF_CHANNEL = 2, 6, 7  # lines of a header of volume 2, from 0
 STATION_1, CHANNEL_1 = 5, 6  # of volume 1
 
+# where the header repeats what its text says
+TEXT = {True: 13, False: 25}  # lines, of volume 1 and of volume 2
+INTEGERS, REALS = (7, 16, 5), (7, 8, 10)  # lines, numbers in a line and characters of a number; volume 2 has more reals
+AZIMUTH = 26  # index of the integer; codes above 360 stand for other directions
+STEP, TIME, PEAK = 60, 64, 65  # indices of reals of volume 2
+LENGTH = re.compile(r"Record\s+length\s*=\s*([\d.]+)\s*sec", re.IGNORECASE)
+
+COUNT = (
+    re.compile(r"No\. of Points\s*=\s*(\d+)", re.IGNORECASE),
+    re.compile(r"^\s*(\d+)\s+points of instrument", re.IGNORECASE | re.MULTILINE),
+)
+RATE = re.compile(r"\bat\s+([\d.]+)\s*samples/sec", re.IGNORECASE)
+INTERVAL = re.compile(r"equally-spaced intervals of\s+([\d.]+)\s+sec", re.IGNORECASE)
+WHEN_1 = re.compile(r"\bMax\s*=\s*\S+\s*g\b\s*,\s*at\s+([\d.]+)\s*sec", re.IGNORECASE)
+WHEN_2 = re.compile(r"Peak acceleration\s*=\s*\S+\s+\S+\s+at\s+([\d.]+)\s*sec", re.IGNORECASE)
+BAND = re.compile(r"filtered with .*?\band\s+([\d.]+)(?:\s*-\s*([\d.]+))?\s*cyc/sec", re.IGNORECASE)
+CHANNEL_AZIMUTH = re.compile(r"\bChan\s+\d+\s*:\s*(\d+)\s*deg", re.IGNORECASE)
+
 
 def looks_like(head: bytes) -> bool:
     """Return whether the first bytes are CSMIP: its line of points, step and unit, or the title of volume 1."""
@@ -119,7 +137,7 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
         odd = check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=6e-4, path=path)
     chan = _named(header, CHANNEL_1 if first else OF_CHANNEL, path=path, line=at + 1)
     dt = _step(parts, line=at + 1, path=path)
-    warnings = check_header(header, chan[2], samples, dt, path=path, first=first)
+    warnings = _check_header(header, chan[2], samples, dt, path=path, first=first)
     integral = check_integral(
         _velocity(lines, end, path=path), factor * samples, dt, path=path, name=f"channel {chan[1]}"
     )
@@ -206,25 +224,7 @@ def _signed(degrees: str, side: str) -> float | None:
     return None if value is None else value if side.upper() in "NE" else -value
 
 
-TEXT = {True: 13, False: 25}  # lines, of volume 1 and of volume 2
-INTEGERS, REALS = (7, 16, 5), (7, 8, 10)  # lines, numbers in a line and characters of a number; volume 2 has more reals
-AZIMUTH = 26  # index of the integer; codes above 360 stand for other directions
-STEP, TIME, PEAK = 60, 64, 65  # indices of reals of volume 2
-LENGTH = re.compile(r"Record\s+length\s*=\s*([\d.]+)\s*sec", re.IGNORECASE)
-
-COUNT = (
-    re.compile(r"No\. of Points\s*=\s*(\d+)", re.IGNORECASE),
-    re.compile(r"^\s*(\d+)\s+points of instrument", re.IGNORECASE | re.MULTILINE),
-)
-RATE = re.compile(r"\bat\s+([\d.]+)\s*samples/sec", re.IGNORECASE)
-INTERVAL = re.compile(r"equally-spaced intervals of\s+([\d.]+)\s+sec", re.IGNORECASE)
-WHEN_1 = re.compile(r"\bMax\s*=\s*\S+\s*g\b\s*,\s*at\s+([\d.]+)\s*sec", re.IGNORECASE)
-WHEN_2 = re.compile(r"Peak acceleration\s*=\s*\S+\s+\S+\s+at\s+([\d.]+)\s*sec", re.IGNORECASE)
-BAND = re.compile(r"filtered with .*?\band\s+([\d.]+)(?:\s*-\s*([\d.]+))?\s*cyc/sec", re.IGNORECASE)
-CHANNEL_AZIMUTH = re.compile(r"\bChan\s+\d+\s*:\s*(\d+)\s*deg", re.IGNORECASE)
-
-
-def check_header(
+def _check_header(
     header: Sequence[str], name: str, samples: FloatArray, dt: float, *, path: Path, first: bool
 ) -> tuple[Message | None, ...]:
     """Refuse step [s], count, length, time of the peak and azimuth that are not the same everywhere; return warnings.

@@ -138,10 +138,6 @@ COMMENT = re.compile(r"\s*#\s*([a-z][a-z0-9 ]*(?:\[[^\]]*\])?)\s*:\s*(.*?)\s*")
 LONGEST = 2000  # characters of a comment
 
 
-def _times(factor: float, value: float | None) -> float | None:
-    return None if value is None else float(f"{factor * value:.12g}")
-
-
 KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
     "event": lambda record: record.event,
     "origin": lambda record: record.earthquake.time,
@@ -209,6 +205,10 @@ def record_fields(text: Mapping[str, str]) -> dict[str, Any]:
             place=text.get("place", ""),
         ),
     }
+
+
+def _times(factor: float, value: float | None) -> float | None:
+    return None if value is None else float(f"{factor * value:.12g}")
 
 
 def _on_one_line(text: str) -> str:

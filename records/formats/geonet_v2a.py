@@ -55,6 +55,16 @@ COMPONENT = re.compile(r"\s*Component\s+([NS] ?\d{1,2}[EW]\b|\S+)")
 PEAK = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+(\S+)\s+at")
 DATE = re.compile(r"\s*(\d{4})\s+([A-Z][a-z]+)\s+(\d+)\s+(\d+):(\d+):([\d.]+)\s+UT")
 
+TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
+UNIT = "mm/s/s"
+
+# indices among the hundred numbers, from 0
+LATITUDE, LONGITUDE, AZIMUTH, SIZE, PREPENDED, DURATION, STEP, PEAK_NUMBER, TIME = 20, 23, 27, 33, 61, 63, 65, 75, 76
+MINUTE = 1.0 / 60.0  # deg, to which a place should be the same
+LASTS = re.compile(r"\s*Number of points\s+\S+\s+Duration\s+([\d.]+)")
+PEAKED = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+\S+\s+at\s+([\d.]+)\s+sec(?:\s+rms\s+([\d.]+))?")
+DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*([EW])")
+
 
 def looks_like(head: bytes) -> bool:
     """Return whether the first bytes are V2A, or V1A, which is refused: lines of the points and the interval."""
@@ -93,7 +103,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
     dt = positive_number(interval, name="interval", line=start + 11, path=path)
     samples, velocity, uneven = _samples(lines, start, path=path)
     header = lines[start : start + TEXT_LINES + NUMBER_LINES]
-    warnings = check_header(header, name, samples, dt, path=path, line=start + 1)
+    warnings = _check_header(header, name, samples, dt, path=path, line=start + 1)
     return make_record(
         f"{path.stem} {name}",
         acceleration_factor(UNIT, line=start + 14, path=path) * samples,
@@ -106,7 +116,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
         azimuth=azimuth_of(name),
         distance=_kilometres(lines[start + 8], "Dist"),
         earthquake=_earthquake(lines[start + 7], lines[start + 8]),
-        site=StationSite(*coordinates(lines[start + 1])),
+        site=StationSite(*_coordinates(lines[start + 1])),
         warnings=(uneven, *warnings, check_integral(velocity, samples, dt, path=path, name=name)),
     )
 
@@ -158,7 +168,7 @@ def _kilometres(line: str, key: str) -> float | None:
 
 def _earthquake(date: str, place: str) -> Earthquake:
     at, size = DATE.match(date), re.search(r"\b(M[A-Za-z]*)\s+([\d.]+)\s*$", place)
-    latitude, longitude = coordinates(place)
+    latitude, longitude = _coordinates(place)
     return Earthquake(
         time=iso(at[1], _month(at[2]), at[3], at[4], at[5], at[6]) if at else "",
         magnitude=number(size[2]) if size else None,
@@ -176,18 +186,7 @@ def _month(name: str) -> str:
         return ""
 
 
-TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
-UNIT = "mm/s/s"
-
-# indices among the hundred numbers, from 0
-LATITUDE, LONGITUDE, AZIMUTH, SIZE, PREPENDED, DURATION, STEP, PEAK_NUMBER, TIME = 20, 23, 27, 33, 61, 63, 65, 75, 76
-MINUTE = 1.0 / 60.0  # deg, to which a place should be the same
-LASTS = re.compile(r"\s*Number of points\s+\S+\s+Duration\s+([\d.]+)")
-PEAKED = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+\S+\s+at\s+([\d.]+)\s+sec(?:\s+rms\s+([\d.]+))?")
-DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*([EW])")
-
-
-def check_header(
+def _check_header(
     header: Sequence[str], name: str, samples: FloatArray, dt: float, *, path: Path, line: int
 ) -> list[Message | None]:
     """Refuse step [s], size, peak and azimuth that `header`, from `line` on, does not say alike; return warnings.
@@ -222,7 +221,7 @@ def check_header(
     ]
 
 
-def coordinates(line: str) -> tuple[float | None, float | None]:
+def _coordinates(line: str) -> tuple[float | None, float | None]:
     """Return the latitude and longitude [deg] of "42 37 10S  173 03 13E"."""
     found = DEGREES.search(line)
     if found is None:
@@ -251,7 +250,7 @@ def _check_azimuth(name: str, again: float | None, *, path: Path, line: int) -> 
 
 def _place_warnings(line: str, numbers: Sequence[float | None]) -> Iterator[Message | None]:
     """Yield warnings about the site's latitude and longitude, which the numbers repeat without a sign."""
-    for words, value, at in zip(("latitude", "longitude"), coordinates(line), (LATITUDE, LONGITUDE), strict=True):
+    for words, value, at in zip(("latitude", "longitude"), _coordinates(line), (LATITUDE, LONGITUDE), strict=True):
         parts = [each or 0.0 for each in numbers[at : at + 3]]
         again = parts[0] + parts[1] / 60.0 + parts[2] / 3600.0
         if value is not None and again:

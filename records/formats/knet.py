@@ -54,13 +54,13 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
         raise RecordError(f"{path}: no samples below the header, or some that are not finite; the file is damaged")
     offset = float(np.mean(counts))
     factor = acceleration_factor(unit, line=14, path=path)
-    samples = factor * scale * (counts - offset)
-    peak = check_peak(number(header["Max. Acc. (gal)"]), samples / GAL, unit="gal", digits=6e-4, path=path)
+    acceleration = factor * scale * (counts - offset)
+    peak = check_peak(number(header["Max. Acc. (gal)"]), acceleration / GAL, unit="gal", digits=6e-4, path=path)
     component = _component(header["Dir."], path=path)
     return (
         make_record(
             path.name,
-            samples,
+            acceleration,
             1.0 / rate,
             path=str(path),
             station=header["Station Code"],

@@ -34,8 +34,7 @@ from scipy.constants import g
 from scipy.signal import cont2discrete, lfilter
 
 from records.candidates import PERIODS, Candidate
-from records.catalogue import NAME, catalogue_candidates, open_catalogue
-from records.indexing import index
+from records.catalogue import NAME, catalogue_candidates, index, open_catalogue
 from records.processing import at2_text, rotd_spectrum
 from records.reading import read_records
 from records.record import Record, make_record

@@ -15,12 +15,12 @@ from typing import Any
 from aim import aim
 
 from assess.cli import main
-from records import indexing
+from records import catalogue
 
 
 def aim_at_batches(*, at: int, number: int) -> None:
     """Send this process the signal before it stores batch `at`, of a few files each."""
-    store, count = indexing._store, 0
+    store, count = catalogue._store, 0
 
     def counted(*arguments: Any) -> None:
         nonlocal count
@@ -29,7 +29,7 @@ def aim_at_batches(*, at: int, number: int) -> None:
             os.kill(os.getpid(), number)
         store(*arguments)
 
-    indexing.BATCH, indexing._store = 5, counted
+    catalogue.BATCH, catalogue._store = 5, counted
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ TARGETS = (
     "spectra",
     "records",
 )
-ELSEWHERE = ("assess/geometry/formats", "records/compilation", "records/catalogue.py", "records/indexing.py")
+ELSEWHERE = ("assess/geometry/formats", "records/compilation", "records/catalogue.py")
 """Files, caches and catalogues: what `make fuzz` and `make kill` try."""
 ALIKE = (
     {"Add", "Sub", "Mul", "Div", "Pow"},

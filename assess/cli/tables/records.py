@@ -26,9 +26,9 @@ from records.response import Measures, measures, response_spectrum
 from reports.render.csv import csv_lines
 
 if TYPE_CHECKING:
+    from records.catalogue import IndexSummary
     from records.flatfile import FlatfileMatch
     from records.formats.header import HeaderOverrides
-    from records.indexing import IndexSummary
 
 SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 

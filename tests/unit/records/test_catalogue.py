@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records import candidates, indexing
+from records import candidates
+from records import catalogue as catalogue_module
 from records.candidates import PERIODS, Candidate, candidate_table
-from records.catalogue import NAME, catalogue_candidates, open_catalogue, path_inside, store_flatfile
+from records.catalogue import NAME, catalogue_candidates, index, open_catalogue, path_inside, store_flatfile
 from records.errors import RecordError
 from records.flatfile import read_flatfile
 from records.formats.header import HeaderOverrides
-from records.indexing import index
 from records.reading import read_records
 from records.response import measures, response_spectrum
 
@@ -105,7 +105,7 @@ def test_the_same_content_is_hashed_but_not_read(folder: Path, monkeypatch: pyte
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         os.utime(folder / "RSN57_X_0.AT2", ns=(1, 1))
-        monkeypatch.setattr(indexing, "read_with_overrides", lambda *_, **__: pytest.fail("read again"))
+        monkeypatch.setattr(catalogue_module, "read_with_overrides", lambda *_, **__: pytest.fail("read again"))
         index(folder, catalogue)
 
 
@@ -120,7 +120,7 @@ def test_a_stated_unit_is_asked_anew(folder: Path) -> None:
 
 
 def test_what_was_interrupted_goes_on_where_it_ended(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(indexing, "BATCH", 2)
+    monkeypatch.setattr(catalogue_module, "BATCH", 2)
 
     def interrupt(done: int, total: int) -> None:
         if done == 4:
@@ -135,11 +135,11 @@ def test_what_was_interrupted_goes_on_where_it_ended(folder: Path, monkeypatch: 
 
 def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> None:
     script = (
-        "import os, sys; from pathlib import Path; from records import indexing\n"
+        "import os, sys; from pathlib import Path; from records import catalogue as module\n"
         "from records.catalogue import open_catalogue\n"
-        "indexing.BATCH = 1; folder = Path(sys.argv[1])\n"
+        "module.BATCH = 1; folder = Path(sys.argv[1])\n"
         "with open_catalogue(folder / '.assess-records.sqlite') as catalogue:\n"
-        "    indexing.index(folder, catalogue, progress=lambda done, _: os.kill(os.getpid(), 9) if done == 3 else None)"
+        "    module.index(folder, catalogue, progress=lambda done, _: os.kill(os.getpid(), 9) if done == 3 else None)"
     )
     ended = subprocess.run([sys.executable, "-c", script, str(folder)], check=False)
     assert ended.returncode == -9
@@ -400,7 +400,7 @@ def test_a_fault_of_a_reader_stops_one_file_only(folder: Path, monkeypatch: pyte
             raise ZeroDivisionError("oh")
         return read_records(file)
 
-    monkeypatch.setattr(indexing, "read_with_overrides", faulty)
+    monkeypatch.setattr(catalogue_module, "read_with_overrides", faulty)
     with open_catalogue(None) as catalogue:
         found = index(folder, catalogue)
     assert ("RSN57_X_0.AT2", "its reader failed: ZeroDivisionError: oh") in found.problems

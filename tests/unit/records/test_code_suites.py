@@ -165,4 +165,4 @@ def test_linear_weights_are_those_of_the_trapezoidal_rule() -> None:
 
 
 def test_the_range_of_nzs_starts_at_0_4_of_0_4_s() -> None:
-    assert nzs1170_5.interest(shortest=0.1, longest=0.2) == pytest.approx((0.16, 0.52))
+    assert nzs1170_5.periods_of_interest(shortest=0.1, longest=0.2) == pytest.approx((0.16, 0.52))

@@ -80,7 +80,7 @@ def test_every_code_is_content_with_a_perfect_suite_and_says_so_with_its_clause(
 def test_the_number_of_records(code: str, least: int, made: bool) -> None:
     for count, verdict in ((least - 1, "not met"), (least, "met")):
         found = REQUIREMENTS[code](suite(*[1.0] * count, made=made), shortest=T_EQ, longest=T_EQ)
-        (one,) = (each for each in found if each.rule == RequirementKind.COUNT)
+        (one,) = (each for each in found if each.kind == RequirementKind.COUNT)
         assert (one.value, one.limit, one.verdict) == (count, least, verdict)
 
 
@@ -132,21 +132,21 @@ def test_ntc_asks_for_25_s_of_artificial_records_10_s_of_them_stationary(
 ) -> None:
     for given, verdict in ((change, "not met"), (dict.fromkeys(change, limit), "met")):
         found = ntc2018.requirements(suite(*[1.0] * 7, made=True, **given), shortest=T_EQ, longest=T_EQ)
-        (one,) = (each for each in found if each.rule == rule)
+        (one,) = (each for each in found if each.kind == rule)
         assert (one.limit, one.verdict) == (limit, verdict)
     natural = ntc2018.requirements(suite(*[1.0] * 7, duration=5.0), shortest=T_EQ, longest=T_EQ)
-    assert rule not in {one.rule for one in natural}
+    assert rule not in {one.kind for one in natural}
 
 
 def test_a_suite_of_natural_and_artificial_records_meets_what_is_asked_of_either() -> None:
     both = suite(*[1.4] * 7, made=True, duration=20.0)
     mixed = replace(both, artificial=np.array([True] + [False] * 6), duration=np.array([20.0] + [5.0] * 6))
     found = ntc2018.requirements(mixed, shortest=T_EQ, longest=T_EQ)
-    assert {one.rule for one in found if one.verdict == "not met"} == {
+    assert {one.kind for one in found if one.verdict == "not met"} == {
         RequirementKind.DURATION,
         RequirementKind.MEAN_HIGH,
     }
-    (duration,) = (one for one in found if one.rule == RequirementKind.DURATION)
+    (duration,) = (one for one in found if one.kind == RequirementKind.DURATION)
     assert duration.value == 20.0
 
 
@@ -154,7 +154,7 @@ def test_a_suite_of_natural_and_artificial_records_meets_what_is_asked_of_either
 def test_records_must_be_usable_up_to_the_longest_period_where_their_source_says_how_far_they_are(code: str) -> None:
     for usable, verdicts in ((0.9, ["not met"]), (1.1, ["met"]), (np.inf, [])):
         found = REQUIREMENTS[code](suite(*[1.0] * 7, usable=usable), shortest=0.5, longest=1.0)
-        assert [one.verdict for one in found if one.rule == RequirementKind.USABLE] == verdicts
+        assert [one.verdict for one in found if one.kind == RequirementKind.USABLE] == verdicts
 
 
 def test_the_factor_that_does_lifts_what_is_low_and_lowers_what_is_high_or_does_not_exist() -> None:

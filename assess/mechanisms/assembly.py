@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
 import shapely
 
-from assess.geometry.planar import Outline
-from assess.loads.load import Point
+from assess.geometry.cut import Piece
+from assess.geometry.planar import Outline, base_of_section, lowest_corners, slope_across, turns_about_a_corner
+from assess.geometry.solid import Solid
+from assess.loads.load import Place, Point, point_in_plane
 from assess.mechanisms.chain import (
     Chain,
     Joint,
@@ -22,9 +25,10 @@ from assess.mechanisms.chain import (
 )
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.hinge_forces import hinge_compressions
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.mechanisms.restitution import (
     GIVEN,
+    ImpactRules,
     RestitutionChoice,
     RestitutionCoefficient,
     find_restitution,
@@ -33,9 +37,37 @@ from assess.mechanisms.restitution import (
 from assess.messages.message import Message, Quantity, Term, distinct, message, warning, whole_number
 
 
+@dataclass(frozen=True, kw_only=True)
+class MechanismKind:
+    """What is particular to one kind of mechanism: declared once, beside its constructor, and entered in `KINDS`.
+
+    definition : what an engineer states of it; it bears the name of the kind
+    build : from the name of a mechanism, its definition, its pieces of masonry and its loads, on rigid hinges
+    impacts : its rules of restitution
+    support : how the masonry is held: free above its base, spanning between supports, or hinged to other blocks
+    direction_sought : whether its weakest direction is found where none is given
+    """
+
+    definition: type[Any]
+    build: Callable[..., MechanismPieces]
+    impacts: ImpactRules
+    support: Literal["free", "spanning", "hinged"]
+    direction_sought: bool = False
+
+    @property
+    def name(self) -> str:
+        """The kind, as project files write it."""
+        name: str = self.definition.kind
+        return name
+
+
+MechanismPieces = tuple[Mechanism, Sequence[Piece]]
+"""A mechanism, and the piece of masonry of each of its outlines."""
+
+
 def assemble(
     name: str,
-    kind: str,
+    kind: MechanismKind,
     positive: Chain,
     negative: Chain | None,
     *,
@@ -48,7 +80,8 @@ def assemble(
 
     Parameters
     ----------
-    name, kind : as in the project file
+    name : as in the project file
+    kind : of mechanism
     positive, negative : the chain of each branch in its own sign; negative None for one-sided rocking
     label : for reports; empty: the name
     restitution : of the impacts that end the positive and the negative branch: a number, a rule, or None for the
@@ -65,11 +98,12 @@ def assemble(
         require_movable(chain, name=name)
         require_stable(chain, name=name)
     pulling = [text for mark, chain in chains.items() for text in supports_in_tension(chain, mark=mark)]
-    kept, back = find_restitutions(restitution, positive, negative, kind=kind, name=name)
+    kept, back = find_restitutions(restitution, positive, negative, rules=kind.impacts, kind=kind.name, name=name)
     return Mechanism(
         name=name,
         label=label or name,
-        kind=kind,
+        kind=kind.name,
+        rules=kind.impacts,
         sides="one" if negative is None else "two",
         positive=positive,
         negative=negative,
@@ -107,15 +141,20 @@ def add_joints(
     ------
     MechanismError, InterfaceError : a joint that cannot carry the force on it
     """
-    name, kind = mechanism.name, mechanism.kind
+    name, kind, rules = mechanism.name, mechanism.kind, mechanism.rules
     front = replace(mechanism.positive, joints=bearing_joints(mechanism.positive, positive))
     back = mechanism.negative and replace(mechanism.negative, joints=bearing_joints(mechanism.negative, negative))
     ahead, behind = FlexibleChain(front, name), FlexibleChain(back, name) if back else None
     fixed = find_restitutions(
-        restitution, ahead.fixed_hinge_chain, behind.fixed_hinge_chain if behind else None, kind=kind, name=name
+        restitution,
+        ahead.fixed_hinge_chain,
+        behind.fixed_hinge_chain if behind else None,
+        rules=rules,
+        kind=kind,
+        name=name,
     )
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
-    rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
+    rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, rules=rules, kind=kind, name=name)
     before = _impact_warnings(*rigid)
     others = [notice for notice in mechanism.warnings if notice not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
@@ -131,6 +170,23 @@ def add_joints(
         stopped=_least_stopped(kept, returned),
         rebounds=kept.range,
     )
+
+
+def common_arguments(definition: BlockMechanism) -> dict[str, Any]:
+    """Return what every kind of chain takes unchanged."""
+    return {
+        "label": definition.label,
+        "sides": "two" if definition.two_sided else "one",
+        "restitution": definition.restitution.choices,
+    }
+
+
+def hinges_in_plane(hinges: Sequence[Place] | None, definition: BlockMechanism) -> Any:
+    """Return hinges A, B, … as (distance along the direction from the origin, elevation) [m]; None if not given."""
+    if hinges is None:
+        return None
+    points: tuple[Point, ...] = tuple(point_in_plane(at, definition.towards) for at in hinges)
+    return points
 
 
 Impacts = tuple[RestitutionCoefficient, RestitutionCoefficient]
@@ -171,14 +227,15 @@ def find_restitutions(
     positive: Chain,
     negative: Chain | None,
     *,
+    rules: ImpactRules,
     kind: str,
     name: str,
 ) -> Impacts:
     """Return the coefficients of the impacts that end the positive and the negative branch."""
-    kept = find_restitution(choices[0], ending=positive, starting=negative, kind=kind, name=name)
+    kept = find_restitution(choices[0], ending=positive, starting=negative, rules=rules, kind=kind, name=name)
     if negative is None:
         return kept, kept
-    return kept, find_restitution(choices[1], ending=negative, starting=positive, kind=kind, name=name)
+    return kept, find_restitution(choices[1], ending=negative, starting=positive, rules=rules, kind=kind, name=name)
 
 
 def _least_stopped(positive: RestitutionCoefficient, negative: RestitutionCoefficient) -> float | None:
@@ -229,3 +286,31 @@ def supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[Message]:
     for letter, force in zip(hinge_names(chain), hinge_compressions(chain), strict=True):
         if letter in "AD" and force < 0.0:
             yield warning("hinge-in-tension", hinge=f"{letter}{mark}", pull=Quantity(-force, "force"))
+
+
+ASKEW = "askew"
+LEVEL_RISE = 0.01  # m: an extreme line that rises by less is level
+UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
+
+
+def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message]:
+    """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
+    if piece.foot is None:
+        return
+    if turns_about_a_corner(piece.foot, direction=direction):
+        yield warning(ASKEW)
+    rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
+    if rise > LEVEL_RISE:
+        yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
+    if not piece.cut:
+        yield from uneven_base_warnings(piece.solids, direction)
+
+
+def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:
+    """Warn of an uneven base: its lowest face is much narrower than the body just above."""
+    faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL_RISE))
+    ends = [base_of_section(face, direction=direction) for face in faces]
+    width, wide = (high[0] - low[0] for low, high in ends)
+    if width < (1.0 - UNEVEN) * wide:
+        narrow, whole_width = (Quantity(each, "length", 3) for each in (width, wide))
+        yield warning("uneven-base", width=narrow, wide=whole_width, above=Quantity(LEVEL_RISE, "short length", 3))

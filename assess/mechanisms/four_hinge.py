@@ -20,10 +20,17 @@ from assess.geometry.cut import Division, Piece, Plane, divide
 from assess.geometry.planar import PlanarBody, join_bodies, join_planar, planar_body
 from assess.geometry.solid import Solid
 from assess.loads.load import Load, Point
-from assess.mechanisms.assembly import assemble, loose_hinges
+from assess.mechanisms.assembly import (
+    MechanismKind,
+    MechanismPieces,
+    assemble,
+    common_arguments,
+    hinges_in_plane,
+    loose_hinges,
+)
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point, point_text
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
-from assess.mechanisms.restitution import RestitutionChoice
+from assess.mechanisms.restitution import ImpactRules, RestitutionChoice, conserve_momentum, no_rebound
 from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
 from spectra.arrays import ComplexArray, FloatArray, IntArray
 
@@ -35,7 +42,8 @@ class FourHinge(BlockMechanism):
     joints : where an arch may open, in order
     """
 
-    moving: ClassVar[int] = 3
+    kind: ClassVar[str] = "four-hinge"
+    block_count: ClassVar[int] = 3
     joints: RadialJoints | tuple[Line, ...] | None = None
 
 
@@ -86,7 +94,7 @@ def four_hinge(
     blocks = tuple(RigidBlock(body.mass, body.centroid, body.inertia) for body in bodies)
     return assemble(
         name,
-        "four-hinge",
+        FOUR_HINGE,
         Chain(blocks, hinges, loads),
         None if hinges_negative is None else mirror_chain(blocks, hinges_negative, loads),
         label=label,
@@ -98,6 +106,38 @@ def four_hinge(
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),
     )
+
+
+def build_four_hinge(
+    name: str,
+    definition: FourHinge,
+    pieces: Sequence[Piece],
+    *,
+    loads: tuple[Load, ...],
+) -> MechanismPieces:
+    """Build three blocks between given hinges, or an arch whose hinges are searched for."""
+    if definition.hinges == "minimum":
+        return arch_mechanism(name, definition, pieces[0], **common_arguments(definition))
+    mechanism = four_hinge(
+        name,
+        [piece.body for piece in pieces],
+        hinges=hinges_in_plane(definition.hinge_points, definition),
+        hinges_negative=hinges_in_plane(definition.hinges_negative, definition),
+        loads=loads,
+        **common_arguments(definition),
+    )
+    return mechanism, pieces
+
+
+FOUR_HINGE = MechanismKind(
+    definition=FourHinge,
+    build=build_four_hinge,
+    impacts=ImpactRules(
+        two_sided={"thesis": conserve_momentum, "momentum": conserve_momentum}, one_sided={"thesis": no_rebound}
+    ),
+    support="hinged",
+)
+"""A four-hinge mechanism is drawn in its plane: its direction is not sought."""
 
 
 def arch_mechanism(
@@ -142,7 +182,7 @@ def arch_at_weakest_hinges(
         negative = mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
         warnings.append(hinges_message("hinges-found-negative", back, len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
-    return assemble(name, "four-hinge", positive, negative, outlines=outlines, warnings=warnings, **common)
+    return assemble(name, FOUR_HINGE, positive, negative, outlines=outlines, warnings=warnings, **common)
 
 
 def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Line]) -> Iterator[Message]:

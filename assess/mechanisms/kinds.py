@@ -1,13 +1,18 @@
-"""The kinds of mechanism that an engineer can state."""
+"""The kinds of mechanism that an engineer can state, each declared beside its constructor."""
 
 from __future__ import annotations
 
-from assess.mechanisms.four_hinge import FourHinge
-from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
-from assess.mechanisms.two_block import TwoBlock
+from collections.abc import Mapping
 
-DirectionSought = SingleBlock | TwoBlock
-"""The kinds whose weakest direction is sought if none is given; a four-hinge mechanism is drawn in its plane."""
+from assess.mechanisms.assembly import MechanismKind
+from assess.mechanisms.four_hinge import FOUR_HINGE
+from assess.mechanisms.mechanism import BlockMechanism
+from assess.mechanisms.single_block import EQUIVALENT_BLOCK, SINGLE_BLOCK, EquivalentBlock
+from assess.mechanisms.two_block import TWO_BLOCK
 
-Definition = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
+KINDS: Mapping[str, MechanismKind] = {
+    kind.name: kind for kind in (SINGLE_BLOCK, TWO_BLOCK, FOUR_HINGE, EQUIVALENT_BLOCK)
+}
+
+Definition = BlockMechanism | EquivalentBlock
 """What an engineer states of a mechanism, of any kind."""

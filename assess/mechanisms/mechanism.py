@@ -19,7 +19,7 @@ from assess.loads.load import LoadDefinition, Place, PointMass, Tie, direction_k
 from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
 from assess.mechanisms.chain import Chain, ChainPair, Joint
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
-from assess.mechanisms.restitution import Restitution
+from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
@@ -30,8 +30,9 @@ Sides = Literal["one", "two"]
 
 @dataclass(frozen=True, kw_only=True)
 class BlockMechanism:
-    """What all mechanisms of blocks share.
+    """What an engineer states of any mechanism of blocks.
 
+    kind : of mechanism, as project files write it; block_count : of its blocks
     blocks : names of the bodies of each block, from the base on
     direction : horizontal [3], positive rotation topples this way; None for the weakest, or "sweep"
     cut : only what lies above moves: an elevation [m], or an inclined crack
@@ -40,7 +41,8 @@ class BlockMechanism:
     hinges, hinges_negative : of positive and of negative rotation, from A on; None as the geometry shows
     """
 
-    moving: ClassVar[int] = 1
+    kind: ClassVar[str]
+    block_count: ClassVar[int] = 1
     blocks: tuple[tuple[str, ...], ...]
     label: str = ""
     direction: Vector | Literal["sweep"] | None = None
@@ -125,6 +127,7 @@ class Mechanism:
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
+    rules : of restitution, that its kind offers
     warnings : what the engineer must read, such as a rule that did not hold
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
     directions : the resistance towards each direction if the weakest of a circle was searched, else None
@@ -144,6 +147,7 @@ class Mechanism:
     restitution_source: str
     elevation: float
     outlines: tuple[Outline, ...]
+    rules: ImpactRules
     warnings: tuple[Message, ...] = ()
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
@@ -281,7 +285,7 @@ def _open_seats(mechanism: Mechanism) -> Iterator[SeatTravel]:
 
 def height_of_support(mechanism: Mechanism) -> float:
     """Return the height of the far support or of a lasting tie above the base [m]; 0 without either."""
-    return height_of_highest_tie(mechanism) if mechanism.kind == "single-block" else mechanism.rise
+    return height_of_highest_tie(mechanism) if len(mechanism.positive.blocks) == 1 else mechanism.rise
 
 
 def height_of_highest_tie(mechanism: Mechanism) -> float:

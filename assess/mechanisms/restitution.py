@@ -28,6 +28,19 @@ RestitutionChoice = float | RestitutionRule | None
 
 
 @dataclass(frozen=True)
+class Restitution:
+    """Velocity after over velocity before the impact that ends a rotation [-], or a rule; None for the default."""
+
+    positive: RestitutionChoice = None
+    negative: RestitutionChoice = None
+
+    @property
+    def choices(self) -> tuple[RestitutionChoice, RestitutionChoice]:
+        """For the impacts that end the positive and the negative branch."""
+        return self.positive, self.negative
+
+
+@dataclass(frozen=True)
 class RestitutionCoefficient:
     """A coefficient [-], at least 0, its source, and a warning if the rule does not apply (else None).
 
@@ -45,6 +58,19 @@ class RestitutionCoefficient:
 
 ImpactRule = Callable[[Chain, Chain], RestitutionCoefficient]
 ReboundRule = Callable[[Chain], RestitutionCoefficient]
+
+
+@dataclass(frozen=True)
+class ImpactRules:
+    """The rules of restitution that a kind of mechanism offers, by name; "thesis" is the default.
+
+    two_sided : from the chains before and after the impact; one_sided : from the chain that rebounds
+    """
+
+    two_sided: Mapping[RestitutionRule, ImpactRule]
+    one_sided: Mapping[RestitutionRule, ReboundRule]
+
+
 HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
 MOMENTUM = (Term("momentum kept over the mechanism"),)
 ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
@@ -103,34 +129,13 @@ def no_rebound(chain: Chain) -> RestitutionCoefficient:
     return RestitutionCoefficient(0.0, NO_REBOUND, warning("restitution-chain"))
 
 
-_BLOCK_RULES: Mapping[RestitutionRule, ImpactRule] = {
-    "thesis": single_block_rule,
-    "housner": housner_rule,
-    "momentum": conserve_momentum,
-}
-
-TWO_SIDED: Mapping[str, Mapping[RestitutionRule, ImpactRule]] = {
-    "single-block": _BLOCK_RULES,
-    "equivalent-block": _BLOCK_RULES,
-    "two-block": {"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
-    "four-hinge": {"thesis": conserve_momentum, "momentum": conserve_momentum},
-}
-
-ONE_SIDED: Mapping[str, Mapping[RestitutionRule, ReboundRule]] = {
-    "single-block": {"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
-    "equivalent-block": {"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
-    "two-block": {"thesis": no_rebound},
-    "four-hinge": {"thesis": no_rebound},
-}
-
-
 def moving_masses(*chains: Chain) -> tuple[str, ...]:
     """Return the names of the loads that move with the mechanism, bearing or not."""
     return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
 
 
 def find_restitution(
-    choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, kind: str, name: str
+    choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, rules: ImpactRules, kind: str, name: str
 ) -> RestitutionCoefficient:
     """Find the coefficient of the impact that ends one branch.
 
@@ -140,6 +145,7 @@ def find_restitution(
     ----------
     choice : a number, a rule by its name, or None for the default
     ending, starting : the chains of the branches before and after the impact; starting None for one-sided rocking
+    rules : that its kind offers
     kind, name : of the mechanism
 
     Raises
@@ -150,20 +156,20 @@ def find_restitution(
         return RestitutionCoefficient(
             choice, GIVEN, _high_dissipation_warning(choice, ending=ending, starting=starting)
         )
-    rules = (ONE_SIDED if starting is None else TWO_SIDED)[kind]
-    if choice is not None and choice not in rules:
+    offered = tuple(rules.one_sided if starting is None else rules.two_sided)
+    if choice is not None and choice not in offered:
         sides = "one" if starting is None else "two"
-        known = ", ".join(f'"{rule}"' for rule in rules)
+        known = ", ".join(f'"{rule}"' for rule in offered)
         raise MechanismError(
             f'mechanism "{name}": restitution "{choice}" is not for a {kind} with sides = "{sides}"; use {known} or a '
             "number"
         )
     if starting is None:
-        return ONE_SIDED[kind][choice or "thesis"](ending)
-    rule = choice or default_rule(ending, starting, kind=kind)
-    kept = TWO_SIDED[kind][rule](ending, starting)
+        return rules.one_sided[choice or "thesis"](ending)
+    rule = choice or default_rule(ending, starting, rules=rules)
+    kept = rules.two_sided[rule](ending, starting)
     _require_no_gain(kept, ending=ending, starting=starting, name=name)
-    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
+    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, rules=rules))
     return _stopped_at_impact(told) if told.value < 0.0 else _with_warning(told, ending=ending, starting=starting)
 
 
@@ -176,20 +182,20 @@ def _high_dissipation_warning(given: float, *, ending: Chain, starting: Chain | 
     return warning("restitution-takes-more", **values)
 
 
-def default_rule(ending: Chain, starting: Chain, *, kind: str) -> RestitutionRule:
+def default_rule(ending: Chain, starting: Chain, *, rules: ImpactRules) -> RestitutionRule:
     """Return momentum if a load moves with the mechanism, else the rule of the thesis unless it would add energy."""
     if moving_masses(ending, starting):
         return "momentum"
-    kept = TWO_SIDED[kind]["thesis"](ending, starting)
+    kept = rules.two_sided["thesis"](ending, starting)
     return "momentum" if _adds_energy(kept, ending=ending, starting=starting) else "thesis"
 
 
 def compare_rules(
-    rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, kind: str
+    rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, rules: ImpactRules
 ) -> tuple[Message, ...]:
     """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
     other: RestitutionRule = "thesis" if rule == "momentum" else "momentum"
-    value = TWO_SIDED[kind][other](ending, starting).value
+    value = rules.two_sided[other](ending, starting).value
     said: tuple[Message, ...] = ()
     if abs(value - kept.value) > SAME:
         said = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
@@ -355,11 +361,3 @@ def plain_block(chain: Chain) -> RockingBlock:
 
 
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
-
-
-@dataclass(frozen=True)
-class Restitution:
-    """Velocity after over velocity before the impact that ends a rotation [-], or a rule; None for the default."""
-
-    positive: RestitutionChoice = None
-    negative: RestitutionChoice = None

@@ -2,25 +2,45 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import cos, hypot, sin
-from typing import Literal
+from typing import ClassVar, Literal
 
 from scipy.constants import g
 
 from assess.errors import FallingError, MechanismError
+from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load, Point
-from assess.mechanisms.assembly import assemble
+from assess.mechanisms.assembly import (
+    MechanismKind,
+    MechanismPieces,
+    assemble,
+    common_arguments,
+    hinge_warnings,
+    hinges_in_plane,
+)
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_values
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
-from assess.mechanisms.restitution import Restitution, RestitutionChoice, plain_block
+from assess.mechanisms.restitution import (
+    ImpactRules,
+    Restitution,
+    RestitutionChoice,
+    conserve_momentum,
+    housner_rule,
+    plain_block,
+    single_block_rule,
+    sorrentino_rebound,
+)
 from assess.messages.message import Message, Quantity, lengths, warning
 
 
 @dataclass(frozen=True, kw_only=True)
 class SingleBlock(BlockMechanism):
     """One block that rocks about its base."""
+
+    kind: ClassVar[str] = "single-block"
 
 
 def single_block(
@@ -65,7 +85,7 @@ def single_block(
         _require_stable(negative, name=name, towards="negative")
     return assemble(
         name,
-        "single-block",
+        SINGLE_BLOCK,
         positive,
         negative,
         label=label,
@@ -83,6 +103,7 @@ class EquivalentBlock:
     radius [m]; mass [kg]; elevation : of its base [m]
     """
 
+    kind: ClassVar[str] = "equivalent-block"
     p: float
     uplift: float
     radius: float
@@ -132,7 +153,7 @@ def equivalent_block(
     outline: tuple[Point, ...] = ((-half, elevation), (half, elevation), (half, top), (-half, top))
     return assemble(
         name,
-        "equivalent-block",
+        EQUIVALENT_BLOCK,
         chain,
         chain if sides == "two" else None,
         label=label,
@@ -140,6 +161,60 @@ def equivalent_block(
         outlines=((outline,),),
         warnings=(impossible,) if k < 1.0 else (),
     )
+
+
+def build_single_block(
+    name: str,
+    definition: SingleBlock,
+    pieces: Sequence[Piece],
+    *,
+    loads: tuple[Load, ...],
+) -> MechanismPieces:
+    """Build a single block that rocks about the edges of its base."""
+    front, back = (
+        hinges_in_plane(definition.hinge_points, definition),
+        hinges_in_plane(definition.hinges_negative, definition),
+    )
+    mechanism = single_block(
+        name,
+        pieces[0].body,
+        hinge=front[0] if front else None,
+        hinge_negative=back[0] if back else None,
+        loads=loads,
+        warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
+        **common_arguments(definition),
+    )
+    return mechanism, pieces
+
+
+def build_equivalent_block(
+    name: str, definition: EquivalentBlock, pieces: Sequence[Piece], *, loads: tuple[Load, ...]
+) -> MechanismPieces:
+    """Build the mechanism of published parameters, which has no masonry and no loads."""
+    mechanism = equivalent_block(
+        name,
+        p=definition.p,
+        uplift=definition.uplift,
+        radius=definition.radius,
+        mass=definition.mass,
+        label=definition.label,
+        sides=definition.sides,
+        elevation=definition.elevation,
+        restitution=definition.restitution.choices,
+    )
+    return mechanism, pieces
+
+
+BLOCK_RULES = ImpactRules(
+    two_sided={"thesis": single_block_rule, "housner": housner_rule, "momentum": conserve_momentum},
+    one_sided={"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
+)
+SINGLE_BLOCK = MechanismKind(
+    definition=SingleBlock, build=build_single_block, impacts=BLOCK_RULES, support="free", direction_sought=True
+)
+EQUIVALENT_BLOCK = MechanismKind(
+    definition=EquivalentBlock, build=build_equivalent_block, impacts=BLOCK_RULES, support="free"
+)
 
 
 def _require_stable(chain: Chain, *, name: str, towards: str) -> None:

@@ -18,13 +18,28 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from assess.errors import MechanismError
+from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody, top_edge
 from assess.loads.load import Load, Point
-from assess.mechanisms.assembly import assemble, loose_hinges
+from assess.mechanisms.assembly import (
+    MechanismKind,
+    MechanismPieces,
+    assemble,
+    common_arguments,
+    hinge_warnings,
+    hinges_in_plane,
+    loose_hinges,
+)
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_text, point_values
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
-from assess.mechanisms.restitution import RestitutionChoice
-from assess.messages.message import Message, Quantity, warning, whole_number
+from assess.mechanisms.restitution import (
+    ImpactRules,
+    RestitutionChoice,
+    conserve_about_base,
+    conserve_momentum,
+    no_rebound,
+)
+from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +50,8 @@ class TwoBlock(BlockMechanism):
     None and hinges are given, else "sorrentino"
     """
 
-    moving: ClassVar[int] = 2
+    kind: ClassVar[str] = "two-block"
+    block_count: ClassVar[int] = 2
     crack: float | Literal["sorrentino", "minimum"] | None = None
 
 
@@ -84,7 +100,7 @@ def two_block(
         negative = mirror_chain(blocks, back, loads)
     return assemble(
         name,
-        "two-block",
+        TWO_BLOCK,
         Chain(blocks, front, loads),
         negative,
         label=label,
@@ -97,6 +113,45 @@ def two_block(
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),
     )
+
+
+def build_two_block(
+    name: str,
+    definition: TwoBlock,
+    pieces: Sequence[Piece],
+    *,
+    loads: tuple[Load, ...],
+) -> MechanismPieces:
+    """Build a wall held at its base and its top, of two bodies or of one that cracks."""
+    front, back = (
+        hinges_in_plane(definition.hinge_points, definition),
+        hinges_in_plane(definition.hinges_negative, definition),
+    )
+    lower, upper = pieces
+    warnings = () if front else [each for piece in pieces for each in hinge_warnings(piece, definition.towards)]
+    mechanism = two_block(
+        name,
+        lower.body,
+        upper.body,
+        hinges=front,
+        hinges_negative=back,
+        loads=loads,
+        warnings=distinct(warnings),
+        **common_arguments(definition),
+    )
+    return mechanism, pieces
+
+
+TWO_BLOCK = MechanismKind(
+    definition=TwoBlock,
+    build=build_two_block,
+    impacts=ImpactRules(
+        two_sided={"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
+        one_sided={"thesis": no_rebound},
+    ),
+    support="spanning",
+    direction_sought=True,
+)
 
 
 Hinges = tuple[Point, Point, Point]

@@ -29,8 +29,6 @@ from assess.geometry.planar import (
     lowest_corners,
     planar_body,
     planar_body_from_values,
-    slope_across,
-    turns_about_a_corner,
 )
 from assess.geometry.solid import Solid
 from assess.geometry.surface import connected_groups
@@ -192,11 +190,6 @@ def _masonry(density: float | Material, name: str) -> Material:
     return density if isinstance(density, Material) else Material(name=name, density=density)
 
 
-ROTATES_ABOUT_CORNER = "askew"
-LEVEL = 0.01  # m: an extreme line that rises by less is level
-UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
-
-
 def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Piece, ...]:
     """Return the blocks of a mechanism, base first, each above the cut if there is one.
 
@@ -288,29 +281,6 @@ def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid
             )
         found.append(solid)
     return found
-
-
-def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message]:
-    """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
-    if piece.foot is None:
-        return
-    if turns_about_a_corner(piece.foot, direction=direction):
-        yield warning(ROTATES_ABOUT_CORNER)
-    rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
-    if rise > LEVEL:
-        yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
-    if not piece.cut:
-        yield from uneven_base_warnings(piece.solids, direction)
-
-
-def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:
-    """Warn of an uneven base: its lowest face is much narrower than the body just above."""
-    faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL))
-    ends = [base_of_section(face, direction=direction) for face in faces]
-    width, wide = (high[0] - low[0] for low, high in ends)
-    if width < (1.0 - UNEVEN) * wide:
-        narrow, whole_width = (Quantity(each, "length", 3) for each in (width, wide))
-        yield warning("uneven-base", width=narrow, wide=whole_width, above=Quantity(LEVEL, "short length", 3))
 
 
 Gap = dict[str, Value]

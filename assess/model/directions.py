@@ -29,10 +29,10 @@ from assess.geometry.planar import (
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
 from assess.loads.load import BodyLoad, bodies_of, point_in_plane
+from assess.mechanisms.assembly import ASKEW, LEVEL_RISE
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, virtual_work
-from assess.mechanisms.four_hinge import FourHinge
-from assess.mechanisms.kinds import Definition, DirectionSought
+from assess.mechanisms.kinds import KINDS, Definition
 from assess.mechanisms.mechanism import (
     BlockMechanism,
     CandidateDirection,
@@ -45,11 +45,11 @@ from assess.mechanisms.mechanism import (
 )
 from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
-from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
+from assess.mechanisms.single_block import EquivalentBlock, SingleBlock, build_single_block
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message, warning
-from assess.model.assembly import Built, build_single_block, mechanism_of, on_rigid_hinges
-from assess.model.bodies import LEVEL, ROTATES_ABOUT_CORNER, Bodies, cut_of
+from assess.model.assembly import Built, mechanism_of, on_rigid_hinges
+from assess.model.bodies import Bodies, cut_of
 from assess.model.loading import loads_of
 from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
@@ -74,7 +74,8 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
     MechanismError or GeometryError : it cannot rock as described
     """
     if (
-        not isinstance(definition, DirectionSought)
+        not isinstance(definition, BlockMechanism)
+        or not KINDS[definition.kind].direction_sought
         or definition.direction == "sweep"
         or not has_geometry(definition, bodies)
     ):
@@ -133,7 +134,7 @@ def with_sides(definition: BlocksT, behind: Sequence[str]) -> BlocksT:
     return replace(definition, sides=definition.sides or ("one" if behind else "two"))
 
 
-def reasons_for_given_direction(definition: DirectionSought) -> Iterator[str]:
+def reasons_for_given_direction(definition: BlockMechanism) -> Iterator[str]:
     """Say why the direction cannot be found for the user."""
     if definition.sides == "one":
         yield 'with sides = "one" it says which way the mechanism is free'
@@ -262,7 +263,7 @@ class DirectionSearch:
     """
 
     name: str
-    definition: DirectionSought
+    definition: BlockMechanism
     bodies: Bodies
     foot: FloatArray
     obstacles: tuple[Obstacle, ...]
@@ -275,7 +276,7 @@ class DirectionSearch:
         return f"mechanisms.{self.name}"
 
 
-def prepare_search(name: str, definition: DirectionSought, bodies: Bodies) -> DirectionSearch:
+def prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> DirectionSearch:
     """Find the candidate directions of a mechanism and the bodies beside it."""
     standing, bare = solids_of_blocks(name, definition, bodies), one_sided_definition(definition)
     if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
@@ -434,7 +435,7 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: DirectionSought | FourHinge, bodies: Bodies) -> Built:
+def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
     corner: tuple[Message, ...] = ()
@@ -451,9 +452,7 @@ def sweep_directions(name: str, definition: DirectionSought | FourHinge, bodies:
             swept_angles(hull_edge_normals(plan)),
         )
     built = mechanism_of(name, turn_towards(definition, direction_at(found.weakest)), bodies)
-    kept = (
-        each for each in built.mechanism.warnings if each.key != ROTATES_ABOUT_CORNER
-    )  # every direction has been looked at
+    kept = (each for each in built.mechanism.warnings if each.key != ASKEW)  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
 
@@ -484,7 +483,7 @@ def swept_angles(normals: FloatArray) -> tuple[float, ...]:
 
 def has_slope(foot: FloatArray) -> bool:
     """Return whether the corners [k, 3] of a base lie at different elevations."""
-    return float(np.ptp(foot[:, 2])) > LEVEL
+    return float(np.ptp(foot[:, 2])) > LEVEL_RISE
 
 
 def edge_normals_and_beside(foot: FloatArray) -> FloatArray:
@@ -535,7 +534,7 @@ def block_by_direction(
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = turn_towards(definition, direction)
         load_set = loads_of(name, faced, pieces, bodies, find=find)
-        return build_single_block(name, faced, pieces, bodies, loads=load_set.loads)[0]
+        return build_single_block(name, faced, pieces, loads=load_set.loads)[0]
 
     return block
 

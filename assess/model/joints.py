@@ -70,7 +70,7 @@ def place_on_joints(
 
 def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[Message]:
     """Warn if the contacts at the base lie in different places for the two directions."""
-    if mechanism.negative is None or mechanism.kind == "four-hinge":
+    if mechanism.negative is None or len(mechanism.positive.blocks) == 3:
         return
     front, back = joints[0][0], joints[1][0]
     if front is None or back is None:

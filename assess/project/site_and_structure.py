@@ -22,12 +22,11 @@ from assess.geometry.solid import Solid, Solids, box, profile
 from assess.interfaces.contact import Interface
 from assess.interfaces.section import Shape
 from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
-from assess.mechanisms.four_hinge import FourHinge, RadialJoints
-from assess.mechanisms.kinds import Definition
-from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane, Mechanism
+from assess.mechanisms.four_hinge import RadialJoints
+from assess.mechanisms.kinds import KINDS, Definition
+from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism
 from assess.mechanisms.restitution import Restitution
-from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
-from assess.mechanisms.two_block import TwoBlock
+from assess.mechanisms.single_block import EquivalentBlock
 from assess.messages.message import Message
 from assess.model.bodies import Bodies, Body, Material, PointValues
 from assess.project import sections
@@ -59,12 +58,6 @@ LOADS: dict[type[ProjectSection], type[LoadDefinition]] = {
     sections.BodyLoadSection: BodyLoad,
 }
 
-CHAINED: dict[type[ProjectSection], type[BlockMechanism]] = {
-    sections.SingleBlockSection: SingleBlock,
-    sections.TwoBlockSection: TwoBlock,
-    sections.FourHingeSection: FourHinge,
-}
-
 SHOWN = (ForceLoad, TieLoad)
 """The loads that count up to collapse only where somebody shows that they last."""
 
@@ -87,9 +80,8 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     """
     if isinstance(section, sections.EquivalentBlockSection):
         return fill(EquivalentBlock, section, restitution=restitution_of(section))
-    kind = CHAINED[type(section)]
     return fill(
-        kind,
+        KINDS[section.kind].definition,
         section,
         cut=cut_of(section.cut),
         loads=tuple(load_of(load, evidence=evidence) for load in section.loads),

@@ -8,15 +8,11 @@ from typing import get_args
 import pytest
 
 import assess
-from assess.mechanisms.kinds import Definition
-from assess.mechanisms.restitution import ONE_SIDED, TWO_SIDED
-from assess.mechanisms.single_block import EquivalentBlock
-from assess.model.assembly import BUILDERS
+from assess.mechanisms.kinds import KINDS
+from assess.mechanisms.mechanism import BlockMechanism
 from assess.project import sections
 from assess.project.sections.mechanisms import MECHANISMS, Mechanism
-from assess.project.site_and_structure import CHAINED
-from assess.study.checks import SUPPORTS
-from reports.chapters.mechanism_page import KINDS
+from reports.chapters.mechanism_page import KINDS as NAMES
 from tests.properties.test_mechanisms import CASES
 
 ROOT = Path(__file__).parents[2]
@@ -31,35 +27,36 @@ every_kind = pytest.mark.parametrize("kind", MECHANISMS)
 @every_kind
 def test_tables_by_kind(kind: str) -> None:
     tables = (
-        ("TWO_SIDED of assess/mechanisms/restitution.py", TWO_SIDED),
-        ("ONE_SIDED of assess/mechanisms/restitution.py", ONE_SIDED),
-        ("SUPPORTS of assess/study/checks.py", SUPPORTS),
+        ("KINDS of assess/mechanisms/kinds.py", KINDS),
         ("the unions at the end of assess/project/sections/mechanisms.py", SECTIONS),
-        ("KINDS of reports/chapters/mechanism_page.py", KINDS),
+        ("KINDS of reports/chapters/mechanism_page.py", NAMES),
     )
     missing = [where for where, table in tables if kind not in table]
     assert not missing, f'add "{kind}" to {"; ".join(missing)}'
 
 
 @every_kind
-def test_section_and_definition_have_one_name_and_lead_to_a_builder(kind: str) -> None:
+def test_section_and_definition_have_one_name(kind: str) -> None:
     assert kind in SECTIONS, (
         "write its section in assess/project/sections/mechanisms.py, and name it in the unions there"
     )
     section = SECTIONS[kind]
     assert getattr(sections, section.__name__, None) is section, "add it to assess/project/sections/__init__.py"
+    definition = KINDS[kind].definition
+    assert section.__name__ == f"{definition.__name__}Section", "the section is called after what it states"
     if kind in BY_PARAMETERS:
         return
-    assert section in CHAINED, f"add {section.__name__} to CHAINED of assess/project/site_and_structure.py"
-    definition = CHAINED[section]
-    assert definition in get_args(Definition), f"add {definition.__name__} to the unions of assess/mechanisms/kinds.py"
-    assert definition in BUILDERS, f"add {definition.__name__} to BUILDERS of assess/model/assembly.py"
-    assert definition.moving == section.moving, "as many blocks move by the section as by the definition: `moving`"
+    assert issubclass(definition, BlockMechanism), (
+        "what an engineer states of a mechanism of blocks is a BlockMechanism"
+    )
+    same = definition.block_count == section.moving
+    assert same, "as many blocks move by the section (`moving`) as by the definition (`block_count`)"
     assert {"hinges", "hinges_negative"} <= section.model_fields.keys(), "sections of blocks have both keys"
 
 
-def test_every_definition_has_its_kind() -> None:
-    assert set(get_args(Definition)) == {*CHAINED.values(), EquivalentBlock}
+def test_every_kind_offers_the_rule_of_the_thesis_and_has_a_section() -> None:
+    assert all("thesis" in kind.impacts.two_sided and "thesis" in kind.impacts.one_sided for kind in KINDS.values())
+    assert set(KINDS) == set(MECHANISMS), "KINDS of assess/mechanisms/kinds.py and MECHANISMS differ"
     assert set(SECTIONS) == set(MECHANISMS), "MECHANISMS and the unions of assess/project/sections/mechanisms.py differ"
 
 

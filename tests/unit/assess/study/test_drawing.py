@@ -14,6 +14,7 @@ from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain
+from assess.mechanisms.four_hinge import FOUR_HINGE
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
@@ -39,7 +40,7 @@ def portal(loads=()) -> Mechanism:
     negative = mirror_chain(blocks, back, loads)
     return Mechanism(
         "portal", "", "four-hinge", "two", Chain(blocks, hinges, loads), negative, (0.8, 0.8), "given", 0.0,
-        tuple((ring,) for ring in rings),
+        tuple((ring,) for ring in rings), FOUR_HINGE.impacts,
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""From the tables of a project file to the study they describe, the files it is made of and the messages on them."""
+"""From the tables of a project file to the study they describe, and the files that it is made of."""
 
 from __future__ import annotations
 
@@ -9,23 +9,19 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.context import Building, StatedFirstMode
-from assess.codes.italian_limit_states import LARGEST_FACTOR
-from assess.codes.question import Question
 from assess.dynamics.packing import Equation
 from assess.errors import ProjectError, locate_errors
-from assess.geometry.formats.readers import WITHOUT_UNIT
-from assess.geometry.mesh import MeshesBySelection, size_warning
+from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
 from assess.mechanisms.kinds import Definition
-from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Quantity, locate, note, warning
+from assess.messages.message import Message, locate
 from assess.model.assembly import Built
-from assess.model.bodies import Bodies, gaps_of, overlaps_of
+from assess.model.bodies import Bodies
 from assess.model.directions import mechanism_as_given, mechanism_in_direction
-from assess.project import record_set, sections
+from assess.project import sections
+from assess.project.input_messages import project_messages
 from assess.project.keys import KeySweep, ProjectVariant, dependents
 from assess.project.project_file import Project, resolve
 from assess.project.question import (
@@ -44,6 +40,8 @@ from assess.project.record_set import (
     horizontal_records,
     lock_messages,
     locked_records,
+    named_records,
+    select_records,
     vertical_record_messages,
 )
 from assess.project.report import annex_files, annex_of, picture_files, report_matter_of, uses_of
@@ -66,8 +64,7 @@ from assess.project.variables import Cases, sampling_of, survey_of, uncertainty_
 from assess.results import Input
 from assess.results.provenance import file_sha256
 from assess.results.verification import AnnexResult
-from assess.study.amplification import MechanismAmplification, MechanismInPlace, amplify
-from assess.study.mechanism_results import load_messages
+from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.study import (
     ArtificialRecords,
     Fitting,
@@ -76,13 +73,12 @@ from assess.study.study import (
     Sweep,
     SweepCase,
     levels_with_site,
-    may_follow_motion,
 )
 from assess.study.suites import ALL_PERIODS, RecordSet, record_messages
 from records.pulses import pulse_shape
 from records.reading import relative_path
 from records.record import Record
-from spectra.spectrum import LARGEST_PLAUSIBLE, Spectrum
+from spectra.spectrum import Spectrum
 
 Builder = Callable[[str, Definition, Bodies], Built]
 CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
@@ -145,7 +141,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     report = report_matter_of(content, project.folder)
     study, files, messages = deciding_study(project, executor=executor)
     solids = files.solids
-    annex, said = annex_of(project, uses_of(content, study))
+    annex, annex_messages = annex_of(project, uses_of(content, study))
     return replace(
         study,
         annex=annex,
@@ -153,7 +149,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_procedures_run(resolve(project), content),
-        messages=(*input_messages(project, study, files, messages), *said),
+        messages=(*input_messages(project, study, files, messages), *annex_messages),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
             for variation in project.variations
@@ -161,27 +157,6 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         survey=survey_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
         sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
-    )
-
-
-def input_messages(
-    project: Project, study: Study, files: ProjectFiles, messages: tuple[Message, ...]
-) -> tuple[Message, ...]:
-    """Return the messages on a project's input.
-
-    Parameters
-    ----------
-    project : as read
-    study : what its verdict depends on
-    files : that it names
-    messages : on its records
-    """
-    return (
-        *project.messages,
-        *uncertainty_messages(project),
-        *locate(files.spectrum.warnings if files.spectrum else (), "site.spectrum"),
-        *project_messages(project.content, files.solids, study),
-        *messages,
     )
 
 
@@ -196,11 +171,11 @@ def deciding_study(
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
     named, messages = all_records(content.records, project.folder, spectrum)
     study = study_of_mechanisms(content, ProjectFiles(models, solids, spectrum, named), names=content.mechanisms)
-    wanted = content.records.selection
-    if wanted is not None and spectrum is not None:
-        named, messages = record_set.select_records(
+    selection = content.records.selection
+    if selection is not None and spectrum is not None:
+        named, messages = select_records(
             content.records,
-            wanted,
+            selection,
             study=study,
             spectrum=spectrum,
             folder=project.folder,
@@ -268,6 +243,27 @@ def study_of_mechanisms(
         free_periods=free_periods_of(content),
         knowledge=knowledge_of(content),
         limit_state=None if site is None else site.own_limit_state,
+    )
+
+
+def input_messages(
+    project: Project, study: Study, files: ProjectFiles, messages: tuple[Message, ...]
+) -> tuple[Message, ...]:
+    """Return the messages on a project's input.
+
+    Parameters
+    ----------
+    project : as read
+    study : what its verdict depends on
+    files : that it names
+    messages : on its records
+    """
+    return (
+        *project.messages,
+        *uncertainty_messages(project),
+        *locate(files.spectrum.warnings if files.spectrum else (), "site.spectrum"),
+        *project_messages(project.content, files.solids, study),
+        *messages,
     )
 
 
@@ -392,7 +388,7 @@ def all_records(
     if section.lock is not None and spectrum is not None:
         locked = locked_records(section.lock, folder=folder, spectrum=spectrum)
         return locked, (*lock_messages(section.lock, section), *record_messages(locked.records))
-    found = record_set.named_records(section, folder)
+    found = named_records(section, folder)
     return replace(found, records=horizontal_records(found.records)), (
         *vertical_record_messages(found.records),
         *record_messages(found.records),
@@ -425,131 +421,3 @@ def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path
         return files_of_lock(section.lock)
     beside = [path for path in (section.flatfile, section.response) if path is not None]
     return (*(section.files if section.selection is None else paths), *beside)
-
-
-CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
-SAME_MODE = 0.05  # by how much two first modes of one building may differ
-
-
-def project_messages(
-    content: sections.Content,
-    solids: Mapping[str, Solid | None],
-    study: Study,
-) -> Iterator[Message]:
-    """Yield what the engineer should know before reading any result."""
-    mechanisms = study.mechanisms
-    yield from implausible_numbers(content)
-    for name, solid in solids.items():
-        if solid is not None:
-            yield from _body_messages(name, solid, content.bodies[name])
-    definitions, bodies = definitions_of(content), bodies_of(content, solids)
-    yield from overlaps_of(definitions, bodies)
-    yield from gaps_of(definitions, bodies)
-    for mechanism in mechanisms:
-        yield from locate(mechanism.warnings, f"mechanisms.{mechanism.name}")
-        yield from load_messages(mechanism)
-        yield from mechanism.messages
-    yield from _equation_messages(content.analysis.equation, mechanisms)
-    raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
-    yield from _amplification_messages(raised, study.amplified, study.question)
-    yield from _first_mode_messages(content)
-    for code, circular in CIRCULARS.items():
-        if any(name.startswith(code) for name in procedures_of(content)):
-            yield from _crushing_messages(code, circular, getattr(content.procedures, code), mechanisms)
-
-
-def _amplification_messages(
-    raised: Sequence[str], amplified: Mapping[str, MechanismAmplification], question: Question
-) -> Iterator[Message]:
-    """List mechanisms above the ground whose input is the ground's motion, and the assumptions for the others."""
-    without = [name for name in raised if amplified[name].height is None]
-    if without:
-        bears = warning if may_follow_motion(question) else note
-        yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
-    for name, one in amplified.items():
-        yield from locate(one.assumptions, f"mechanisms.{name}")
-
-
-def _first_mode_messages(content: sections.Content) -> Iterator[Message]:
-    """Warn if the natural frequency of [building] is not the reciprocal of its period."""
-    building = content.building
-    if building is None or building.natural_frequency is None or building.period is None:
-        return
-    if abs(building.period * building.natural_frequency - 1.0) > SAME_MODE:
-        yield warning(
-            "two-first-modes",
-            "building",
-            frequency=Quantity(building.natural_frequency, "frequency"),
-            period=Quantity(building.period, "time"),
-            reciprocal=Quantity(1.0 / building.natural_frequency),
-        )
-
-
-def _equation_messages(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
-    """Warn that the linearised equation leaves out the flexibility of joints."""
-    soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
-    if equation == "linearised" and soft:
-        yield warning("equation", "analysis.equation", mechanisms=", ".join(soft))
-
-
-def _crushing_messages(
-    code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
-) -> Iterator[Message]:
-    """Warn of levels of knowledge and factors that have no effect, as the mechanism does not model crushing."""
-    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
-    better = [name for name in without if options.knowledge_levels.get(name, options.knowledge_level) in ("LC2", "LC3")]
-    lower = options.confidence_factor is not None and options.confidence_factor < LARGEST_FACTOR
-    for key, names in (("knowledge_level", better), ("confidence_factor", without if lower else [])):
-        if names:
-            yield warning(
-                "confidence-factor",
-                f"procedures.{code}.{key}",
-                mechanisms=", ".join(names),
-                circular=circular,
-                least=f"{LARGEST_FACTOR:.2f}",
-            )
-
-
-def _body_messages(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
-    """Report what was done to the mesh of a body, and an implausible size or place."""
-    if isinstance(body, sections.MeshBody) and solid.history:
-        yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
-    about_size = size_warning(solid, unit=mesh_unit_of(body))
-    yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
-
-
-def mesh_unit_of(body: sections.Body) -> float | None:
-    """Return the unit in which a mesh was read [m], if it is stated by the project or taken as metre; else None."""
-    if not isinstance(body, sections.MeshBody):
-        return None
-    return body.mesh_unit or (1.0 if body.mesh.suffix.lower() in WITHOUT_UNIT else None)
-
-
-LIGHTEST, DENSEST = 100.0, 3500.0  # kg/m3: straw and cork, basalt; metals are denser, and no wall is made of them
-ROUGHEST = 2.0  # coefficient of friction of masonry on masonry: tests give 0.3 to 1.2
-LONGEST_CORNER = 1.0  # s: T_C* of NTC 2018 is below it everywhere in Italy
-
-
-def implausible_numbers(content: sections.Content) -> Iterator[Message]:
-    """Yield a warning for each number that is beyond what masonry and sites have.
-
-    Parameters
-    ----------
-    content : of the project file
-    """
-    for name, material in content.materials.items():
-        if not LIGHTEST <= material.density <= DENSEST:
-            least, most = Quantity(LIGHTEST, "density"), Quantity(DENSEST, "density")
-            given = Quantity(material.density, "density")
-            yield warning("density-odd", f"materials.{name}.density", given=given, least=least, most=most)
-        if material.friction is not None and material.friction > ROUGHEST:
-            where, given = f"materials.{name}.friction", Quantity(material.friction, "ratio")
-            yield warning("friction-large", where, given=given, most=Quantity(ROUGHEST, "ratio"))
-    for level in content.analysis.levels or ():
-        if level > LARGEST_PLAUSIBLE * g:
-            given, most = Quantity(level / g, "ground acceleration"), Quantity(LARGEST_PLAUSIBLE, "ground acceleration")
-            yield warning("level-large", "analysis.levels", given=given, most=most)
-    corner = None if content.site is None else getattr(content.site.spectrum, "t_c_star", None)
-    if corner is not None and corner > LONGEST_CORNER:
-        given, most = Quantity(corner, "time"), Quantity(LONGEST_CORNER, "time")
-        yield warning("corner-long", "site.spectrum.t_c_star", given=given, most=most)

@@ -20,7 +20,6 @@ import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -41,13 +40,10 @@ from assess.project.keys import (
     uncertain_values,
 )
 from assess.project.section import (
-    INFINITE,
     PATTERN_MARK,
-    SHARE_UNITS,
     UNCERTAIN_MARK,
     KeyPath,
     ProjectSection,
-    QuantityForm,
     UncertainNumber,
     key_text,
     look_up,
@@ -56,18 +52,10 @@ from assess.project.section import (
 )
 from assess.project.sections.content import Content
 from assess.project.units import (
-    AMBIGUOUS,
     KINDS,
-    NUMBER,
-    SIGNS,
     USUAL,
-    QuantityKind,
-    has_dimension,
     is_weight,
-    name_pattern,
-    prefixes_and_names,
-    reads_unit,
-    unit_pattern,
+    quantity_pattern,
 )
 from assess.results import ResolvedValue
 from records.reading import relative_path
@@ -293,12 +281,10 @@ BUILT = {"thickness": (0.1, 6.0), "length": (0.2, HUGE), "height": (0.2, HUGE)} 
 SHORTER = ("mm", "in", "cm", "ft")  # units that sizes are typed in, besides m
 WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
 SPECTRUM: KeyPath = ("site", "spectrum")
-
 ACCELERATION_KEYS: tuple[KeyPath, ...] = (
     ("site", "pga"),
     *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")),
 )
-
 MATERIALS: Mapping[str, tuple[str, tuple[tuple[float, float, str], ...]]] = {
     "density": ("density", ((1.0, 4.0, "t/m^3"), (10.0, 35.0, "kN/m^3"), (60.0, 200.0, "lb/ft^3"))),
     "young_modulus": ("stress", ((0.05, 100.0, "GPa"), (100.0, 1e5, "MPa"), (1e5, 2e7, "psi"))),
@@ -400,10 +386,6 @@ def weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterato
 TITLE = "Project file of assess"
 """Title of the schema, by which its file is known."""
 _REFERENCE = "#/$defs/"
-OF_ACCELERATION = ("g", "gal")
-_LETTER = "[A-Za-z]"
-_PLAIN = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
-_BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
 
 
 def schema_text() -> str:
@@ -475,61 +457,6 @@ def with_quantity_patterns(schema: dict[str, Any]) -> dict[str, Any]:
 
     found = refer(schema)
     return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
-
-
-@cache
-def quantity_pattern(kind: str, form: QuantityForm = "quantity") -> str:
-    """Return the pattern of a quantity of a kind in KINDS, of one that may be infinite, of a share or an amount by
-    which it changes, or of its unit alone.
-    """
-    unit = _unit_pattern(KINDS[kind])
-    if form == "unit":
-        read = rf"\s*{unit}"
-    elif KINDS[kind].unit == "dimensionless":
-        read = rf"\s*{NUMBER}\s*(?:{unit})?"
-    else:
-        read = rf"\s*{NUMBER}\s*{unit}"
-    either = [rf"{read}\s*", f".*{_BEYOND_A_KEYBOARD}.*"]
-    if form == "quantity or infinite":
-        either.append(rf"\s*{_any_case(INFINITE)}\s*")
-    elif form == "change":
-        either.append(rf"\s*{NUMBER}\s*{_any_of(SHARE_UNITS)}\s*")
-    return f"^(?:{'|'.join(either)})$"
-
-
-def _unit_pattern(kind: QuantityKind) -> str:
-    """Return the pattern of a unit: a name of the kind, or a product, unless it is known as of another kind."""
-    plain = rf"(?:{name_pattern(_LETTER)}|[{SIGNS}])\s*$"
-    return rf"(?!{_any_of(_refused_units(kind))}\s*$)(?:{_names_pattern(kind)}|(?!{plain}){unit_pattern(_LETTER)})"
-
-
-def _names_pattern(kind: QuantityKind) -> str:
-    """Return the pattern of the kind's names, with prefix and plural, and signs."""
-    prefixes, names = (list(filter(str.isascii, each)) for each in prefixes_and_names(kind))
-    single = [each for each in (*SIGNS, *USUAL.get(kind.name, {}), *OF_ACCELERATION) if _is_plain(each)]
-    alone = dict.fromkeys(each for each in single if each not in names and reads_unit(each, kind))
-    with_prefix = f"{_any_of(prefixes)}?{_any_of(names)}s?" if names else ""
-    return "|".join(filter(None, (_any_of(alone) if alone else "", with_prefix)))
-
-
-def _refused_units(kind: QuantityKind) -> Iterator[str]:
-    """Yield units that a pattern of the kind might take for one of it: usual ones of other kinds, ambiguous ones."""
-    yield from (unit for unit in (*AMBIGUOUS, *OF_ACCELERATION) if not reads_unit(unit, kind))
-    usual = dict.fromkeys(unit for units in USUAL.values() for unit in units)
-    yield from (unit for unit in usual if not has_dimension(unit, kind))
-
-
-def _is_plain(unit: str) -> bool:
-    return _PLAIN.fullmatch(unit) is not None
-
-
-def _any_of(texts: Iterable[str]) -> str:
-    """Return the pattern of any of the texts; `re.escape` escapes signs that ECMA 262 does not allow to be escaped."""
-    return "(?:" + "|".join(re.sub(r"([$()*+./?^{|}])", r"\\\1", text) for text in texts) + ")"
-
-
-def _any_case(words: Iterable[str]) -> str:
-    return "(?:" + "|".join("".join(f"[{c.lower()}{c.upper()}]" for c in word) for word in words) + ")"
 
 
 def with_located_faults(schema: dict[str, Any]) -> dict[str, Any]:

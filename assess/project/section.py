@@ -42,7 +42,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from assess.messages.message import escape_text
-from assess.project.units import KINDS, key_value, si_value
+from assess.project.units import INFINITE, KINDS, QuantityForm, key_value, si_value
 from assess.results.run import Distribution
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
@@ -168,20 +168,12 @@ def look_up(raw: Mapping[str, Any], key: KeyPath) -> tuple[bool, Any]:
 
 
 T = TypeVar("T")
-QuantityForm = Literal["quantity", "quantity or infinite", "change", "unit"]
-
 PATTERN_MARK = "pattern of"
 """Stands in the schema of a marked key, with its kind and form, until `with_quantity_patterns` has replaced it."""
-
 UNCERTAIN_MARK = "or { mean, cov }"
 """Stands in the schema of a marked key until `with_uncertain_numbers` has replaced it."""
-
-SHARE_UNITS = ("", "%", "percent", "permille")
-"""The units of a change that is a share of a number, and no amount."""
-INFINITE = ("inf", "infinite")
 LONGEST_LINE = 200  # characters
 LONGEST_PARAGRAPH = 1000  # characters
-
 REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 """Characters that show a text in another order than it is written."""
 
@@ -251,7 +243,6 @@ def _or_infinite(kind: str) -> BeforeValidator:
 Strength = Annotated[
     float, Field(gt=0), _or_infinite("stress"), _described("stress", "quantity or infinite"), KINDS["stress"]
 ]
-
 JointStiffness = Annotated[
     float, Field(gt=0), _or_infinite("stiffness"), _described("stiffness", "quantity or infinite"), KINDS["stiffness"]
 ]
@@ -477,13 +468,10 @@ def _text_or_number(value: Any) -> Any:
 
 TextLine = Annotated[StrictStr, AfterValidator(_fits_in(LONGEST_LINE, line_breaks=False))]
 """A text of one line."""
-
 Paragraph = Annotated[StrictStr, AfterValidator(_fits_in(LONGEST_PARAGRAPH, line_breaks=True))]
 """A text of a few lines."""
-
 DateText = Annotated[TextLine, BeforeValidator(text_of_date)]
 """A date as TOML has them, or in the user's own words."""
-
 NumberText = Annotated[
     TextLine,
     BeforeValidator(_text_or_number),
@@ -529,7 +517,6 @@ def _listed(value: Any) -> Any:
 
 
 _AN_ITEM = {"type": ["string", "integer"]}
-
 ItemKeys = Annotated[
     tuple[TextLine, ...],
     BeforeValidator(_listed),

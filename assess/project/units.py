@@ -14,12 +14,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, Literal
 
 from scipy.constants import g
 
@@ -42,7 +42,6 @@ def unit_pattern(letter: str) -> str:
 
 _UNIT = re.compile(unit_pattern(r"[^\W\d_]"))
 SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
-
 _TURNS = frozenset(
     {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
 )
@@ -293,7 +292,6 @@ POUND = Fraction("0.45359237")
 G = Fraction("9.80665")  # standard gravity [m/s2]
 POUND_FORCE = POUND * G
 PI = Fraction("3.1415926535897932384626433832795028841971693993751")  # as pint has it
-
 USUAL: Mapping[str, Mapping[str, Fraction]] = {
     "length": {
         "m": Fraction(1),
@@ -341,13 +339,10 @@ USUAL: Mapping[str, Mapping[str, Fraction]] = {
     "ratio": {"%": Fraction(1, 100)},
 }
 """SI units of a kind, by its name in `units.KINDS`, that one of each unit is, as it is typed."""
-
 WEIGHTS = frozenset({"kN/m^3", "kN/m3", "kN/m³", "pcf"})
 """Units of weight per volume among those of density."""
-
 DEFINED = ("pcf = pound_force / foot ** 3", "psf = pound_force / foot ** 2", "lbm = pound")
 """Units of American engineers that pint does not know, as its definitions."""
-
 AMBIGUOUS: Mapping[str, str] = dict.fromkeys(
     ("ton", "tons"), '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'
 )
@@ -358,7 +353,6 @@ _NUMBER = re.compile(rf"\s*({NUMBER})\s*")
 _SEPARATED = re.compile(r"([+-]?)(\d*,\d+(?:(?:[.,'_]\d+)| \d{3})*|\d+(?:[.,'_]\d+| \d{3})+)(?![.\d/])")
 _GROUPED = re.compile(r"(\d{1,3}(?:,\d{3})+|\d{1,3}(?:\.\d{3})+|\d{1,3}(?:['_ ]\d{3})+)(?:[.,](\d+))?")
 _FEET_AND_INCHES = re.compile(r"'[\s-]*\d|(?:ft|feet|foot)[\s-]+\d")
-
 _PLAIN = str.maketrans({
     "−": "-", "‐": "-", "‑": "-", "–": "-", "﹣": "-", "－": "-",  # minus signs, hyphens, an en dash
     "⋅": "·", "∙": "·", "×": "·", "∕": "/", "⁄": "/",
@@ -411,3 +405,68 @@ def _pointless(text: str) -> str:
 def _in_two_units(unit: str) -> str:
     """Say what is wrong with feet and inches in one quantity."""
     return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""
+
+
+QuantityForm = Literal["quantity", "quantity or infinite", "change", "unit"]
+INFINITE = ("inf", "infinite")
+SHARE_UNITS = ("", "%", "percent", "permille")
+"""The units of a change that is a share of a number, and no amount."""
+UNITS_OF_ACCELERATION = ("g", "gal")
+_LETTER = "[A-Za-z]"
+_PLAIN_UNIT = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
+_BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
+
+
+@cache
+def quantity_pattern(kind: str, form: QuantityForm = "quantity") -> str:
+    """Return the pattern of a quantity of a kind in KINDS, of one that may be infinite, of a share or an amount by
+    which it changes, or of its unit alone.
+    """
+    unit = _pattern_of_unit(KINDS[kind])
+    if form == "unit":
+        read = rf"\s*{unit}"
+    elif KINDS[kind].unit == "dimensionless":
+        read = rf"\s*{NUMBER}\s*(?:{unit})?"
+    else:
+        read = rf"\s*{NUMBER}\s*{unit}"
+    either = [rf"{read}\s*", f".*{_BEYOND_A_KEYBOARD}.*"]
+    if form == "quantity or infinite":
+        either.append(rf"\s*{_any_case(INFINITE)}\s*")
+    elif form == "change":
+        either.append(rf"\s*{NUMBER}\s*{_any_of(SHARE_UNITS)}\s*")
+    return f"^(?:{'|'.join(either)})$"
+
+
+def _pattern_of_unit(kind: QuantityKind) -> str:
+    """Return the pattern of a unit: a name of the kind, or a product, unless it is known as of another kind."""
+    plain = rf"(?:{name_pattern(_LETTER)}|[{SIGNS}])\s*$"
+    return rf"(?!{_any_of(_refused_units(kind))}\s*$)(?:{_pattern_of_names(kind)}|(?!{plain}){unit_pattern(_LETTER)})"
+
+
+def _pattern_of_names(kind: QuantityKind) -> str:
+    """Return the pattern of the kind's names, with prefix and plural, and signs."""
+    prefixes, names = (list(filter(str.isascii, each)) for each in prefixes_and_names(kind))
+    single = [each for each in (*SIGNS, *USUAL.get(kind.name, {}), *UNITS_OF_ACCELERATION) if _is_plain_unit(each)]
+    alone = dict.fromkeys(each for each in single if each not in names and reads_unit(each, kind))
+    with_prefix = f"{_any_of(prefixes)}?{_any_of(names)}s?" if names else ""
+    return "|".join(filter(None, (_any_of(alone) if alone else "", with_prefix)))
+
+
+def _refused_units(kind: QuantityKind) -> Iterator[str]:
+    """Yield units that a pattern of the kind might take for one of it: usual ones of other kinds, ambiguous ones."""
+    yield from (unit for unit in (*AMBIGUOUS, *UNITS_OF_ACCELERATION) if not reads_unit(unit, kind))
+    usual = dict.fromkeys(unit for units in USUAL.values() for unit in units)
+    yield from (unit for unit in usual if not has_dimension(unit, kind))
+
+
+def _is_plain_unit(unit: str) -> bool:
+    return _PLAIN_UNIT.fullmatch(unit) is not None
+
+
+def _any_of(texts: Iterable[str]) -> str:
+    """Return the pattern of any of the texts; `re.escape` escapes signs that ECMA 262 does not allow to be escaped."""
+    return "(?:" + "|".join(re.sub(r"([$()*+./?^{|}])", r"\\\1", text) for text in texts) + ")"
+
+
+def _any_case(words: Iterable[str]) -> str:
+    return "(?:" + "|".join("".join(f"[{c.lower()}{c.upper()}]" for c in word) for word in words) + ")"

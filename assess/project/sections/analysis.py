@@ -23,7 +23,6 @@ from scipy.constants import g
 
 from assess.project.section import (
     PATTERN_MARK,
-    SHARE_UNITS,
     WRITTEN_QUANTITY_SCHEMA,
     Acceleration,
     Angle,
@@ -41,7 +40,7 @@ from assess.project.section import (
     unique,
 )
 from assess.project.sections.procedures import Procedure
-from assess.project.units import KINDS, QuantityError, key_value, number_and_unit
+from assess.project.units import KINDS, SHARE_UNITS, QuantityError, key_value, number_and_unit
 
 MOST_PULSES = 1000  # frequencies or amplitudes
 WITH_GAMMA = "mavroeidis-papageorgiou"

@@ -13,10 +13,10 @@ from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter, ValidationError
 
 from assess.examples import EXAMPLES, source
-from assess.project.project_file import json_schema, quantity_pattern
+from assess.project.project_file import json_schema
 from assess.project.section import length_of_unit
 from assess.project.sections.analysis import DensityChange, ForceChange, LengthChange, ShareChange, StressChange
-from assess.project.units import KINDS, USUAL, prefixes_and_names, reads_unit, to_si
+from assess.project.units import KINDS, USUAL, prefixes_and_names, quantity_pattern, reads_unit, to_si
 from tests.support.projects import as_editors_see
 
 CHANGES = {

@@ -1,0 +1,157 @@
+"""What the engineer should know of a project's input before reading any result: bodies, joints, motion, numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from scipy.constants import g
+
+from assess.codes.italian_limit_states import LARGEST_FACTOR
+from assess.codes.question import Question
+from assess.dynamics.packing import Equation
+from assess.geometry.formats.readers import WITHOUT_UNIT
+from assess.geometry.mesh import size_warning
+from assess.geometry.solid import Solid
+from assess.mechanisms.mechanism import Mechanism
+from assess.messages.message import Message, Quantity, locate, note, warning
+from assess.model.bodies import gaps_of, overlaps_of
+from assess.project import sections
+from assess.project.question import (
+    procedures_of,
+)
+from assess.project.site_and_structure import (
+    bodies_of,
+    definitions_of,
+)
+from assess.study.amplification import MechanismAmplification
+from assess.study.mechanism_results import load_messages
+from assess.study.study import (
+    Study,
+    may_follow_motion,
+)
+from spectra.spectrum import LARGEST_PLAUSIBLE
+
+CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
+SAME_MODE = 0.05  # by how much two first modes of one building may differ
+LIGHTEST, DENSEST = 100.0, 3500.0  # kg/m3: straw and cork, basalt; metals are denser, and no wall is made of them
+ROUGHEST = 2.0  # coefficient of friction of masonry on masonry: tests give 0.3 to 1.2
+LONGEST_CORNER = 1.0  # s: T_C* of NTC 2018 is below it everywhere in Italy
+
+
+def project_messages(
+    content: sections.Content,
+    solids: Mapping[str, Solid | None],
+    study: Study,
+) -> Iterator[Message]:
+    """Yield what the engineer should know before reading any result."""
+    mechanisms = study.mechanisms
+    yield from implausible_numbers(content)
+    for name, solid in solids.items():
+        if solid is not None:
+            yield from _body_messages(name, solid, content.bodies[name])
+    definitions, bodies = definitions_of(content), bodies_of(content, solids)
+    yield from overlaps_of(definitions, bodies)
+    yield from gaps_of(definitions, bodies)
+    for mechanism in mechanisms:
+        yield from locate(mechanism.warnings, f"mechanisms.{mechanism.name}")
+        yield from load_messages(mechanism)
+        yield from mechanism.messages
+    yield from _equation_messages(content.analysis.equation, mechanisms)
+    raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
+    yield from _amplification_messages(raised, study.amplified, study.question)
+    yield from _first_mode_messages(content)
+    for code, circular in CIRCULARS.items():
+        if any(name.startswith(code) for name in procedures_of(content)):
+            yield from _crushing_messages(code, circular, getattr(content.procedures, code), mechanisms)
+
+
+def _body_messages(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
+    """Report what was done to the mesh of a body, and an implausible size or place."""
+    if isinstance(body, sections.MeshBody) and solid.history:
+        yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
+    about_size = size_warning(solid, unit=mesh_unit_of(body))
+    yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
+
+
+def mesh_unit_of(body: sections.Body) -> float | None:
+    """Return the unit in which a mesh was read [m], if it is stated by the project or taken as metre; else None."""
+    if not isinstance(body, sections.MeshBody):
+        return None
+    return body.mesh_unit or (1.0 if body.mesh.suffix.lower() in WITHOUT_UNIT else None)
+
+
+def _equation_messages(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
+    """Warn that the linearised equation leaves out the flexibility of joints."""
+    soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
+    if equation == "linearised" and soft:
+        yield warning("equation", "analysis.equation", mechanisms=", ".join(soft))
+
+
+def _amplification_messages(
+    raised: Sequence[str], amplified: Mapping[str, MechanismAmplification], question: Question
+) -> Iterator[Message]:
+    """List mechanisms above the ground whose input is the ground's motion, and the assumptions for the others."""
+    without = [name for name in raised if amplified[name].height is None]
+    if without:
+        bears = warning if may_follow_motion(question) else note
+        yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
+    for name, one in amplified.items():
+        yield from locate(one.assumptions, f"mechanisms.{name}")
+
+
+def _first_mode_messages(content: sections.Content) -> Iterator[Message]:
+    """Warn if the natural frequency of [building] is not the reciprocal of its period."""
+    building = content.building
+    if building is None or building.natural_frequency is None or building.period is None:
+        return
+    if abs(building.period * building.natural_frequency - 1.0) > SAME_MODE:
+        yield warning(
+            "two-first-modes",
+            "building",
+            frequency=Quantity(building.natural_frequency, "frequency"),
+            period=Quantity(building.period, "time"),
+            reciprocal=Quantity(1.0 / building.natural_frequency),
+        )
+
+
+def _crushing_messages(
+    code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
+) -> Iterator[Message]:
+    """Warn of levels of knowledge and factors that have no effect, as the mechanism does not model crushing."""
+    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
+    better = [name for name in without if options.knowledge_levels.get(name, options.knowledge_level) in ("LC2", "LC3")]
+    lower = options.confidence_factor is not None and options.confidence_factor < LARGEST_FACTOR
+    for key, names in (("knowledge_level", better), ("confidence_factor", without if lower else [])):
+        if names:
+            yield warning(
+                "confidence-factor",
+                f"procedures.{code}.{key}",
+                mechanisms=", ".join(names),
+                circular=circular,
+                least=f"{LARGEST_FACTOR:.2f}",
+            )
+
+
+def implausible_numbers(content: sections.Content) -> Iterator[Message]:
+    """Yield a warning for each number that is beyond what masonry and sites have.
+
+    Parameters
+    ----------
+    content : of the project file
+    """
+    for name, material in content.materials.items():
+        if not LIGHTEST <= material.density <= DENSEST:
+            least, most = Quantity(LIGHTEST, "density"), Quantity(DENSEST, "density")
+            given = Quantity(material.density, "density")
+            yield warning("density-odd", f"materials.{name}.density", given=given, least=least, most=most)
+        if material.friction is not None and material.friction > ROUGHEST:
+            where, given = f"materials.{name}.friction", Quantity(material.friction, "ratio")
+            yield warning("friction-large", where, given=given, most=Quantity(ROUGHEST, "ratio"))
+    for level in content.analysis.levels or ():
+        if level > LARGEST_PLAUSIBLE * g:
+            given, most = Quantity(level / g, "ground acceleration"), Quantity(LARGEST_PLAUSIBLE, "ground acceleration")
+            yield warning("level-large", "analysis.levels", given=given, most=most)
+    corner = None if content.site is None else getattr(content.site.spectrum, "t_c_star", None)
+    if corner is not None and corner > LONGEST_CORNER:
+        given, most = Quantity(corner, "time"), Quantity(LONGEST_CORNER, "time")
+        yield warning("corner-long", "site.spectrum.t_c_star", given=given, most=most)

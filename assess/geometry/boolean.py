@@ -33,13 +33,13 @@ class Intersection:
     corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
     of_second : which of them belong to the second body's surface [m]
     volume : [m3]
-    part : volume over that of the smaller body [-]
+    share : volume over that of the smaller body [-]
     """
 
     corners: FloatArray
     of_second: BoolArray
     volume: float
-    part: float
+    share: float
 
 
 def split(surface: Surface, *, where: str) -> tuple[Surface, Surface]:
@@ -176,14 +176,14 @@ def overlap_warnings(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Me
     """
     for one, other in combinations(bodies, 2):
         shared = intersect(one, other)
-        if shared is not None and shared.part > OVERLAP_WARNED:
+        if shared is not None and shared.share > OVERLAP_WARNED:
             yield warning(
                 "overlap",
                 where,
                 one=one.name,
                 other=other.name,
                 volume=Quantity(shared.volume, "volume", 3),
-                share=Quantity(100.0 * shared.part, "percent", 3),
+                share=Quantity(100.0 * shared.share, "percent", 3),
             )
 
 
@@ -200,4 +200,4 @@ def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
     largest share of the smaller body [-], and the volume [m3]
     """
     shared = [each for solid in block if (each := intersect(solid, other)) is not None]
-    return max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
+    return max((each.share for each in shared), default=0.0), sum(each.volume for each in shared)

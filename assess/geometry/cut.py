@@ -61,6 +61,41 @@ class Division:
     region: shapely.MultiPolygon
 
 
+@dataclass(frozen=True)
+class Piece:
+    """One block of a mechanism, as cut.
+
+    body : in the plane of motion; solids : what it is made of, none for direct values; foot : corners of the face it
+    stands on [k, 3] [m], None without geometry; cut : whether that face is a cut; section : its rings [k, 3] [m];
+    fixed : what lies beyond the cut and stays
+    """
+
+    body: PlanarBody
+    solids: tuple[Solid, ...]
+    foot: FloatArray | None
+    cut: bool = False
+    section: tuple[FloatArray, ...] = ()
+    fixed: tuple[Solid, ...] = ()
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The bodies of a mechanism in space.
+
+    Attributes
+    ----------
+    members : the solids of each of the mechanism's outlines, in their order
+    fixed : solids that do not move, such as those under a cut
+    sections : where cuts pass through the masonry: closed rings [k, 3] [m]
+    direction : of motion, a horizontal unit vector [3]
+    """
+
+    members: tuple[tuple[Solid, ...], ...]
+    fixed: tuple[Solid, ...]
+    sections: tuple[FloatArray, ...]
+    direction: FloatArray
+
+
 def level_plane(elevation: float) -> Plane:
     """Return the horizontal plane at an elevation [m]."""
     return Plane(np.array([0.0, 0.0, float(elevation)]), np.array([0.0, 0.0, 1.0]))
@@ -190,10 +225,10 @@ def heading(plane: Plane, vector: ArrayLike, *, axis: ArrayLike | None = None) -
     -------
     unit vector [2]
     """
-    wanted = np.asarray(vector, dtype=np.float64)
-    along, up = project_on_plane(plane, np.cross([0.0, 0.0, 1.0], wanted) if axis is None else axis)
+    motion = np.asarray(vector, dtype=np.float64)
+    along, up = project_on_plane(plane, np.cross([0.0, 0.0, 1.0], motion) if axis is None else axis)
     unit = np.array([up, -along]) / np.hypot(along, up)
-    return np.asarray(np.copysign(1.0, unit @ project_on_plane(plane, wanted)) * unit, dtype=np.float64)
+    return np.asarray(np.copysign(1.0, unit @ project_on_plane(plane, motion)) * unit, dtype=np.float64)
 
 
 def _axes(normal: FloatArray) -> FloatArray:
@@ -248,43 +283,13 @@ def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> s
     return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > DEGENERATE * size**2]))
 
 
-@dataclass(frozen=True)
-class Piece:
-    """One block of a mechanism, as cut.
-
-    body : in the plane of motion; solids : what it is made of, none for direct values; foot : corners of the face it
-    stands on [k, 3] [m], None without geometry; cut : whether that face is a cut; section : its rings [k, 3] [m];
-    fixed : what lies beyond the cut and stays
-    """
-
-    body: PlanarBody
-    solids: tuple[Solid, ...]
-    foot: FloatArray | None
-    cut: bool = False
-    section: tuple[FloatArray, ...] = ()
-    fixed: tuple[Solid, ...] = ()
-
-
-@dataclass(frozen=True)
-class Scene:
-    """The bodies of a mechanism in space.
-
-    Attributes
-    ----------
-    members : the solids of each of the mechanism's outlines, in their order
-    fixed : solids that do not move, such as those under a cut
-    sections : where cuts pass through the masonry: closed rings [k, 3] [m]
-    direction : of motion, a horizontal unit vector [3]
-    """
-
-    members: tuple[tuple[Solid, ...], ...]
-    fixed: tuple[Solid, ...]
-    sections: tuple[FloatArray, ...]
-    direction: FloatArray
-
-
 def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[float]) -> FloatArray:
-    """Return area and moments of level sections at several elevations.
+    """Return area and second moment of level sections at many elevations, for bending in a horizontal direction.
+
+    A plane cuts each triangle it crosses in a segment. Segments that run anticlockwise around the masonry, seen from
+    above, give area, first and second moment by Green's theorem without being joined to rings, holes included:
+
+        A = sum D / 2, int s dA = sum D (s + s') / 6, int s^2 dA = sum D (s^2 + s s' + s'^2) / 12, D = s t' - s' t
 
     Parameters
     ----------

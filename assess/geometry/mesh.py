@@ -67,18 +67,18 @@ def load_solid(
         cannot be closed or has no volume; a coordinate is not finite; scale or density is not positive
     """
     file = Path(path)
-    model = read_selected_meshes({name: (file, element)})[file, element]
-    return solid_from_meshes(model, density=density, name=name, scale=scale, up=up)
+    selected = read_selected_meshes({name: (file, element)})[file, element]
+    return solid_from_meshes(selected, density=density, name=name, scale=scale, up=up)
 
 
 def solid_from_meshes(
-    model: SelectedMeshes, *, density: float, name: str, scale: float | None = None, up: Up | None = None
+    selected: SelectedMeshes, *, density: float, name: str, scale: float | None = None, up: Up | None = None
 ) -> Solid:
     """Return the solid inside the meshes taken from a file.
 
     Parameters
     ----------
-    model : the meshes
+    selected : the meshes
     density : [kg/m3]
     name : the body's name in the project
     scale, up : as in `load`
@@ -87,16 +87,16 @@ def solid_from_meshes(
     ------
     GeometryError : as in `load`; where one of several elements is at fault, it is named
     """
-    where = f'body "{name}": mesh {model.file.name}'
+    where = f'body "{name}": mesh {selected.file.name}'
     try:
-        return _solid(model, model.parts, density=density, name=name, scale=scale, up=up, where=where)
+        return _solid(selected, selected.meshes, density=density, name=name, scale=scale, up=up, where=where)
     except GeometryError as problem:
-        raise _error_of_element(model, density=density, name=name, scale=scale, up=up, where=where) or problem from None
+        raise _error_of_element(selected, density=density, name=name, scale=scale, up=up, where=where) or problem from None
 
 
 def _solid(
-    model: SelectedMeshes,
-    parts: Sequence[ElementMesh],
+    selected: SelectedMeshes,
+    meshes: Sequence[ElementMesh],
     *,
     density: float,
     name: str,
@@ -105,18 +105,18 @@ def _solid(
     where: str,
 ) -> Solid:
     """Return the solid inside some of a model's meshes."""
-    _, about_unit = _resolve_unit(model, scale, where=where)
-    surface = merge_vertices(*assemble_mesh(model, parts, scale=scale, up=up, where=where))
+    _, about_unit = _resolve_unit(selected, scale, where=where)
+    surface = merge_vertices(*assemble_mesh(selected, meshes, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, repairs = repair(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
-    unit = scale or model.unit or 1.0
-    refuse_implausible(solid, unit=unit, given=scale is not None, single=_is_single_precision(model.file), where=where)
+    unit = scale or selected.unit or 1.0
+    refuse_implausible(solid, unit=unit, given=scale is not None, single=_is_single_precision(selected.file), where=where)
     history = (
-        *model.warnings,
+        *selected.warnings,
         *about_unit,
-        *_axis_warnings(model, given=up),
+        *_axis_warnings(selected, given=up),
         *repairs,
         *self_overlap_warnings(surface, where=where),
     )
@@ -124,7 +124,7 @@ def _solid(
 
 
 def assemble_mesh(
-    model: SelectedMeshes, parts: Sequence[ElementMesh], *, scale: float | None, up: Up | None, where: str
+    selected: SelectedMeshes, meshes: Sequence[ElementMesh], *, scale: float | None, up: Up | None, where: str
 ) -> Surface:
     """Assemble some of a model's meshes into one, oriented with z up and in metres.
 
@@ -136,24 +136,24 @@ def assemble_mesh(
     ------
     GeometryError : there is no triangle, or one of a corner that is missing or not finite; scale is not positive
     """
-    unit, _ = _resolve_unit(model, scale, where=where)
-    vertices, triangles = join_meshes(parts)
+    unit, _ = _resolve_unit(selected, scale, where=where)
+    vertices, triangles = join_meshes(meshes)
     sound = _check_vertices(vertices, triangles, where=where)
-    return _rotate_upright(sound if unit == 1.0 else sound * unit, up=up or model.up or "z"), triangles
+    return _rotate_upright(sound if unit == 1.0 else sound * unit, up=up or selected.up or "z"), triangles
 
 
 def _error_of_element(
-    model: SelectedMeshes, *, density: float, name: str, scale: float | None, up: Up | None, where: str
+    selected: SelectedMeshes, *, density: float, name: str, scale: float | None, up: Up | None, where: str
 ) -> GeometryError | None:
     """Return the error of the first of several elements that is no body by itself; None if none or all are."""
     wrong = []
-    for part in model.parts if len(model.parts) > 1 else ():
-        at = f'{where}: element "{short_name(part.element.shown)}"'
+    for mesh in selected.meshes if len(selected.meshes) > 1 else ():
+        at = f'{where}: element "{short_name(mesh.element.shown)}"'
         try:
-            _solid(model, [part], density=density, name=name, scale=scale, up=up, where=at)
+            _solid(selected, [mesh], density=density, name=name, scale=scale, up=up, where=at)
         except GeometryError as problem:
             wrong.append(problem)
-    return wrong[0] if 0 < len(wrong) < len(model.parts) else None
+    return wrong[0] if 0 < len(wrong) < len(selected.meshes) else None
 
 
 def _is_single_precision(file: Path) -> bool:
@@ -173,25 +173,25 @@ def _rotate_upright(vertices: FloatArray, *, up: Up) -> FloatArray:
     return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
 
 
-def _axis_warnings(content: SelectedMeshes, *, given: Up | None) -> tuple[Message, ...]:
+def _axis_warnings(selected: SelectedMeshes, *, given: Up | None) -> tuple[Message, ...]:
     """Warn where a mesh is rotated because its format prescribes y up, which exporters do not always follow."""
-    turned = given is None and content.up == "y"
+    turned = given is None and selected.up == "y"
     return (note("read-with-y-up"),) if turned else ()
 
 
-def _resolve_unit(content: SelectedMeshes, given: float | None, *, where: str) -> tuple[float, tuple[Message, ...]]:
+def _resolve_unit(selected: SelectedMeshes, given: float | None, *, where: str) -> tuple[float, tuple[Message, ...]]:
     """Return the length of the mesh's unit [m]: the given, the file's own or the metre; warn where they differ."""
     if given is not None and not is_number(given):
         raise GeometryError(f"{where}: its unit is {given!r}; give its length in metres, such as 0.001")
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
-    if given is None and content.unit is None and content.file.suffix.lower() not in WITHOUT_UNIT:
+    if given is None and selected.unit is None and selected.file.suffix.lower() not in WITHOUT_UNIT:
         raise GeometryError(f"{where}: the file states no unit; give mesh_unit, the unit of its coordinates")
     if given is None:
-        return content.unit or 1.0, ()
-    if content.unit is None or abs(content.unit / given - 1.0) < SAME_UNIT:
+        return selected.unit or 1.0, ()
+    if selected.unit is None or abs(selected.unit / given - 1.0) < SAME_UNIT:
         return given, ()
-    stated = Quantity(content.unit, "length", 6)
+    stated = Quantity(selected.unit, "length", 6)
     return given, (note("read-in-units", given=Quantity(given, "length", 6), stated=stated),)
 
 
@@ -223,14 +223,14 @@ class SelectedMeshes:
     Attributes
     ----------
     file : where it was read from
-    parts : the meshes of the elements that it takes
+    meshes : of the elements that it takes
     unit : length of the file's unit [m]; None where the format does not say
     up : which axis points up; None where the format does not say
     warnings : which elements became one body, and what may be missing
     """
 
     file: Path
-    parts: tuple[ElementMesh, ...]
+    meshes: tuple[ElementMesh, ...]
     unit: float | None = None
     up: Up | None = None
     warnings: tuple[Message, ...] = ()
@@ -242,20 +242,20 @@ Selection = tuple[
 MeshesBySelection = Mapping[Selection, SelectedMeshes]
 
 
-def read_selected_meshes(asked: Mapping[str, Selection]) -> MeshesBySelection:
+def read_selected_meshes(selections: Mapping[str, Selection]) -> MeshesBySelection:
     """Read what each body takes of its file; every file is read once.
 
     Parameters
     ----------
-    asked : file and elements by name of the body
+    selections : file and elements by name of the body
 
     Raises
     ------
     GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those selected
     """
     found: dict[Selection, SelectedMeshes] = {}
-    for file in dict.fromkeys(path for path, _ in asked.values()):
-        found |= _read_file({name: element for name, (path, element) in asked.items() if path == file}, file)
+    for file in dict.fromkeys(path for path, _ in selections.values()):
+        found |= _read_file({name: element for name, (path, element) in selections.items() if path == file}, file)
     return found
 
 
@@ -267,11 +267,11 @@ def _read_file(elements: Mapping[str, str | None], file: Path) -> MeshesBySelect
     places = {
         name: select_elements(content.elements, element, where=places_named[name]) for name, element in elements.items()
     }
-    wanted = sorted({place for each in places.values() for place in each})
-    parts = dict(zip(wanted, mesh_elements(content, wanted, file=file, where=first), strict=True))
+    selected = sorted({place for each in places.values() for place in each})
+    meshes = dict(zip(selected, mesh_elements(content, selected, file=file, where=first), strict=True))
     found = {}
     for name, element in elements.items():
-        taken = tuple(parts[place] for place in places[name])
+        taken = tuple(meshes[place] for place in places[name])
         _refuse_unmeshed(taken, where=places_named[name])
         found[file, element] = SelectedMeshes(
             file,
@@ -283,26 +283,26 @@ def _read_file(elements: Mapping[str, str | None], file: Path) -> MeshesBySelect
     return found
 
 
-def _join_warnings(parts: Sequence[ElementMesh]) -> tuple[Message, ...]:
+def _join_warnings(meshes: Sequence[ElementMesh]) -> tuple[Message, ...]:
     """Note where several elements become one body."""
-    if len(parts) < 2:
+    if len(meshes) < 2:
         return ()
-    names = first_names([short_name(each.element.shown) for each in parts], MAX_LISTED)
-    return (note("elements-joined", number=whole_number(len(parts)), names=names),)
+    names = first_names([short_name(each.element.shown) for each in meshes], MAX_LISTED)
+    return (note("elements-joined", number=whole_number(len(meshes)), names=names),)
 
 
-def _mesh_warnings(parts: Sequence[ElementMesh]) -> tuple[Message, ...]:
+def _mesh_warnings(meshes: Sequence[ElementMesh]) -> tuple[Message, ...]:
     """Warn of what may be missing of elements."""
     return tuple(
         note("element-incomplete", element=short_name(each.element.shown), what=each.warning)
-        for each in parts
+        for each in meshes
         if each.warning is not None
     )
 
 
-def _refuse_unmeshed(parts: Sequence[ElementMesh], *, where: str) -> None:
+def _refuse_unmeshed(meshes: Sequence[ElementMesh], *, where: str) -> None:
     """Raise where a selected element has no mesh."""
-    bare = [each for each in parts if each.fault]
+    bare = [each for each in meshes if each.fault]
     if bare:
         one = bare[0].element
         known = f" ({one.identifier})" if one.identifier and one.shown != one.identifier else ""
@@ -365,33 +365,33 @@ def inventory(
     places = select_elements(content.elements, element, where=str(file))
     if not places:
         raise GeometryError(f"{file}: there are no meshes in it, and no solids or surfaces to mesh")
-    parts = mesh_elements(content, places, file=file, where=str(file))
+    meshes = mesh_elements(content, places, file=file, where=str(file))
     return tuple(
         _inventory_entry(
-            SelectedMeshes(file, (part,), content.unit, content.up, () if part.warning is None else (part.warning,)),
-            part,
+            SelectedMeshes(file, (mesh,), content.unit, content.up, () if mesh.warning is None else (mesh.warning,)),
+            mesh,
             scale=scale,
             up=up,
         )
-        for part in parts
+        for mesh in meshes
     )
 
 
-def _inventory_entry(model: SelectedMeshes, part: ElementMesh, *, scale: float | None, up: Up | None) -> InventoryEntry:
+def _inventory_entry(selected: SelectedMeshes, mesh: ElementMesh, *, scale: float | None, up: Up | None) -> InventoryEntry:
     """Describe one part."""
-    name, element = model.file.name, part.element
-    if part.fault:
-        return InventoryEntry(name, element, why_not=part.fault)
+    name, element = selected.file.name, mesh.element
+    if mesh.fault:
+        return InventoryEntry(name, element, why_not=mesh.fault)
     try:
-        vertices, triangles = assemble_mesh(model, model.parts, scale=scale, up=up, where="")
+        vertices, triangles = assemble_mesh(selected, selected.meshes, scale=scale, up=up, where="")
     except GeometryError as problem:
-        return InventoryEntry(name, element, len(part.triangles), why_not=_reason(problem, name))
+        return InventoryEntry(name, element, len(mesh.triangles), why_not=_reason(problem, name))
     thin, used = thin_direction(vertices, triangles), vertices[np.unique(triangles)]
     low, high = used.min(axis=0), used.max(axis=0)
     middle = (low + high) / 2.0
     try:
-        solid = solid_from_meshes(model, density=1.0, name="", scale=scale, up=up)
-        found = size_warning(replace(solid, name=element.shown), unit=scale or (1.0 if model.unit is None else None))
+        solid = solid_from_meshes(selected, density=1.0, name="", scale=scale, up=up)
+        found = size_warning(replace(solid, name=element.shown), unit=scale or (1.0 if selected.unit is None else None))
         about_size = [] if found is None else [found]
         warnings, why, volume = (*solid.history, *about_size), "", solid.mass
     except GeometryError as problem:
@@ -411,11 +411,8 @@ def _inventory_entry(model: SelectedMeshes, part: ElementMesh, *, scale: float |
 
 
 def _reason(problem: GeometryError, file: str) -> str:
-    return _plain(str(problem), file)
-
-
-def _plain(sentence: str, file: str) -> str:
-    """Remove the subject from a sentence about an unnamed body."""
+    """Return an error about an unnamed body, without the subject of its sentence."""
+    sentence = str(problem)
     for start in ('body ""', f": mesh {file}", ": "):
         sentence = sentence.removeprefix(start)
     return sentence.strip()

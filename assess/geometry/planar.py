@@ -20,6 +20,7 @@ from spectra.arrays import BoolArray, FloatArray, IntArray
 
 Point = tuple[float, float]
 Base = tuple[Point, Point]
+Outline = tuple[tuple[Point, ...], ...]
 BASE_TOLERANCE = 1e-6  # of the body's size: vertices this near the lowest belong to the base
 
 
@@ -249,7 +250,6 @@ def _lowest(bases: Sequence[Base], size: float) -> Base | None:
     return _base(np.array(bases).reshape(-1, 2), size=size)
 
 
-Outline = tuple[tuple[Point, ...], ...]
 FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
 STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
 FEW_EDGES = 1500  # edges of the contour that are made to cross one another however they lie
@@ -319,9 +319,9 @@ def _contour(facing: IntArray, count: int) -> IntArray:
     key = key[differs_from_previous(key)]
     both = np.flatnonzero(key[1:] - key[:-1] == 1)
     both = both[key[both] % 2 == 0]  # one edge, either way
-    alone = np.ones(len(key), dtype=np.bool_)
-    alone[both] = alone[both + 1] = False
-    return np.column_stack(np.divmod(key[alone] // 2, count))
+    border = np.ones(len(key), dtype=np.bool_)
+    border[both] = border[both + 1] = False
+    return np.column_stack(np.divmod(key[border] // 2, count))
 
 
 def _seldom_cross(edges: FloatArray) -> bool:

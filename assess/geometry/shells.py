@@ -124,14 +124,16 @@ def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surfac
     """Reverse the shells that face inwards but lie in no material."""
     solid = [shell for shell in shells if volume(*shell) > 0.0]
     parts, boxes = _corners_and_boxes(solid)
-    alone = [k for k, shell in enumerate(shells) if volume(*shell) < 0.0 and not _lies_in_material(shell, parts, boxes)]
-    if not alone:
+    inverted = [
+        k for k, shell in enumerate(shells) if volume(*shell) < 0.0 and not _lies_in_material(shell, parts, boxes)
+    ]
+    if not inverted:
         return shells, ()
-    centre = shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1))
-    after = sum(abs(volume(*shell)) if k in alone else volume(*shell) for k, shell in enumerate(shells))
+    centre = shells[inverted[0]][0][shells[inverted[0]][1]].mean(axis=(0, 1))
+    after = sum(abs(volume(*shell)) if k in inverted else volume(*shell) for k, shell in enumerate(shells))
     change = volume_change(sum(volume(*shell) for shell in shells), after)
-    done = note("shells-reversed", number=whole_number(len(alone)), change=change, **coordinate_values(centre))
-    return [(v, t[:, ::-1]) if k in alone else (v, t) for k, (v, t) in enumerate(shells)], (done,)
+    done = note("shells-reversed", number=whole_number(len(inverted)), change=change, **coordinate_values(centre))
+    return [(v, t[:, ::-1]) if k in inverted else (v, t) for k, (v, t) in enumerate(shells)], (done,)
 
 
 def _lies_in_material(shell: Surface, parts: list[FloatArray], boxes: FloatArray) -> bool:
@@ -294,8 +296,8 @@ def _rays_over(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, IntArra
 def _extreme(cells: FloatArray, triangles: IntArray, of: np.ufunc) -> NDArray[np.int16]:
     """Return the least or the largest cell of the three corners of each triangle, each way [2, m]."""
     corners = [triangles[:, i] for i in range(3)]
-    ways = [way.astype(np.int16) for way in cells.T]  # -1 to LINES
-    return np.stack([of(of(*(way[at] for at in corners[:2])), way[corners[2]]) for way in ways])
+    axes = [axis.astype(np.int16) for axis in cells.T]  # -1 to RAYS
+    return np.stack([of(of(*(axis[at] for at in corners[:2])), axis[corners[2]]) for axis in axes])
 
 
 OVERLAP = 1e-6  # of the body's size: shells that enter one another by less are taken to touch

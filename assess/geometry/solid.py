@@ -330,10 +330,7 @@ def scale_density(solid: Solid, factor: float) -> Solid:
     return replace(solid, mass=factor * solid.mass, inertia=inertia)
 
 
-Point = tuple[float, float]
-
-
-def find_crossing(corners: FloatArray) -> Point | None:
+def find_crossing(corners: FloatArray) -> tuple[float, float] | None:
     """Find the first place where two sides cross or touch other than at their common corner; None for a simple polygon.
 
     Parameters

@@ -324,9 +324,7 @@ def _cluster_vertices(vertices: FloatArray, triangles: IntArray, *, cell: float)
     column = np.floor((vertices - vertices.min(axis=0)) / cell).astype(np.int64)
     across = column.max(axis=0) + 1
     _, group = np.unique((column[:, 0] * across[1] + column[:, 1]) * across[2] + column[:, 2], return_inverse=True)
-    corners = group[triangles]
-    a, b, c = corners.T
-    faces = _drop_duplicates(corners[(a != b) & (b != c) & (c != a)])
+    faces = _drop_duplicates(drop_degenerate(group[triangles]))
     used, index = np.unique(faces, return_inverse=True)
     return _cluster_points(vertices, triangles, group, cell=cell)[used], index.reshape(-1, 3)
 

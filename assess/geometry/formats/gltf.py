@@ -39,7 +39,7 @@ def read_glb(file: Path) -> MeshFile:
     from trimesh.exchange.gltf import load_glb
 
     header = gltf_header(file)
-    return file_from_meshes(_node_parts(load_glb(_content(file), skip_materials=True), header), unit=1.0, up="y")
+    return file_from_meshes(_node_meshes(load_glb(_content(file), skip_materials=True), header), unit=1.0, up="y")
 
 
 def read_gltf(file: Path) -> MeshFile:
@@ -49,7 +49,7 @@ def read_gltf(file: Path) -> MeshFile:
 
     header = gltf_header(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
-    return file_from_meshes(_node_parts(loaded, header), unit=1.0, up="y")
+    return file_from_meshes(_node_meshes(loaded, header), unit=1.0, up="y")
 
 
 def _content(file: Path) -> io.BytesIO:
@@ -72,10 +72,10 @@ def _refuse_other_extents(meshes: Mapping[str, ElementMesh], header: Mapping[str
     """
     accessors = header.get("accessors", [])
     used = {each["attributes"].get("POSITION") for mesh in header.get("meshes", []) for each in mesh["primitives"]}
-    said = [[accessors[i].get("min"), accessors[i].get("max")] for i in used if i is not None]
-    if any(None in each for each in said):
+    stated = [[accessors[i].get("min"), accessors[i].get("max")] for i in used if i is not None]
+    if any(None in each for each in stated):
         return
-    announced = np.asarray(said, dtype=np.float64).reshape(-1, 2, 3)
+    announced = np.asarray(stated, dtype=np.float64).reshape(-1, 2, 3)
     for name, mesh in meshes.items():
         found = np.array([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
         wrong = np.abs(announced - found).max(axis=(1, 2)) > EXTENT_TOLERANCE * np.abs(found).max()
@@ -84,7 +84,7 @@ def _refuse_other_extents(meshes: Mapping[str, ElementMesh], header: Mapping[str
             raise ValueError(f'"{name:.30}" reaches from ({low}) to ({high}), and no accessor\'s min and max say so')
 
 
-def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[ElementMesh, ...]:
+def _node_meshes(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[ElementMesh, ...]:
     """Place every node's mesh, joined from its primitives, under the name of the node and within its mesh."""
     meshes = _meshes(loaded["geometry"])
     _refuse_other_extents(meshes, header)
@@ -101,8 +101,8 @@ def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[E
             found.setdefault(str(node) if node in own else _owner(node, edge), []).append(placed)
     many = {name for name, count in own.items() if count > 1}
     return tuple(
-        ElementMesh(_node_element(node, parts[0].element.names, many), *join_meshes(parts))
-        for node, parts in found.items()
+        ElementMesh(_node_element(node, meshes_of_node[0].element.names, many), *join_meshes(meshes_of_node))
+        for node, meshes_of_node in found.items()
     )
 
 

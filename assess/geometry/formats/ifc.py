@@ -16,10 +16,9 @@ from typing import Any
 import numpy as np
 
 from assess.geometry.formats.mesh_file import Element, ElementMesh, MeshFile, element_without_mesh, make_element_mesh
-from assess.geometry.formats.step import refuse_damaged
+from assess.geometry.formats.step import ANGULAR_DEFLECTION, refuse_damaged
 from assess.messages.message import note
 
-ANGULAR_DEFLECTION = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 NOT_BUILT = ("IfcSpace", "IfcOpeningElement", "IfcVirtualElement", "IfcAnnotation", "IfcGrid")
 NO_BODIES = ("Curve2D", "Curve3D", "Curve", "Point", "PointCloud", "Annotation2D", "GeometricCurveSet", "BoundingBox")
 
@@ -147,13 +146,13 @@ def _mesh_products(
     """
     import ifcopenshell
 
-    wanted = [products[i] for i in places]
+    selected = [products[i] for i in places]
     ifcopenshell.get_log()  # empties it
-    shapes = _shapes(model, wanted) if wanted else {}
+    shapes = _shapes(model, selected) if selected else {}
     failed = {int(number) for number in FAILED.findall(ifcopenshell.get_log())}
     nothing = element_without_mesh(Element(), UNMESHED)
     found = []
-    for place, product in zip(places, wanted, strict=True):
+    for place, product in zip(places, selected, strict=True):
         shape = replace(shapes.get(product.id(), nothing), element=elements[place])
         lost = [] if shape.fault or not failed | missing else _missing_items(model, product, failed, missing)
         found.append(replace(shape, warning=note("not-all-built", lost=", ".join(lost)) if lost else None))

@@ -19,6 +19,8 @@ from assess.messages.message import Message
 from spectra.arrays import FloatArray, IntArray
 
 Up = Literal["y", "z"]
+MAX_INSTANCES = 100_000  # of meshes in a scene, which blocks within blocks multiply
+MAX_TRIANGLES = 100_000_000  # of a scene with all its instances
 POINT_CLOUD = "it holds {count} points and no faces; make a closed surface of the points first"
 
 
@@ -74,7 +76,7 @@ class MeshFile:
     Attributes
     ----------
     elements : all objects that can have a mesh
-    mesh : returns the parts of the elements at given indices; an element that turns out to have no body is left out
+    mesh : returns the meshes of the elements at given indices; an element that turns out to have no body is left out
     unit : length of the file's unit [m]; None where the format does not say
     up : which axis points up; None where the format does not say
     """
@@ -85,24 +87,24 @@ class MeshFile:
     up: Up | None = None
 
     @property
-    def parts(self) -> tuple[ElementMesh, ...]:
+    def meshes(self) -> tuple[ElementMesh, ...]:
         """The meshes of all elements."""
         return self.mesh(range(len(self.elements)))
 
 
-def file_from_meshes(parts: Sequence[ElementMesh], *, unit: float | None = None, up: Up | None = None) -> MeshFile:
+def file_from_meshes(meshes: Sequence[ElementMesh], *, unit: float | None = None, up: Up | None = None) -> MeshFile:
     """Return a file whose meshes are all there already."""
-    found = tuple(parts)
+    found = tuple(meshes)
     return MeshFile(tuple(each.element for each in found), lambda places: tuple(found[i] for i in places), unit, up)
 
 
 def make_element_mesh(element: Element, vertices: ArrayLike, faces: ArrayLike) -> ElementMesh:
-    """Make a part of vertices [n, 3] and faces of k corners [m, k], which become fans of triangles."""
+    """Make the mesh of an element of vertices [n, 3] and faces of k corners [m, k], which become fans of triangles."""
     return ElementMesh(element, np.asarray(vertices, dtype=np.float64).reshape(-1, 3), fan_triangles(faces))
 
 
 def element_without_mesh(element: Element, fault: str) -> ElementMesh:
-    """Make the part of an element that has no mesh, with the reason."""
+    """Make an element without a mesh, with the reason."""
     return ElementMesh(element, np.empty((0, 3)), np.empty((0, 3), dtype=np.int64), fault)
 
 
@@ -122,15 +124,15 @@ def transform(shape: ElementMesh, matrix: ArrayLike) -> ElementMesh:
     return replace(shape, vertices=shape.vertices @ A[:3, :3].T + A[:3, 3], triangles=triangles)
 
 
-def join_meshes(parts: Sequence[ElementMesh]) -> tuple[FloatArray, IntArray]:
-    """Join parts into one mesh: vertices [n, 3] and triangles [m, 3]."""
-    if len(parts) == 1:
-        return parts[0].vertices, parts[0].triangles
-    starts = np.cumsum([0, *(len(each.vertices) for each in parts)])[: len(parts)]
-    triangles = [each.triangles + start for each, start in zip(parts, starts, strict=True)]
+def join_meshes(meshes: Sequence[ElementMesh]) -> tuple[FloatArray, IntArray]:
+    """Join meshes into one: vertices [n, 3] and triangles [m, 3]."""
+    if len(meshes) == 1:
+        return meshes[0].vertices, meshes[0].triangles
+    starts = np.cumsum([0, *(len(each.vertices) for each in meshes)])[: len(meshes)]
+    triangles = [each.triangles + start for each, start in zip(meshes, starts, strict=True)]
     nothing = np.empty((0, 3))
     return (
-        np.concatenate([nothing, *(each.vertices for each in parts)]),
+        np.concatenate([nothing, *(each.vertices for each in meshes)]),
         np.concatenate([nothing.astype(np.int64), *triangles]),
     )
 
@@ -141,7 +143,7 @@ WILDCARDS = "*?["  # letters that make a pattern
 CLASS_PREFIX = "ifc"  # of the names of classes
 
 
-def select_elements(elements: Sequence[Element], wanted: str | None, *, where: str) -> tuple[int, ...]:
+def select_elements(elements: Sequence[Element], selection: str | None, *, where: str) -> tuple[int, ...]:
     """Return the indices of the elements that a selection means; all where none is given.
 
     The first of these that matches counts: the identifier of one element; its name; its class or a superclass, such as
@@ -151,19 +153,19 @@ def select_elements(elements: Sequence[Element], wanted: str | None, *, where: s
     ------
     GeometryError : nothing matches, or several elements with identifiers of their own have exactly this name
     """
-    if wanted is None:
+    if selection is None:
         return tuple(range(len(elements)))
-    wanted = one_line(wanted)
-    named = _indices(elements, [wanted in map(one_line, each.names) for each in elements])
+    selection = one_line(selection)
+    named = _indices(elements, [selection in map(one_line, each.names) for each in elements])
     for found in (
-        _indices(elements, [wanted == each.identifier for each in elements]),
-        _refuse_ambiguous(elements, named, wanted, where=where),
-        _indices(elements, [wanted in map(one_line, (*each.within, *each.kinds)) for each in elements]),
-        _indices(elements, [_matches_pattern(each, wanted) for each in elements]),
+        _indices(elements, [selection == each.identifier for each in elements]),
+        _refuse_ambiguous(elements, named, selection, where=where),
+        _indices(elements, [selection in map(one_line, (*each.within, *each.kinds)) for each in elements]),
+        _indices(elements, [_matches_pattern(each, selection) for each in elements]),
     ):
         if found:
             return found
-    raise GeometryError(f'{where}: it has no element "{short_name(wanted)}"; {_describe_known(elements, wanted)}')
+    raise GeometryError(f'{where}: it has no element "{short_name(selection)}"; {_describe_known(elements, selection)}')
 
 
 def one_line(name: str) -> str:
@@ -187,48 +189,44 @@ def _indices(elements: Sequence[Element], fit: Sequence[bool]) -> tuple[int, ...
     return tuple(i for i in range(len(elements)) if fit[i])
 
 
-def _matches_pattern(element: Element, wanted: str) -> bool:
+def _matches_pattern(element: Element, selection: str) -> bool:
     """Return whether a pattern matches a name of the element, or of what it is part of."""
     names = map(one_line, (*element.names, *element.within))
-    return any(letter in wanted for letter in WILDCARDS) and any(fnmatchcase(name, wanted) for name in names)
+    return any(letter in selection for letter in WILDCARDS) and any(fnmatchcase(name, selection) for name in names)
 
 
 def _refuse_ambiguous(
-    elements: Sequence[Element], named: tuple[int, ...], wanted: str, *, where: str
+    elements: Sequence[Element], named: tuple[int, ...], selection: str, *, where: str
 ) -> tuple[int, ...]:
     """Return the elements of a name; raise where there are several that can be told apart."""
     identifiers = [elements[i].identifier for i in named]
     if len(named) > 1 and all(identifiers):
         raise GeometryError(
-            f'{where}: {len(named)} elements are called "{short_name(wanted)}": {list_names(identifiers)}; '
-            f'give the identifier (GlobalId) of one, or a pattern as "{short_name(wanted)}*" for all of them'
+            f'{where}: {len(named)} elements are called "{short_name(selection)}": {list_names(identifiers)}; '
+            f'give the identifier (GlobalId) of one, or a pattern as "{short_name(selection)}*" for all of them'
         )
     return named
 
 
-def _describe_known(elements: Sequence[Element], wanted: str) -> str:
+def _describe_known(elements: Sequence[Element], selection: str) -> str:
     """Describe the available names, those similar to the one given first."""
     known = list(dict.fromkeys(each.shown for each in elements if each.names or each.within or each.identifier))
     if not known:
         return "its parts have no names; remove the key"
-    if any(each.kinds for each in elements) and wanted.lower().startswith(CLASS_PREFIX):
-        return _known_classes(elements, wanted)
+    if any(each.kinds for each in elements) and selection.lower().startswith(CLASS_PREFIX):
+        return _known_classes(elements, selection)
     words = dict.fromkeys(word for each in elements for word in (*each.names, *each.within))
-    near = get_close_matches(wanted, words, n=MAX_LISTED)
+    near = get_close_matches(selection, words, n=MAX_LISTED)
     return f"did you mean {list_names(near)}?" if near else f"known: {list_names(known)}"
 
 
-def _known_classes(elements: Sequence[Element], wanted: str) -> str:
+def _known_classes(elements: Sequence[Element], selection: str) -> str:
     """Describe the available classes, those spelt similarly to the one given first."""
     short = {kind[len(CLASS_PREFIX) :].lower(): kind for each in elements for kind in each.kinds}
-    near = get_close_matches(wanted[len(CLASS_PREFIX) :].lower(), short, n=MAX_LISTED, cutoff=0.75)
+    near = get_close_matches(selection[len(CLASS_PREFIX) :].lower(), short, n=MAX_LISTED, cutoff=0.75)
     classes = sorted({each.kinds[0] for each in elements if each.kinds})
     return (
         f"did you mean {list_names([short[word] for word in near])}?"
         if near
         else f"its classes are {list_names(classes)}"
     )
-
-
-MAX_INSTANCES = 100_000  # of meshes in a scene
-MAX_TRIANGLES = 100_000_000  # of a scene with all its instances

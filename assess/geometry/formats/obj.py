@@ -64,7 +64,7 @@ def read_obj(file: Path) -> MeshFile:
         ]
         faces += _faces(block, face, known + np.cumsum(at), in_force)
         known += len(vertices[-1])
-    return file_from_meshes(_parts(np.concatenate(vertices), faces, objects, groups))
+    return file_from_meshes(_named_meshes(np.concatenate(vertices), faces, objects, groups))
 
 
 def _positions(block: TextBlock, chosen: BoolArray) -> FloatArray:
@@ -111,8 +111,10 @@ def _faces(block: TextBlock, chosen: BoolArray, known: IntArray, in_force: Seque
     return found
 
 
-def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], groups: list[str]) -> list[ElementMesh]:
-    """Make a part for each name that has faces, in file order."""
+def _named_meshes(
+    vertices: FloatArray, faces: Sequence[Faces], objects: list[str], groups: list[str]
+) -> list[ElementMesh]:
+    """Make a mesh for each name that has faces, in file order."""
     if not faces and len(vertices):
         raise ValueError(POINT_CLOUD.format(count=len(vertices)))
     if not faces:
@@ -127,18 +129,20 @@ def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], gro
     owner = np.concatenate([place[each.object if named else each.group] for each in faces], dtype=np.int32)
     present = np.flatnonzero(np.bincount(owner, minlength=len(order))).tolist()
     if len(present) == 1:
-        return [_part(list(order)[present[0]], vertices, triangles)]
-    return [_drop_unused(_part(name, vertices, triangles[owner == k])) for name, k in order.items() if k in present]
+        return [_element_mesh(list(order)[present[0]], vertices, triangles)]
+    return [
+        _drop_unused(_element_mesh(name, vertices, triangles[owner == k])) for name, k in order.items() if k in present
+    ]
 
 
-def _part(name: str, vertices: FloatArray, triangles: IntArray) -> ElementMesh:
+def _element_mesh(name: str, vertices: FloatArray, triangles: IntArray) -> ElementMesh:
     return ElementMesh(Element((name,) if name else ()), vertices, triangles)
 
 
-def _drop_unused(part: ElementMesh) -> ElementMesh:
-    """Drop the vertices that a part does not use; a part with invalid indices is returned unchanged."""
-    if part.triangles.min() < 0 or part.triangles.max() >= len(part.vertices):
-        return part
-    used = np.zeros(len(part.vertices), dtype=np.bool_)
-    used[part.triangles] = True
-    return ElementMesh(part.element, part.vertices[used], (np.cumsum(used) - 1)[part.triangles])
+def _drop_unused(mesh: ElementMesh) -> ElementMesh:
+    """Drop the vertices that a mesh does not use; one with invalid indices is returned unchanged."""
+    if mesh.triangles.min() < 0 or mesh.triangles.max() >= len(mesh.vertices):
+        return mesh
+    used = np.zeros(len(mesh.vertices), dtype=np.bool_)
+    used[mesh.triangles] = True
+    return ElementMesh(mesh.element, mesh.vertices[used], (np.cumsum(used) - 1)[mesh.triangles])

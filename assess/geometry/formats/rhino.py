@@ -11,6 +11,7 @@ import numpy as np
 
 from assess.geometry.formats.isolation import run_in_subprocess
 from assess.geometry.formats.mesh_file import (
+    MAX_INSTANCES,
     Element,
     ElementMesh,
     MeshFile,
@@ -34,7 +35,6 @@ UNITS = {  # rhino3dm.UnitSystem [m]
     "Yards": 0.9144,
 }
 MAX_DEPTH = 50  # instances within instances
-MAX_INSTANCES = 100_000  # instances: blocks within blocks multiply
 SURFACES = ("Brep", "SubD", "Surface", "NurbsSurface", "Extrusion")
 NO_MESH = (
     "it is a {kind} saved without its render mesh, and no program but Rhino meshes it; in Rhino set a shaded view and "
@@ -45,7 +45,7 @@ NO_MESH = (
 def read_3dm(file: Path) -> MeshFile:
     """Read the meshes of a Rhino file, the render meshes of its polysurfaces and extrusions, and its block instances.
 
-    openNURBS does not mesh: a surface saved without its render mesh is a part without triangles.
+    openNURBS does not mesh: a surface saved without its render mesh is an element without triangles.
     """
     import rhino3dm
 
@@ -56,15 +56,15 @@ def read_3dm(file: Path) -> MeshFile:
     found: list[ElementMesh] = []
     for item in model.Objects:
         if not item.Attributes.IsInstanceDefinitionObject:
-            for each in _object_parts(item, model):
+            for each in _object_meshes(item, model):
                 found.append(each)
                 if len(found) > MAX_INSTANCES:
                     raise ValueError(f"its blocks make more than {MAX_INSTANCES} parts")
     return file_from_meshes(found, unit=UNITS.get(model.Settings.ModelUnitSystem.name), up="z")
 
 
-def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[ElementMesh]:
-    """Return the parts of one object of the file, without triangles where it has a surface but no mesh."""
+def _object_meshes(item: Any, model: Any, depth: int = 0) -> Iterator[ElementMesh]:
+    """Return the meshes of one object of the file, without triangles where it has a surface but no mesh."""
     kind = type(item.Geometry).__name__
     names = (item.Attributes.Name,) if item.Attributes.Name else ()
     element = Element(names=names, identifier=str(item.Attributes.Id), kinds=(kind,))
@@ -82,12 +82,12 @@ def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[ElementMesh
 
 
 def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[ElementMesh]:
-    """Return the parts of a block's definition, transformed to the instance."""
+    """Return the meshes of a block's definition, transformed to the instance."""
     reference = item.Geometry
     matrix = np.array(reference.Xform.ToFloatArray(True), dtype=np.float64).reshape(4, 4)
     definition = model.InstanceDefinitions.FindId(reference.ParentIdefId)
     for identifier in definition.GetObjectIds():
-        for each in _object_parts(model.Objects.FindId(identifier), model, depth + 1):
+        for each in _object_meshes(model.Objects.FindId(identifier), model, depth + 1):
             own = each.element
             # the same object stands in every instance of its block
             within = (*element.names, element.identifier, *own.within, *own.names, own.identifier)
@@ -103,7 +103,7 @@ def _render(surface: Any) -> Any:
 
 
 def _mesh(element: Element, meshes: list[Any]) -> ElementMesh:
-    """Join the Rhino meshes of one object into one part, without mesh where one of them is missing."""
+    """Join the Rhino meshes of one object into one, without triangles where one of them is missing."""
     if not meshes or any(each is None for each in meshes):
         return element_without_mesh(element, NO_MESH.format(kind=_surface_name(element.kinds[0])))
     corners = [_points(each) for each in meshes]

@@ -42,7 +42,7 @@ def read_step(file: Path) -> MeshFile:
 
 
 def _in_own_unit(found: MeshFile, places: Sequence[int]) -> tuple[ElementMesh, ...]:
-    """Return the parts in the numbers of the file, which were taken for millimetres and converted to metres."""
+    """Return the meshes in the numbers of the file, which were taken for millimetres and converted to metres."""
     return tuple(replace(each, vertices=each.vertices * 1000.0) for each in found.mesh(places))
 
 

@@ -85,7 +85,7 @@ def read_3mf(file: Path) -> MeshFile:
         raise ValueError(f"its unit {root.unit!r:.30} is none of {', '.join(UNITS)}")
     objects = {key: each for model in models.values() for key, each in model.objects.items()}
     _refuse_many(root.items, objects)
-    found = [part for item in root.items for part in _instances(item, objects, within=())]
+    found = [mesh for item in root.items for mesh in _instances(item, objects, within=())]
     return file_from_meshes(tuple(_number_names(found)), unit=UNITS[root.unit], up="z")
 
 
@@ -123,16 +123,16 @@ def _instances(
         yield from _instances(placed, objects, within=(*within, use.key))
 
 
-def _number_names(parts: list[ElementMesh]) -> Iterator[ElementMesh]:
-    """Number the parts that share a name; the name itself then means all of them."""
-    names = [part.element.names[0] for part in parts]
+def _number_names(meshes: list[ElementMesh]) -> Iterator[ElementMesh]:
+    """Number the meshes that share a name; the name itself then means all of them."""
+    names = [mesh.element.names[0] for mesh in meshes]
     many = {name for name in names if names.count(name) > 1} if len(set(names)) < len(names) else set()
     count: dict[str, int] = {}
-    for name, part in zip(names, parts, strict=True):
+    for name, mesh in zip(names, meshes, strict=True):
         count[name] = count.get(name, 0) + 1
-        within = (*part.element.within, name)
-        own = Element((f"{name}_{count[name]}",), within=within) if name in many else part.element
-        yield replace(part, element=own)
+        within = (*mesh.element.within, name)
+        own = Element((f"{name}_{count[name]}",), within=within) if name in many else mesh.element
+        yield replace(mesh, element=own)
 
 
 def _parse_model_part(path: str, data: bytes) -> ModelPart:

@@ -313,7 +313,7 @@ def test_what_two_bodies_share():
     one, other = wall(), wall(base=(0.8, 1.0, 3.0))  # 0.2 m x 2 m x 5.2 m in common
     shared = intersect(one, other)
     assert shared.volume == pytest.approx(0.2 * 2.0 * 5.2, rel=1e-9)
-    assert shared.part == pytest.approx(shared.volume / 24.6, rel=1e-9)
+    assert shared.share == pytest.approx(shared.volume / 24.6, rel=1e-9)
     normals = np.cross(shared.corners[:, 1] - shared.corners[:, 0], shared.corners[:, 2] - shared.corners[:, 0]) / 2.0
     of_other = normals[shared.of_second].sum(axis=0)  # left, near and under side of the other body
     np.testing.assert_allclose(of_other, (-2.0 * 5.2, -0.2 * 5.2, -0.2 * 2.0), rtol=1e-9)

@@ -242,7 +242,7 @@ def test_the_primitives_of_a_node_are_one_element_of_its_own_name(tmp_path: Path
     header["meshes"][0]["primitives"] += [{"attributes": {"POSITION": 0}, "indices": 2}]
     file = tmp_path / "scene.glb"
     file.write_bytes(glb(header, content))
-    found = read_file(file, where="mesh").parts
+    found = read_file(file, where="mesh").meshes
     assert sorted(part.element.names for part in found) == [("pier",), ("pier_abcdef",), ("post",)]
     assert read(tmp_path, "scene.glb", glb(header, content), element="pier").mass == pytest.approx(DENSITY, rel=1e-6)
 

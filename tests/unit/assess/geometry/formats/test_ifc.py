@@ -194,7 +194,7 @@ def test_only_the_elements_asked_for_are_meshed(tmp_path: Path, monkeypatch: pyt
         ifcopenshell.geom, "iterator", lambda *given, include: made.append(include) or really(*given, include=include)
     )
     found = read_selected_meshes({"one": (file, "south"), "two": (file, "s*th"), "three": (file, "south")})
-    assert [each.parts[0].element.names for each in found.values()] == [("south",), ("south",)]
+    assert [each.meshes[0].element.names for each in found.values()] == [("south",), ("south",)]
     assert opened == [str(file)]
     assert [[each.Name for each in asked] for asked in made] == [["south"]]
 

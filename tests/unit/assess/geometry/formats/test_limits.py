@@ -130,4 +130,4 @@ def test_what_would_be_huge_is_refused_without_memory_for_it(
 
 def test_components_and_repeated_parts_are_read(tmp_path: Path) -> None:
     (tmp_path / "a.3mf").write_bytes(package(("3D/3dmodel.model", model(nested(2), item="2"))))
-    assert len(read_mesh_file(tmp_path / "a.3mf", where="mesh").parts) == 100
+    assert len(read_mesh_file(tmp_path / "a.3mf", where="mesh").meshes) == 100

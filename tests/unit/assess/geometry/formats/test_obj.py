@@ -39,7 +39,7 @@ def test_objects_and_numbers_that_count_back(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, block: int, ending: str
 ) -> None:
     monkeypatch.setattr(text_blocks, "BLOCK", block)
-    north, south = read_obj(kept(tmp_path, TWO.replace("\n", ending))).parts
+    north, south = read_obj(kept(tmp_path, TWO.replace("\n", ending))).meshes
     assert (north.element.names, south.element.names) == (("north wall",), ("south",))
     np.testing.assert_array_equal(north.vertices[north.triangles], [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]])
     np.testing.assert_array_equal(
@@ -54,7 +54,7 @@ def test_objects_and_numbers_that_count_back(
 
 def test_groups_are_the_parts_where_there_are_no_objects(tmp_path: Path) -> None:
     text = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\ng b\nf 3 2 1\ng a\nf 2 3 1\n"
-    one, two = read_obj(kept(tmp_path, text)).parts
+    one, two = read_obj(kept(tmp_path, text)).meshes
     assert (one.element.names, two.element.names) == (("a",), ("b",))
     assert (len(one.triangles), len(two.triangles)) == (2, 1)
 
@@ -62,7 +62,7 @@ def test_groups_are_the_parts_where_there_are_no_objects(tmp_path: Path) -> None
 def test_points_without_faces_are_told_as_such(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="it holds 2 points and no faces; make a closed surface of the points first"):
         read_obj(kept(tmp_path, "v 0 0 0\nv 1 0 0\n"))
-    assert read_obj(kept(tmp_path, "# nothing\n")).parts == ()
+    assert read_obj(kept(tmp_path, "# nothing\n")).meshes == ()
 
 
 @pytest.mark.parametrize(
@@ -96,7 +96,7 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     ],
 )
 def test_off_with_comments_colours_and_faces_of_more_corners(tmp_path: Path, text: str) -> None:
-    (found,) = read_off(kept(tmp_path, text)).parts
+    (found,) = read_off(kept(tmp_path, text)).meshes
     np.testing.assert_array_equal(found.vertices, SQUARE)
     assert sorted(found.triangles.tolist()) == [[0, 1, 2], [0, 2, 3]]
 
@@ -131,7 +131,7 @@ def test_what_is_held_is_a_few_times_the_numbers(tmp_path: Path) -> None:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(text_blocks, "BLOCK", 1 << 16)
         tracemalloc.start()
-        (found,) = read_obj(file).parts
+        (found,) = read_obj(file).meshes
         peak = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
     np.testing.assert_allclose(found.vertices, places, rtol=0.0, atol=1e-6)

@@ -27,7 +27,7 @@ def kept(folder: Path, data: bytes) -> Path:
 
 
 def read(folder: Path, data: bytes) -> ElementMesh:
-    (found,) = read_ply(kept(folder, data)).parts
+    (found,) = read_ply(kept(folder, data)).meshes
     return found
 
 

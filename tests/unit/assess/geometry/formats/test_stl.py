@@ -35,7 +35,7 @@ def kept(folder: Path, data: bytes) -> Path:
     ],
 )
 def test_stl_as_trimesh_reads_it(data: bytes, tmp_path: Path) -> None:
-    (found,) = stl.read_stl(kept(tmp_path, data)).parts
+    (found,) = stl.read_stl(kept(tmp_path, data)).meshes
     wanted = load_stl(io.BytesIO(data.lower() if data.isupper() else data))
     corners = wanted.get("geometry", {"": wanted}).popitem()[1]
     np.testing.assert_array_equal(found.vertices[found.triangles], corners["vertices"][corners["faces"]])
@@ -45,7 +45,7 @@ def test_stl_as_trimesh_reads_it(data: bytes, tmp_path: Path) -> None:
 def test_the_solids_of_a_text_are_its_parts(tmp_path: Path) -> None:
     one = TEXT.replace(b"solid", b"solid north wall", 1)
     two = TEXT.replace(b"solid", b"solid south wall", 1)
-    found = stl.read_stl(kept(tmp_path, one + b"\n" + two)).parts
+    found = stl.read_stl(kept(tmp_path, one + b"\n" + two)).meshes
     assert [part.element.names for part in found] == [("north wall",), ("south wall",)]
     np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
 
@@ -75,7 +75,7 @@ def test_plain_files_are_read_without_trimesh(tmp_path: Path) -> None:
     (tmp_path / "mesh.ply").write_bytes(export_ply(BALL))
     code = (
         "import sys; from pathlib import Path; from assess.geometry.formats.readers import read_mesh_file\n"
-        f"[read_mesh_file(Path({str(tmp_path)!r}) / name, where='mesh').parts for name in ('mesh.stl', 'mesh.ply')]\n"
+        f"[read_mesh_file(Path({str(tmp_path)!r}) / name, where='mesh').meshes for name in ('mesh.stl', 'mesh.ply')]\n"
         "sys.exit('trimesh' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -42,8 +42,8 @@ def draw_capacity(mechanism: MechanismResult, locale: Locale) -> Figure:
         figure = sheet(CAPACITY_HEIGHT, locale, width=HALF)
         above, below = figure.subplots(2, 1, sharex=True)
         for branch, colour, dash, name in _branches(mechanism):
-            across, named = rotation.of(branch.rotation_rad), locale.text(name)
-            above.plot(across, moment.of(branch.restoring_n_m), dash, color=colour, label=named)
+            across, named = rotation.in_unit(branch.rotation_rad), locale.text(name)
+            above.plot(across, moment.in_unit(branch.restoring_n_m), dash, color=colour, label=named)
             below.plot(across, _multiplier(branch), dash, color=colour)
         for axes in (above, below):
             axes.axhline(0.0, color=MUTED, linewidth=0.7)
@@ -72,7 +72,7 @@ def _mark_overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) ->
         marks.append((mechanism.oscillator.overturning_flexible_rad, "s", say("its joints: φₒᵥ")))
     for at, marker, name in marks:
         axes.plot(
-            table_scale("rotation", locale).of(at), 0.0, marker=marker, color=FAIL, markersize=4, linestyle="none",
+            table_scale("rotation", locale).in_unit(at), 0.0, marker=marker, color=FAIL, markersize=4, linestyle="none",
             clip_on=False, label=locale.text(name),
         )  # fmt: skip
 
@@ -170,7 +170,7 @@ def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
             scale = table_scale(dimension, locale)
             for interface, colour, dash, hinges in distinct_curves(mechanism):
                 curve = interface["curve"]
-                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.of(curve[key])
+                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.in_unit(curve[key])
                 axes.plot(rotation, values, dash, color=colour, label=label(hinges))
             axes.set(xlabel=locale.heading(say("rotation φ"), "rotation"), ylabel=scale.heading(name), xscale="log")
             axes.set_xlim(axis_start(mechanism, end), end)
@@ -215,7 +215,7 @@ def _same_curve(one: dict[str, Any], other: dict[str, Any], key: str) -> bool:
 def _draw_strength(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
     scale = table_scale("stress", locale)
     for strength in sorted({found["strength_pa"] for found in joints.deformable_joints(mechanism)} - {None}):
-        at = float(scale.of(strength))
+        at = float(scale.in_unit(strength))
         axes.axhline(at, color=MUTED, linewidth=0.8, linestyle=":")
         name, side = locale.text(say("strength")), axes.get_yaxis_transform()
         axes.annotate(name, (1.0, at), xycoords=side, ha="right", va="bottom", color=MUTED)

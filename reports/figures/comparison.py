@@ -39,7 +39,7 @@ LARGEST_RATIO = 2.5  # larger ratios are drawn at the edge [-]
 ROW_HEIGHT, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
 LOGARITHMIC_FROM = 30.0  # largest over smallest PGA from which on the axis is logarithmic [-]
 PANELS = 4  # levels side by side
-NAME_LENGTH, NAME_LENGTH_ALONE = 26, 38  # characters of a line beside a row, of a name in the legend
+NAME_LENGTH, LEGEND_NAME_LENGTH = 26, 38  # characters of a line beside a row, of a name in the legend
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,7 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
         left, right = figure.subplots(1, 2)
         procedure = curve_procedure(results)
         for mechanism in results.mechanisms:
-            name = label(locale.text(numbered_title(results, mechanism.name)), NAME_LENGTH_ALONE)
+            name = label(locale.text(numbered_title(results, mechanism.name)), LEGEND_NAME_LENGTH)
             _draw_rotation(left, mechanism, procedure, pens[mechanism.name], name)
             _draw_moment(right, results, mechanism, pens[mechanism.name])
         own = governing.site_pga(results)
@@ -159,10 +159,10 @@ def _draw_moment(axes: Axes, results: Results, mechanism: MechanismResult, ink: 
     axes.plot(rotation, moment, linestyle=ink.dash, color=ink.colour, linewidth=ink.width)
 
 
-def _procedures(order: Sequence[MechanismResult], wanted: set[str]) -> list[str]:
+def _procedures(order: Sequence[MechanismResult], shown: set[str]) -> list[str]:
     """Return the procedures in the order in which the mechanisms have them."""
     every = dict.fromkeys(check.procedure for mechanism in order for check in mechanism.checks)
-    return [name for name in every if name in wanted]
+    return [name for name in every if name in shown]
 
 
 def _height_in_row(row: int, place: int, count: int) -> float:

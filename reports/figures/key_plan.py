@@ -63,17 +63,17 @@ VERDICT_WORDS: Mapping[Outcome, Phrase] = {"pass": say("pass"), "fail": say("fai
 
 def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
     """Draw all bodies."""
-    camera = fit_camera(building.direction, scene_points(building, building.moving), KEY_PLAN_SIZE)
+    camera = fit_camera(building.direction, scene_points(building, building.moving_parts), KEY_PLAN_SIZE)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND_HEIGHT)
-        paint_building(axes, building, camera, dict(enumerate(building.moving)))
-        before, owner = project_faces(building.surface, building.owner, camera)
+        paint_building(axes, building, camera, dict(enumerate(building.moving_parts)))
+        occluders, owner = project_faces(building.surface, building.owner, camera)
         tags = []
-        for place, moving in enumerate(building.moving):
-            draw_lines(axes, moving, camera, before)
-            seen = visible_middle(before.faces[owner == place], before)
-            x, y, _ = (camera.project(moving.middle) if seen is None else seen).tolist()
-            tags.append(Label(moving.title, (x, y)))
+        for place, part in enumerate(building.moving_parts):
+            draw_lines(axes, part, camera, occluders)
+            seen = visible_middle(occluders.faces[owner == place], occluders)
+            x, y, _ = (camera.project(part.middle) if seen is None else seen).tolist()
+            tags.append(Label(part.title, (x, y)))
         write_tags(axes, tags)
         _legend(figure, axes, building, locale)
         return figure
@@ -93,59 +93,59 @@ def key_plan_caption(building: BuildingScene) -> Text:
 def model_of_key_plan(building: BuildingScene) -> SpatialModel:
     """Return the scene for renderers on which a reader can turn it."""
     colours = {owner: _colour(building, owner) for owner in np.unique(building.owner).tolist()}
-    wires = tuple(wire for moving in building.moving for wire in _wires_of_part(moving))
+    wires = tuple(wire for part in building.moving_parts for wire in _wires_of_part(part))
     return scene_model(building.surface, building.owner, colours, wires, SHARP_ANGLE, building.direction)
 
 
 def _colour(building: BuildingScene, owner: int) -> str:
-    return FIXED if owner < 0 else VERDICT[building.moving[owner].outcome]
+    return FIXED if owner < 0 else VERDICT[building.moving_parts[owner].outcome]
 
 
-def _wires_of_part(moving: MovingPart) -> Iterator[Wire]:
+def _wires_of_part(part: MovingPart) -> Iterator[Wire]:
     """Yield the cracks of a part and its axes of rotation, the first of these named."""
-    yield from (Wire(rounded_points(ring), INK, dashed=True) for ring in moving.cracks)
-    for place, line in enumerate(moving.hinges):
-        yield Wire(rounded_points(line), HINGE_COLOUR, moving.title if place == 0 else "")
+    yield from (Wire(rounded_points(ring), INK, dashed=True) for ring in part.cracks)
+    for place, line in enumerate(part.hinges):
+        yield Wire(rounded_points(line), HINGE_COLOUR, part.title if place == 0 else "")
 
 
 def scene_points(building: BuildingScene, shown: Sequence[MovingPart]) -> FloatArray:
     """Return all points [k, 3] [m] of a picture with the axes of rotation of the parts shown."""
-    hinges = [line for moving in shown for line in moving.hinges]
+    hinges = [line for part in shown for line in part.hinges]
     used = np.unique(building.surface.triangles)
     return np.concatenate([building.surface.vertices[used], *hinges])
 
 
 def paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: Mapping[int, MovingPart]) -> None:
     """Draw the bodies: the parts of `shown` in the colours of their verdicts, everything else grey."""
-    colours = dict.fromkeys(range(-1, len(building.moving)), FIXED)
-    colours |= {place: VERDICT[moving.outcome] for place, moving in shown.items()}
-    hatched = {place: HATCHINGS[moving.outcome] for place, moving in shown.items() if moving.outcome in HATCHINGS}
+    colours = dict.fromkeys(range(-1, len(building.moving_parts)), FIXED)
+    colours |= {place: VERDICT[part.outcome] for place, part in shown.items()}
+    hatched = {place: HATCHINGS[part.outcome] for place, part in shown.items() if part.outcome in HATCHINGS}
     paint_bodies(axes, building.surface, building.owner, camera, Appearance(colours, hatched, SHARP_ANGLE))
 
 
-def draw_lines(axes: Axes, moving: MovingPart, camera: Camera, before: Occluders) -> None:
+def draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders) -> None:
     """Draw the axes of rotation of a part, thick, and its cracks, dashed; what is hidden of them is dotted."""
-    for ring in moving.cracks:
-        _draw_line(axes, camera.project(ring), before, colour=INK, width=0.7, dash=CRACK_DASHES)
-    for line in moving.hinges:
-        _draw_line(axes, camera.project(line), before, colour=HINGE_COLOUR, width=1.8, dash="-")
+    for ring in part.cracks:
+        _draw_line(axes, camera.project(ring), occluders, colour=INK, width=0.7, dash=CRACK_DASHES)
+    for line in part.hinges:
+        _draw_line(axes, camera.project(line), occluders, colour=HINGE_COLOUR, width=1.8, dash="-")
 
 
-def _draw_line(axes: Axes, line: FloatArray, before: Occluders, *, colour: str, width: float, dash: Any) -> None:
-    for piece, hidden in split_line(line, before):
-        look = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
-        axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **look)
+def _draw_line(axes: Axes, line: FloatArray, occluders: Occluders, *, colour: str, width: float, dash: Any) -> None:
+    for piece, hidden in split_line(line, occluders):
+        stroke = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
+        axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **stroke)
 
 
 def _legend(figure: Figure, axes: Axes, building: BuildingScene, locale: Locale) -> None:
     """Explain the colours that appear, hinges and cracks."""
-    found = {moving.outcome for moving in building.moving}
+    found = {part.outcome for part in building.moving_parts}
     colours = [(VERDICT[outcome], word) for outcome, word in VERDICT_WORDS.items() if outcome in found]
     if (building.owner < 0).any():
         colours.append((FIXED, say("does not move")))
     patches = [Patch(facecolor=ink, edgecolor=INK, linewidth=0.5, label=locale.text(word)) for ink, word in colours]
     lines = axes.plot([], [], color=HINGE_COLOUR, linewidth=1.8, label=locale.text(say("axis of rotation")))
-    if any(moving.cracks for moving in building.moving):
+    if any(part.cracks for part in building.moving_parts):
         lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=CRACK_DASHES, label=locale.text(say("crack")))
     figure.legend(handles=[*patches, *lines], loc="lower center", ncols=6, borderaxespad=0.1)
 
@@ -158,21 +158,21 @@ def draw_place(building: BuildingScene, mechanism: str, locale: Locale) -> Figur
 
     Where bodies have no common position, those of the mechanism alone. Raises ValueError for one without geometry.
     """
-    place = next((k for k, each in enumerate(building.moving) if mechanism in each.names), None)
+    place = next((k for k, each in enumerate(building.moving_parts) if mechanism in each.names), None)
     if place is None:
         raise ValueError(f'mechanism "{mechanism}" has no geometry that can be drawn in space')
-    moving, shown = building.moving[place], building_of_mechanism(building, place)
-    corners, points = building.surface.corners[moving.triangles].reshape(-1, 3), scene_points(shown, [moving])
-    arrow = direction_arrow(corners, moving.direction, 0.6 * float(np.ptp(points, axis=0).max()))
+    part, shown = building.moving_parts[place], building_of_mechanism(building, place)
+    corners, points = building.surface.corners[part.triangles].reshape(-1, 3), scene_points(shown, [part])
+    arrow = direction_arrow(corners, part.direction, 0.6 * float(np.ptp(points, axis=0).max()))
     for direction in (building.direction, -building.direction):
         camera = fit_camera(direction, np.concatenate([points, arrow]), PLACE_SIZE)
-        before, owner = project_faces(shown.surface, shown.owner, camera)
-        if visible_middle(before.faces[owner == place], before) is not None:
+        occluders, owner = project_faces(shown.surface, shown.owner, camera)
+        if visible_middle(occluders.faces[owner == place], occluders) is not None:
             break
     with report_style():
         figure, axes = scene_sheet(camera, HALF, locale)
-        paint_building(axes, shown, camera, {place: moving})
-        draw_lines(axes, moving, camera, before)
+        paint_building(axes, shown, camera, {place: part})
+        draw_lines(axes, part, camera, occluders)
         draw_arrow(axes, camera.project(arrow), width=1.4)
         return figure
 
@@ -208,7 +208,7 @@ class MovingPart:
 class BuildingScene:
     """All bodies.
 
-    owner : place in `moving` of the part that each triangle [m] belongs to, -1 for what no mechanism moves
+    owner : place in `moving_parts` of the part that each triangle [m] belongs to, -1 for what no mechanism moves
     group : of bodies that each triangle [m] belongs to
     apart : whether bodies that the project places one in the other are drawn side by side
     direction : horizontal, of motion, towards which the picture looks best [3]
@@ -217,14 +217,14 @@ class BuildingScene:
     surface: TriangleSurface
     owner: IntArray
     group: IntArray
-    moving: tuple[MovingPart, ...]
+    moving_parts: tuple[MovingPart, ...]
     apart: bool
     direction: FloatArray
 
     @property
     def mechanisms(self) -> frozenset[str]:
         """The names of the mechanisms that are drawn."""
-        return frozenset(name for moving in self.moving for name in moving.names)
+        return frozenset(name for part in self.moving_parts for name in part.names)
 
 
 def building_of(results: Results) -> BuildingScene | None:
@@ -238,19 +238,19 @@ def building_of(results: Results) -> BuildingScene | None:
     direction = max(directions, key=lambda one: sum(abs(float(one @ other)) for other in directions))
     apart = any(occupy_same_space(*pair) for pair in combinations(surfaces, 2))
     steps = _side_by_side(surfaces, direction) if apart else [np.zeros(3)] * len(surfaces)
-    moving: list[MovingPart] = []
+    moving_parts: list[MovingPart] = []
     owners: list[IntArray] = []
     for number, (regions, surface, step) in enumerate(zip(groups, surfaces, steps, strict=True)):
         owner, middles = np.full(len(surface.triangles), -1), surface.corners.mean(axis=1)
         for alike in _group_alike(regions):
             held = alike[0].holds(middles)
-            owner[held & (owner < 0)] = len(moving)
+            owner[held & (owner < 0)] = len(moving_parts)
             triangles = np.flatnonzero(held) + sum(map(len, owners))
-            moving.append(_moving_part(results, alike, number, triangles, step))
+            moving_parts.append(_moving_part(results, alike, number, triangles, step))
         owners.append(owner)
     group = np.repeat(np.arange(len(groups)), [len(owner) for owner in owners])
     return BuildingScene(
-        _join_surfaces(surfaces, steps), np.concatenate(owners), group, tuple(moving), apart, direction
+        _join_surfaces(surfaces, steps), np.concatenate(owners), group, tuple(moving_parts), apart, direction
     )
 
 
@@ -267,10 +267,10 @@ def building_of_mechanism(building: BuildingScene, place: int) -> BuildingScene:
 
     Where bodies have no common position, only the group of bodies that it belongs to.
     """
-    moving = building.moving[place]
+    part = building.moving_parts[place]
     owner = np.full(len(building.owner), -1)
-    owner[moving.triangles] = place
-    kept = (building.group == moving.group) | (not building.apart)
+    owner[part.triangles] = place
+    kept = (building.group == part.group) | (not building.apart)
     surface = TriangleSurface(building.surface.vertices, building.surface.triangles[kept])
     return replace(building, surface=surface, owner=owner[kept], group=building.group[kept])
 
@@ -330,12 +330,12 @@ def _distinct_bodies(views: Sequence[View]) -> Iterator[FloatArray]:
             TriangleSurface(np.array(view.vertices), np.array(view.triangles)),
             NEAR * float(max(view.size)),
         )
-        found, before = body_numbers(surface), tuple(boxes)
+        found, earlier = body_numbers(surface), tuple(boxes)
         for body in np.unique(found):
             used, index = np.unique(surface.triangles[found == body], return_inverse=True)
             part = TriangleSurface(surface.vertices[used], index.reshape(-1, 3))
             box = box_of(part.vertices)
-            if not any((box[0] >= other[0] - slack).all() and (box[1] <= other[1] + slack).all() for other in before):
+            if not any((box[0] >= other[0] - slack).all() and (box[1] <= other[1] + slack).all() for other in earlier):
                 boxes.append(box)
                 yield _coarsen(part)
 
@@ -489,8 +489,8 @@ def cut_triangles(corners: FloatArray, plane: CrackPlane) -> FloatArray:
     crossed = (heights.min(axis=1) < 0.0) & (heights.max(axis=1) > 0.0)
     whole, parts, heights = corners[~crossed], corners[crossed], heights[crossed]
     upper = (heights > 0.0).sum(axis=1) == 1
-    alone = np.where(upper, heights.argmax(axis=1), heights.argmin(axis=1))
-    turned = (alone[:, None] + np.arange(3)) % 3
+    lone = np.where(upper, heights.argmax(axis=1), heights.argmin(axis=1))
+    turned = (lone[:, None] + np.arange(3)) % 3
     a, b, c = np.take_along_axis(parts, turned[..., None], axis=1).swapaxes(0, 1)
     h, i, j = np.take_along_axis(heights, turned, axis=1).T[..., None]
     p, q = a + (b - a) * h / (h - i), a + (c - a) * h / (h - j)

@@ -27,6 +27,19 @@ ARM = 0.3  # longest arm of the axes of the project [in]
 
 
 @dataclass(frozen=True)
+class TriangleSurface:
+    """Vertices [n, 3] [m] and triangles [m, 3], anticlockwise seen from outside."""
+
+    vertices: FloatArray
+    triangles: IntArray
+
+    @property
+    def corners(self) -> FloatArray:
+        """The corners of each triangle [m, 3, 3]."""
+        return self.vertices[self.triangles]
+
+
+@dataclass(frozen=True)
 class PictureSize:
     """The greatest size of a picture, and what stays free on its left and around it [in]."""
 
@@ -92,9 +105,9 @@ def scene_sheet(camera: Camera, width: float, locale: Locale, *, below: float = 
 
 def _draw_triad(axes: Axes, camera: Camera, arm: float, locale: Locale) -> None:
     """Draw the axes of the project at the lower left, each with the length `arm` [m] to scale, which is written."""
-    ways = camera.frame[:2].T * arm * camera.scale * INCH
-    origin = np.array([2.0, 10.0]) - np.minimum(ways.min(axis=0), 0.0) + AXIS_NAME_ROOM
-    for way, name in zip(ways, "xyz", strict=True):
+    arms = camera.frame[:2].T * arm * camera.scale * INCH
+    origin = np.array([2.0, 10.0]) - np.minimum(arms.min(axis=0), 0.0) + AXIS_NAME_ROOM
+    for way, name in zip(arms, "xyz", strict=True):
         draw_arrow(axes, np.array([origin, origin + way]), width=0.8)
         out = way / (float(np.linalg.norm(way)) or 1.0)
         axes.annotate(name, tuple(origin + way + 5.0 * out), ha="center", va="center", fontsize=6.5)
@@ -140,7 +153,7 @@ class Appearance:
     sharp: float
 
 
-def paint_bodies(axes: Axes, surface: TriangleSurface, owner: IntArray, camera: Camera, look: Appearance) -> None:
+def paint_bodies(axes: Axes, surface: TriangleSurface, owner: IntArray, camera: Camera, appearance: Appearance) -> None:
     """Draw the faces that look at the eye, farthest first, each with its hatching and its edges.
 
     Lines are triangles without area: shapes of equal length are what matplotlib makes paths of fastest.
@@ -149,25 +162,25 @@ def paint_bodies(axes: Axes, surface: TriangleSurface, owner: IntArray, camera: 
     front = np.flatnonzero(unit_normals(corners) @ eye > EDGE_ON)
     order = front[painting_order(corners[front] @ camera.frame.T)]
     seen = camera.project(corners[order])[..., :2]
-    drawn = visible_edges(surface, eye, look.sharp)[order]
+    drawn = visible_edges(surface, eye, appearance.sharp)[order]
     shapes, inks = [], []
-    shades = _shades(corners[order], owner[order], camera, look)
+    shades = _shades(corners[order], owner[order], camera, appearance)
     for face, edges, ink, own in zip(seen, drawn, shades, owner[order].tolist(), strict=True):
-        lines = hatch_lines(face, look.hatched[own]) if own in look.hatched else []
+        lines = hatch_lines(face, appearance.hatched[own]) if own in appearance.hatched else []
         rims = [face[[place, (place + 1) % 3, (place + 1) % 3]] for place in np.flatnonzero(edges)]
         shapes += [face, *lines, *rims]
-        inks += [ink, *[to_rgb(look.hatched[own].colour) for _ in lines], *[to_rgb(STONE_EDGE) for _ in rims]]
+        inks += [ink, *[to_rgb(appearance.hatched[own].colour) for _ in lines], *[to_rgb(STONE_EDGE) for _ in rims]]
     painted = PolyCollection(
         cast("Any", np.array(shapes)), facecolors=inks, edgecolors=inks, linewidths=LINE_WIDTH, joinstyle="round"
     )
     axes.add_collection(painted, autolim=False)
 
 
-def _shades(corners: FloatArray, owner: IntArray, camera: Camera, look: Appearance) -> list[tuple[float, ...]]:
+def _shades(corners: FloatArray, owner: IntArray, camera: Camera, appearance: Appearance) -> list[tuple[float, ...]]:
     """Return the colour of each face: of its owner, darker the less it looks to the light."""
     light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
     bright = DARKEST + (1.0 - DARKEST) * np.clip(unit_normals(corners) @ light, 0.0, 1.0)
-    plain = np.array([to_rgb(look.colours[each]) for each in owner.tolist()]).reshape(-1, 3)
+    plain = np.array([to_rgb(appearance.colours[each]) for each in owner.tolist()]).reshape(-1, 3)
     return [tuple(ink) for ink in np.round(plain * bright[:, None], 4).tolist()]
 
 
@@ -214,11 +227,11 @@ def painting_order(corners: FloatArray) -> list[int]:
 
     Where faces cover each other in a ring, the one whose middle is farthest is drawn first.
     """
-    behind, before = occluding_pairs(corners)
+    behind, in_front = occluding_pairs(corners)
     covers: dict[int, list[int]] = {}
-    for far, near in zip(behind.tolist(), before.tolist(), strict=True):
+    for far, near in zip(behind.tolist(), in_front.tolist(), strict=True):
         covers.setdefault(far, []).append(near)
-    waiting = np.bincount(before, minlength=len(corners)).tolist()
+    waiting = np.bincount(in_front, minlength=len(corners)).tolist()
     depth = corners[:, :, 2].mean(axis=1).tolist()
     rest = sorted(range(len(corners)), key=depth.__getitem__, reverse=True)
     free = [(depth[face], face) for face in rest if not waiting[face]]
@@ -259,10 +272,8 @@ def plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
 
 
 LINE_PIECES = 60  # pieces of a line
-FEW_TRIANGLES, GRID_POINTS = (
-    200,
-    5,
-)  # triangles of a part up to which points are taken on a grid over each, and points along its sides
+FEW_TRIANGLES = 200  # of a part, up to which points are taken on a grid over each
+GRID_POINTS = 5  # of such a grid, along each side of a triangle
 BEHIND = 0.02  # of the bodies' depth: what is nearer to a face is on it
 
 
@@ -293,24 +304,24 @@ def project_faces(surface: TriangleSurface, owner: IntArray, camera: Camera) -> 
     return occluding_faces(camera.project(corners[front])), owner[front]
 
 
-def split_line(line: FloatArray, before: Occluders) -> Iterator[tuple[FloatArray, bool]]:
+def split_line(line: FloatArray, occluders: Occluders) -> Iterator[tuple[FloatArray, bool]]:
     """Yield the pieces [j, 3] of a line of points [k, 3], each with whether it is hidden."""
     along = np.linspace(0.0, len(line) - 1.0, LINE_PIECES * (len(line) - 1) if len(line) < 4 else 4 * len(line))
     points = np.column_stack([np.interp(along, np.arange(len(line)), line[:, axis]) for axis in range(3)])
-    hidden = before.hides(points)
+    hidden = occluders.hides(points)
     turns = np.flatnonzero(np.diff(hidden)) + 1
     for start, end in zip([0, *turns], [*turns, len(points)], strict=True):
         yield points[start : end + 1], bool(hidden[start])
 
 
-def visible_middle(own: FloatArray, before: Occluders) -> FloatArray | None:
+def visible_middle(own: FloatArray, occluders: Occluders) -> FloatArray | None:
     """Return the point [3] of a part's faces [j, 3, 3] nearest to the middle of what is seen; None if nothing is."""
     if not len(own):
         return None
     shares = _grid() if len(own) <= FEW_TRIANGLES else np.full((1, 3), 1.0 / 3.0)
     points = np.einsum("sc,jci->jsi", shares, own).reshape(-1, 3)
     weight = np.repeat(shapely.area(shapely.polygons(own[..., :2])), len(shares))
-    seen = ~before.hides(points) & (weight > 0.0)
+    seen = ~occluders.hides(points) & (weight > 0.0)
     if not seen.any():
         return None
     middle = np.average(points[seen, :2], axis=0, weights=weight[seen])
@@ -323,16 +334,3 @@ def _grid() -> FloatArray:
     first, second = (each.ravel() / GRID_POINTS for each in np.meshgrid(at, at))
     shares = np.column_stack([first, second, 1.0 - first - second])
     return np.asarray(shares[shares[:, 2] > 0.0])
-
-
-@dataclass(frozen=True)
-class TriangleSurface:
-    """Vertices [n, 3] [m] and triangles [m, 3], anticlockwise seen from outside."""
-
-    vertices: FloatArray
-    triangles: IntArray
-
-    @property
-    def corners(self) -> FloatArray:
-        """The corners of each triangle [m, 3, 3]."""
-        return self.vertices[self.triangles]

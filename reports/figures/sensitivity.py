@@ -16,6 +16,7 @@ from matplotlib.ticker import MaxNLocator
 from assess.results import DirectionSweep, SweepResult
 from assess.results.run import Influence, UncertainAnswer
 from reports.figures.style import FAIL, HALF, INK, fold, label, legend_below, record_label, report_style, sheet
+from reports.intensity_measures import PERCENT
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, Text, Verbatim, say
 
@@ -208,7 +209,6 @@ SAMPLES_HEIGHT = 1.95  # of a figure [in]
 MOST_INFLUENCES = 6  # bars
 LONGEST_INPUT_NAME = 26  # letters of the name of a bar
 TAIL_PERCENTILE, PAST_TAIL = 98.0, 1.5  # percentile up to whose so many times the axis reaches
-PERCENT = 100.0
 
 
 def draw_distribution(answer: UncertainAnswer, locale: Locale) -> Figure:

@@ -277,8 +277,8 @@ def draw_view(view: View, positive: int, locale: Locale) -> Figure:
     camera = fit_camera(along, np.concatenate([surface.vertices, arrow, *lines]), VIEW_SIZE)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale)
-        look = Appearance({block: shade(block) for block in view.block_of}, {}, sharp_angle(view))
-        paint_bodies(axes, surface, np.array(view.block_of), camera, look)
+        appearance = Appearance({block: shade(block) for block in view.block_of}, {}, sharp_angle(view))
+        paint_bodies(axes, surface, np.array(view.block_of), camera, appearance)
         for ring in view.sections:
             axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
         _draw_rotation_axes(axes, view, camera, lines, positive)

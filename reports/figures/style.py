@@ -23,6 +23,7 @@ from matplotlib.axis import Axis
 from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.ft2font import FT2Font
 from matplotlib.textpath import text_to_path
 from matplotlib.ticker import Formatter, LogFormatter, LogLocator, NullLocator, ScalarFormatter
 from numpy.typing import ArrayLike
@@ -263,7 +264,7 @@ class Scale:
     unit: Unit
     locale: Locale
 
-    def of(self, values: ArrayLike) -> FloatArray:
+    def in_unit(self, values: ArrayLike) -> FloatArray:
         """Return values in SI as numbers of the unit."""
         return np.asarray(values, dtype=np.float64) / self.unit.size
 
@@ -380,21 +381,17 @@ def text_extent(text: str) -> tuple[float, float]:
     return wide, max(high, 0.75 * LABEL_SIZE)
 
 
-_FILES = {"regular": "DejaVuSans.ttf", "bold": "DejaVuSans-Bold.ttf", "italic": "DejaVuSans-Oblique.ttf"}
+_FONT_FILES = {"regular": "DejaVuSans.ttf", "bold": "DejaVuSans-Bold.ttf", "italic": "DejaVuSans-Oblique.ttf"}
 
 
 def font_file(face: str) -> Path:
     """Return the path of the font `face` ("regular", "bold", "italic"), as matplotlib ships it."""
-    import matplotlib  # late: a fifth of a second, and tables in CSV draw no letters
-
-    return Path(matplotlib.get_data_path()) / "fonts" / "ttf" / _FILES[face]
+    return Path(matplotlib.get_data_path()) / "fonts" / "ttf" / _FONT_FILES[face]
 
 
 @cache
 def _glyphs() -> frozenset[int]:
-    from matplotlib.ft2font import FT2Font
-
-    faces = [FT2Font(str(font_file(face))) for face in _FILES]
+    faces = [FT2Font(str(font_file(face))) for face in _FONT_FILES]
     return frozenset.intersection(*(frozenset(face.get_charmap()) for face in faces))
 
 

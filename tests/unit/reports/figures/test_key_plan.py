@@ -76,7 +76,9 @@ def test_a_body_that_two_mechanisms_share_is_drawn_once(results: Results) -> Non
     corners = found.surface.corners
     volume = np.einsum("ki,ki->k", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6.0
     assert volume == pytest.approx(0.6 * 3.0 * 6.0)
-    heights = {found.moving[owner].title: found.surface.corners[found.owner == owner][:, :, 2] for owner in (0, 1)}
+    heights = {
+        found.moving_parts[owner].title: found.surface.corners[found.owner == owner][:, :, 2] for owner in (0, 1)
+    }
     assert (heights["M2"].min(), heights["M2"].max()) == pytest.approx((4.0, 6.0))
     assert (heights["M1"].min(), heights["M1"].max()) == pytest.approx((0.0, 4.0))
 
@@ -84,7 +86,7 @@ def test_a_body_that_two_mechanisms_share_is_drawn_once(results: Results) -> Non
 def test_all_of_a_mechanism_is_coloured_at_its_own_place(results: Results) -> None:
     found = building_of(built(results, [(wall(), "wall"), (wall(cut=4.0), "wall")]))
     assert found is not None
-    number = next(place for place, each in enumerate(found.moving) if each.title == "M1")
+    number = next(place for place, each in enumerate(found.moving_parts) if each.title == "M1")
     own = building_of_mechanism(found, number)
     assert set(own.owner.tolist()) == {number}
     assert np.ptp(own.surface.corners[:, :, 2]) == pytest.approx(6.0)
@@ -93,7 +95,7 @@ def test_all_of_a_mechanism_is_coloured_at_its_own_place(results: Results) -> No
 def test_mechanisms_that_move_the_same_share_a_number_and_the_worse_verdict(results: Results) -> None:
     found = building_of(built(results, [(wall(), "wall"), (wall(), "wall")]))
     assert found is not None
-    assert [(each.title, each.outcome) for each in found.moving] == [("M1, M2", "fail")]
+    assert [(each.title, each.outcome) for each in found.moving_parts] == [("M1, M2", "fail")]
 
 
 def test_bodies_in_one_place_stand_apart_and_the_caption_says_so(results: Results) -> None:

@@ -56,8 +56,8 @@ def test_labels_that_were_set_stay() -> None:
 def test_one_unit_for_a_whole_axis() -> None:
     small, large = (fitting_scale("moment", [0.1 * top, -top], Locale()) for top in (200.0, 3.4e6))
     assert (small.heading(say("moment")), large.heading(say("moment"))) == ("moment [N m]", "moment [MN m]")
-    assert large.of([3.4e6]) == pytest.approx([3.4])
+    assert large.in_unit([3.4e6]) == pytest.approx([3.4])
     feet = table_scale("length", Locale(system="US"))
-    assert feet.of([0.3048, 3.048]) == pytest.approx([1.0, 10.0])
+    assert feet.in_unit([0.3048, 3.048]) == pytest.approx([1.0, 10.0])
     assert feet.heading(say("elevation z")) == "elevation z [ft]"
     assert table_scale("ratio", Locale()).heading(say("demand / capacity")) == "demand / capacity [-]"

@@ -91,7 +91,9 @@ def solid_from_meshes(
     try:
         return _solid(selected, selected.meshes, density=density, name=name, scale=scale, up=up, where=where)
     except GeometryError as problem:
-        raise _error_of_element(selected, density=density, name=name, scale=scale, up=up, where=where) or problem from None
+        raise (
+            _error_of_element(selected, density=density, name=name, scale=scale, up=up, where=where) or problem
+        ) from None
 
 
 def _solid(
@@ -112,7 +114,9 @@ def _solid(
     surface, repairs = repair(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
     unit = scale or selected.unit or 1.0
-    refuse_implausible(solid, unit=unit, given=scale is not None, single=_is_single_precision(selected.file), where=where)
+    refuse_implausible(
+        solid, unit=unit, given=scale is not None, single=_is_single_precision(selected.file), where=where
+    )
     history = (
         *selected.warnings,
         *about_unit,
@@ -377,7 +381,9 @@ def inventory(
     )
 
 
-def _inventory_entry(selected: SelectedMeshes, mesh: ElementMesh, *, scale: float | None, up: Up | None) -> InventoryEntry:
+def _inventory_entry(
+    selected: SelectedMeshes, mesh: ElementMesh, *, scale: float | None, up: Up | None
+) -> InventoryEntry:
     """Describe one part."""
     name, element = selected.file.name, mesh.element
     if mesh.fault:

@@ -150,7 +150,7 @@ def _contents(sections: tuple[Section, ...], elements: Elements) -> str:
 
 def _section(place: int, section: Section, elements: Elements) -> str:
     rank = section.level + 2
-    blocks = "\n".join(map(elements.of, section.blocks))
+    blocks = "\n".join(map(elements.element, section.blocks))
     return f'<section><h{rank} id="section-{place}">{_title(section, elements)}</h{rank}>\n{blocks}</section>'
 
 
@@ -185,32 +185,32 @@ class Elements:
         return markup(self.locale.text(text))
 
     @singledispatchmethod
-    def of(self, block: Block) -> str:
+    def element(self, block: Block) -> str:
         """Return the element of a block."""
         raise TypeError(f"{type(block).__name__}: not a block of a document")
 
-    @of.register
+    @element.register
     def _(self, block: Prose) -> str:
         return "\n".join(f"<p>{self.text(text)}</p>" for text in block.paragraphs)
 
-    @of.register
+    @element.register
     def _(self, block: BulletList) -> str:
         return "<ul>" + "\n".join(f"<li>{self.text(text)}</li>" for text in block.points) + "</ul>"
 
-    @of.register
+    @element.register
     def _(self, block: Banner) -> str:
         word, headline = self.text(verdict_word(block)), self.text(block.headline)
         return f'<p class="banner {block.outcome}"><strong>{word}</strong> <span>{headline}</span></p>'
 
-    @of.register
+    @element.register
     def _(self, block: Facts) -> str:
         return self.facts(block.pairs)
 
-    @of.register
+    @element.register
     def _(self, block: FileLines) -> str:
         return f"<pre>{chr(10).join(map(markup, block.lines))}</pre>"
 
-    @of.register
+    @element.register
     def _(self, block: Table) -> str:
         columns = list(zip(*block.rows, strict=True)) or [()] * len(block.columns)
         made = [self._column(*each) for each in zip(block.columns, columns, strict=True)]
@@ -221,12 +221,12 @@ class Elements:
         look = f"sortable{' small' if block.small else ''}{' sifted' if block.sifted else ''}"
         return self._wide(block, "Table", look, heads, rows)
 
-    @of.register
+    @element.register
     def _(self, block: Sheet) -> str:
         heads = [_head(self.text(text)) for text in SHEET_HEADS]
         return self._wide(block, "Sheet", "sheet", heads, map(_step, sheet_rows(block, self.locale)))
 
-    @of.register
+    @element.register
     def _(self, block: Figure) -> str:
         picture, name = self.pictures[block.name], self._anchor("Figure", block.name)
         size = f'width="{_ENLARGED * picture.width:.0f}" {picture.box}'
@@ -234,21 +234,21 @@ class Elements:
         data = "" if block.model is None else _data(block.model)
         return f'<figure id="{name}"><div class="picture">{drawing}</div>\n{self._figcaption(block)}{data}</figure>'
 
-    @of.register
+    @element.register
     def _(self, block: FigureRow) -> str:
-        return f'<div class="row">{"".join(map(self.of, block.figures))}</div>'
+        return f'<div class="row">{"".join(map(self.element, block.figures))}</div>'
 
-    @of.register
+    @element.register
     def _(self, block: Photograph) -> str:
         name = self._anchor("Figure", block.name)
         return f'<figure id="{name}" class="photograph">{self.image(block)}\n{self._figcaption(block)}</figure>'
 
-    @of.register
+    @element.register
     def _(self, block: WritingBox) -> str:
         strut = f'<svg width="1" height="{block.height:g}mm" aria-hidden="true"></svg>'
         return f'<div class="writing"><p>{self.text(block.title)}</p>{strut}</div>'
 
-    @of.register
+    @element.register
     def _(self, block: Signatures) -> str:
         heads = "".join(_head(self.text(text)) for text in SIGNATURE_HEADS)
         rows = "".join(

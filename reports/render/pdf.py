@@ -72,6 +72,17 @@ _SHORT_TABLE = 8  # rows of a table that stays on one page
 _WHOLE_BLOCKS = (Figure, FigureRow, Photograph, Facts, WritingBox, Signatures, Banner)
 
 
+def write_pdf(document: Document, path: Path, *, drawings: TracedFigures | None = None) -> Path:
+    """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
+    register_fonts()
+    locale = document.writer
+    pages = Pages(path, document, locale)
+    with document_processes(1, document) as here:
+        figures = drawings or trace_figures(document, here)
+    pages.build(list(Story(document, locale, figures, pages).flowables()), canvasmaker=DeferredCanvas)
+    return path
+
+
 class Story:
     """The flowables of a document."""
 
@@ -104,14 +115,16 @@ class Story:
             section = self.document.sections[place]
             held.append(self.headings[place])
             if _is_signed(section):  # with the next one, so that nobody signs a page with nothing else on it
-                held += chain.from_iterable(map(self.blocks.of, section.blocks))
+                held += chain.from_iterable(map(self.blocks.flowables, section.blocks))
                 if place + 1 == end or not _is_signed(self.document.sections[place + 1]):
                     yield PagePart(held, is_whole=True)
                     held = []
                 continue
             for block in section.blocks:
                 yield PagePart(
-                    [*held, *self.blocks.of(block)], _is_whole(block), bool(held) or isinstance(block, Table | Sheet)
+                    [*held, *self.blocks.flowables(block)],
+                    _is_whole(block),
+                    bool(held) or isinstance(block, Table | Sheet),
                 )
                 held = []
             if place + 1 == self.opening:
@@ -137,8 +150,8 @@ class Story:
             yield head
         else:
             yield from titles
-        facts = [(label, Verbatim(truncate(text(said), _LONGEST_FACT))) for label, said in self.document.facts]
-        yield from self.blocks.of(Facts(tuple(facts)))
+        facts = [(label, Verbatim(truncate(text(value), _LONGEST_FACT))) for label, value in self.document.facts]
+        yield from self.blocks.flowables(Facts(tuple(facts)))
 
 
 def _is_signed(section: Section) -> bool:
@@ -148,17 +161,6 @@ def _is_signed(section: Section) -> bool:
 
 def _is_whole(block: Block) -> bool:
     return isinstance(block, _WHOLE_BLOCKS) or (isinstance(block, Table) and len(block.rows) <= _SHORT_TABLE)
-
-
-def write_pdf(document: Document, path: Path, *, drawings: TracedFigures | None = None) -> Path:
-    """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
-    register_fonts()
-    locale = document.writer
-    pages = Pages(path, document, locale)
-    with document_processes(1, document) as here:
-        figures = drawings or trace_figures(document, here)
-    pages.build(list(Story(document, locale, figures, pages).flowables()), canvasmaker=DeferredCanvas)
-    return path
 
 
 ROOM_TO_BEGIN = 24 * mm
@@ -382,7 +384,7 @@ class Pages(BaseDocTemplate):
             pageCompression=1,
         )
         frame = Frame(_SIDE, _BOTTOM, self.width, self.height, 0, 0, 0, 0, id="text")
-        self.addPageTemplates(PageTemplate("page", [frame], onPage=self._furniture))
+        self.addPageTemplates(PageTemplate("page", [frame], onPage=self._head_and_foot))
 
     def afterFlowable(self, flowable: object) -> None:  # noqa: N802 - reportlab's name
         """Enter a heading into contents and bookmarks."""
@@ -392,7 +394,7 @@ class Pages(BaseDocTemplate):
             self.canv.addOutlineEntry(flowable.short, flowable.key, self._depth, closed=self._depth)
             self.numbers[flowable.key] = self.page
 
-    def _furniture(self, canvas: Canvas, _: object) -> None:
+    def _head_and_foot(self, canvas: Canvas, _: object) -> None:
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
         made = pdf_date(self.document.date)
         if made:
@@ -402,8 +404,8 @@ class Pages(BaseDocTemplate):
         canvas.saveState()
         set_letters(canvas, "running")
         canvas.setStrokeColor(HexColor(GRID))
-        said = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
-        running = cut_to_width(" · ".join(said), _RUNNING_SHARE * self.width, "running")
+        shown = [truncate(printable(each), _RUNNING) for each in map(text, document.running) if each]
+        running = cut_to_width(" · ".join(shown), _RUNNING_SHARE * self.width, "running")
         room = self.width - width_of(running, "running") - _HEAD_GAP
         canvas.drawString(left, head, cut_to_width(printable(text(document.title)), room, "running"))
         canvas.drawRightString(right, head, running)

@@ -104,35 +104,35 @@ class BlockFlowables:
         self.placed: list[PlacedFigure] = []
 
     @singledispatchmethod
-    def of(self, block: Block) -> list[Flowable]:
+    def flowables(self, block: Block) -> list[Flowable]:
         """Return the flowables of a block."""
         raise TypeError(f"{type(block).__name__}: not a block of a document")
 
-    @of.register
+    @flowables.register
     def _(self, block: Prose) -> list[Flowable]:
         return [paragraph(self.text(each), "body") for each in block.paragraphs]
 
-    @of.register
+    @flowables.register
     def _(self, block: BulletList) -> list[Flowable]:
         return [paragraph(self.text(each), "item", bullet="•") for each in block.points] + [Spacer(1, 3)]
 
-    @of.register
+    @flowables.register
     def _(self, block: FileLines) -> list[Flowable]:
         return [*(paragraph(line, "code") for line in block.lines), Spacer(1, 6)]
 
-    @of.register
+    @flowables.register
     def _(self, block: Table) -> list[Flowable]:
         return [self._caption("Table", block.name, block.caption), table_grid(block, self.locale, self.width)]
 
-    @of.register
+    @flowables.register
     def _(self, block: Sheet) -> list[Flowable]:
         return [self._caption("Sheet", block.name, block.caption), sheet_grid(block, self.locale, self.width)]
 
-    @of.register
+    @flowables.register
     def _(self, block: Figure) -> list[Flowable]:
         return [*self._figure(block, (self.width, self.height - _CAPTION)), Spacer(1, 6)]
 
-    @of.register
+    @flowables.register
     def _(self, block: FigureRow) -> list[Flowable]:
         wide = (self.width - _FIGURE_GAP * (len(block.figures) - 1)) / len(block.figures)
         cells = [self._figure(figure, (wide, self.height - _CAPTION)) for figure in block.figures]
@@ -142,22 +142,22 @@ class BlockFlowables:
         grid.setStyle([("VALIGN", (0, 0), (-1, 0), "MIDDLE"), ("VALIGN", (0, 1), (-1, 1), "TOP")])
         return [grid]
 
-    @of.register
+    @flowables.register
     def _(self, block: Photograph) -> list[Flowable]:
         made = photograph(block, self.width, _PHOTOGRAPH)
         return [*([made] if made else []), self._caption("Figure", block.name, block.caption), Spacer(1, 6)]
 
-    @of.register
+    @flowables.register
     def _(self, block: Facts) -> list[Flowable]:
         return [self._facts(block.pairs)] if block.pairs else []
 
-    @of.register
+    @flowables.register
     def _(self, block: WritingBox) -> list[Flowable]:
         box = Grid([[""]], colWidths=[self.width], rowHeights=[block.height * mm], spaceAfter=8)
         box.setStyle([("BOX", (0, 0), (-1, -1), 0.6, HexColor(MUTED))])
         return [paragraph(self.text(block.title), "caption"), box]
 
-    @of.register
+    @flowables.register
     def _(self, block: Signatures) -> list[Flowable]:
         named = [(self.text(role), truncate(self.text(name), _LONGEST_NAME)) for role, name in block.places]
         rows = [[paragraph(role, "muted"), paragraph(name, "cell"), "", ""] for role, name in named]
@@ -167,7 +167,7 @@ class BlockFlowables:
         grid.setStyle([("LINEBELOW", (1, 1), (-1, -1), 0.6, HexColor(MUTED)), ("VALIGN", (0, 0), (-1, -1), "BOTTOM")])
         return [grid]
 
-    @of.register
+    @flowables.register
     def _(self, block: Banner) -> list[Flowable]:
         ink, word = HexColor(BANNER[block.outcome]), self.text(verdict_word(block))
         widths = [0.3 * self.width, 0.7 * self.width]
@@ -199,12 +199,12 @@ class BlockFlowables:
 
     def _facts(self, pairs: Sequence[tuple[Text, Text]]) -> Flowable:
         """Return the facts in two columns, or in twice two where all are short."""
-        written = [(self.text(label), self.text(said)) for label, said in pairs]
+        written = [(self.text(label), self.text(value)) for label, value in pairs]
         label = min(0.3 * self.width, 8 + max(width_of(name[:_LONGEST_MEASURED], "muted") for name, _ in written))
-        widest = 8 + max(width_of(said[:_LONGEST_MEASURED], "cell") for _, said in written)
+        widest = 8 + max(width_of(value[:_LONGEST_MEASURED], "cell") for _, value in written)
         twice = len(written) > 3 and label + widest < self.width / 2
         high = ceil(len(written) / 2) if twice else len(written)
-        cells = [[paragraph(name, "muted"), paragraph(said, "cell")] for name, said in written]
+        cells = [[paragraph(name, "muted"), paragraph(value, "cell")] for name, value in written]
         blank: list[Paragraph] = [paragraph("", "cell")] * 2
         rows = [[*cells[k], *([*cells, blank][k + high] if twice else [])] for k in range(high)]
         widths = [label, self.width / 2 - label] * 2 if twice else [label, self.width - label]
@@ -241,7 +241,6 @@ _LOOSEST = 1.7  # a table is stretched so many times at most to fill its line
 _DIVIDED = 260.0  # a row that has so much room and needs more is divided [pt]
 _NARROWEST = 0.04  # share of the table that is left for a column without one
 _LONGEST_HEAD = 120  # letters
-_LONGEST_MEASURED_CELL = 120  # letters: a longer text is not measured
 _SHEET_SHARES = (0.11, 0.33, 0.39, 0.17)
 
 _TABLE_STYLE: tuple[Any, ...] = (
@@ -284,10 +283,10 @@ def table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
     for place, cells in enumerate(table.rows):
         colour = MUTED if place in table.muted else ""
         made.append([_cell(*each, colour) for each in zip(cells, rows[place], styles, widths, strict=True)])
-    of = STYLES[f"{prefix}cell"]
+    cell = STYLES[f"{prefix}cell"]
     letters = [
-        ("FONT", (0, 0), (-1, -1), of.fontName, of.fontSize, of.leading),
-        ("TEXTCOLOR", (0, 0), (-1, -1), of.textColor),
+        ("FONT", (0, 0), (-1, -1), cell.fontName, cell.fontSize, cell.leading),
+        ("TEXTCOLOR", (0, 0), (-1, -1), cell.textColor),
     ]
     sides = [("ALIGN", (place, 0), (place, -1), "RIGHT") for place, each in enumerate(right) if each]
     return _grid(made, widths, [*letters, *sides, *_tints(table)])
@@ -355,15 +354,11 @@ def _filled(floor: Sequence[float], wanted: Sequence[float], left: float) -> lis
 
 
 def _line_width(text: str, style: str) -> float:
-    return (
-        width_of(text, style)
-        if len(text) <= _LONGEST_MEASURED_CELL
-        else 0.6 * float(STYLES[style].fontSize) * len(text)
-    )
+    return width_of(text, style) if len(text) <= _LONGEST_MEASURED else 0.6 * float(STYLES[style].fontSize) * len(text)
 
 
 def _word_width(text: str, style: str) -> float:
-    return min(_LEAST, max((width_of(word, style) for word in text[:_LONGEST_MEASURED_CELL].split(" ")), default=0.0))
+    return min(_LEAST, max((width_of(word, style) for word in text[:_LONGEST_MEASURED].split(" ")), default=0.0))
 
 
 def _cell(cell: Cell, text: str, style: str, width: float, colour: str) -> str | Paragraph:
@@ -371,7 +366,7 @@ def _cell(cell: Cell, text: str, style: str, width: float, colour: str) -> str |
     if isinstance(cell, OutcomeCell):
         ink = HexColor(INK_OF[cell.outcome])
         return Paragraph(f"<b>{markup(text)}</b>", STYLES[style].clone(f"{style}-{cell.outcome}", textColor=ink))
-    if not colour and len(text) <= _LONGEST_MEASURED_CELL and width_of(text, style) <= width - 2 * _PADDING:
+    if not colour and len(text) <= _LONGEST_MEASURED and width_of(text, style) <= width - 2 * _PADDING:
         return text
     return paragraph(text, style, colour=colour)
 

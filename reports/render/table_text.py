@@ -165,10 +165,10 @@ def _numbers(step: Step, locale: Locale) -> str:
     def write(value: float) -> str:
         return locale.number(value, figures=INPUT_FIGURES)
 
-    said = substitute(_formula(step, locale), step.inputs, write) if step.inputs else ""
-    if said and said != values_text(step.inputs, write):  # its symbols stand in the formula
-        said = f"= {said}"
-    return ", ".join(part for part in (said, values_text(step.at, write), _word(step.remark, locale)) if part)
+    substituted = substitute(_formula(step, locale), step.inputs, write) if step.inputs else ""
+    if substituted and substituted != values_text(step.inputs, write):  # its symbols stand in the formula
+        substituted = f"= {substituted}"
+    return ", ".join(part for part in (substituted, values_text(step.at, write), _word(step.remark, locale)) if part)
 
 
 def _result(step: Step, locale: Locale) -> str:

@@ -43,7 +43,7 @@ class FourHinge(BlockMechanism):
     """
 
     kind: ClassVar[str] = "four-hinge"
-    block_count: ClassVar[int] = 3
+    number_of_blocks: ClassVar[int] = 3
     joints: RadialJoints | tuple[Line, ...] | None = None
 
 

@@ -32,7 +32,7 @@ Sides = Literal["one", "two"]
 class BlockMechanism:
     """What an engineer states of any mechanism of blocks.
 
-    kind : of mechanism, as project files write it; block_count : of its blocks
+    kind : of mechanism, as project files write it; number_of_blocks : of its blocks
     blocks : names of the bodies of each block, from the base on
     direction : horizontal [3], positive rotation topples this way; None for the weakest, or "sweep"
     cut : only what lies above moves: an elevation [m], or an inclined crack
@@ -42,7 +42,7 @@ class BlockMechanism:
     """
 
     kind: ClassVar[str]
-    block_count: ClassVar[int] = 1
+    number_of_blocks: ClassVar[int] = 1
     blocks: tuple[tuple[str, ...], ...]
     label: str = ""
     direction: Vector | Literal["sweep"] | None = None

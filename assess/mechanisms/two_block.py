@@ -51,7 +51,7 @@ class TwoBlock(BlockMechanism):
     """
 
     kind: ClassVar[str] = "two-block"
-    block_count: ClassVar[int] = 2
+    number_of_blocks: ClassVar[int] = 2
     crack: float | Literal["sorrentino", "minimum"] | None = None
 
 

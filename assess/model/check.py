@@ -85,8 +85,8 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
         yield from _crack_problems(definition)
     if isinstance(definition, FourHinge):
         yield from _arch_problems(definition)
-    for letter in set(definition.interfaces) - set("ABCD"[: HINGES[definition.block_count]]):
-        yield f"interfaces.{letter}: no such hinge; known: {', '.join('ABCD'[: HINGES[definition.block_count]])}"
+    for letter in set(definition.interfaces) - set("ABCD"[: HINGES[definition.number_of_blocks]]):
+        yield f"interfaces.{letter}: no such hinge; known: {', '.join('ABCD'[: HINGES[definition.number_of_blocks]])}"
     for interface in (definition.interface, *definition.interfaces.values()):
         yield from _interface_problems(interface)
     for number, load in enumerate(definition.loads, start=1):
@@ -109,7 +109,7 @@ def _parameter_problems(block: EquivalentBlock) -> Iterator[str]:
 
 def _block_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]:
     count = len(definition.blocks)
-    most = definition.block_count
+    most = definition.number_of_blocks
     if not 1 <= count <= most or not all(definition.blocks):
         yield f"{count} blocks: give 1{f' to {most}' if most > 1 else ''}, each of one body or more"
     for body in definition.bodies:
@@ -137,7 +137,7 @@ def _cut_problems(definition: BlockMechanism) -> Iterator[str]:
 
 def _hinge_problems(definition: BlockMechanism) -> Iterator[str]:
     """Yield what is wrong with given hinges: their number, and places that are none."""
-    count = HINGES[definition.block_count]
+    count = HINGES[definition.number_of_blocks]
     for key in ("hinges", "hinges_negative"):
         hinges = getattr(definition, key)
         if hinges is None or (hinges == "minimum" and key == "hinges" and isinstance(definition, FourHinge)):
@@ -268,8 +268,8 @@ def load_problems(load: LoadDefinition, definition: BlockMechanism, bodies: Bodi
     if unknown:
         yield f'"{unknown[0]}" is no body here; give it in `around`'
     if not isinstance(load, OverburdenLoad):
-        if load.block is not None and load.block not in range(definition.block_count):
-            yield f"block = {load.block}: must be from 0 to {definition.block_count - 1}, counted from the base"
+        if load.block is not None and load.block not in range(definition.number_of_blocks):
+            yield f"block = {load.block}: must be from 0 to {definition.number_of_blocks - 1}, counted from the base"
         if load.at is not None:
             yield from place_problems("at", load.at)
     yield from PROBLEMS_BY_KIND[type(load)](load, definition)

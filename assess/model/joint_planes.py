@@ -86,7 +86,7 @@ def find_joint_plane(
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    blocks = definition.block_count
+    blocks = definition.number_of_blocks
     face, pressing = FACING_BLOCKS[blocks][number]
     ordered = pieces if view.sign > 0.0 or len(pieces) == blocks else pieces[::-1]
     if not all(piece.solids for piece in ordered):
@@ -112,13 +112,13 @@ def normal_at(
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    face, pressing = FACING_BLOCKS[definition.block_count][number]
+    face, pressing = FACING_BLOCKS[definition.number_of_blocks][number]
     piece = pieces[min(pressing, len(pieces) - 1)]
     if (
         face is None
-        and not (definition.block_count == number == 2)
+        and not (definition.number_of_blocks == number == 2)
         and piece.cut
-        and len(pieces) == definition.block_count
+        and len(pieces) == definition.number_of_blocks
     ):
         plane = cut_of(definition, where=where)
         if plane is not None:
@@ -269,7 +269,7 @@ def normal_of(
 def friction_at(number: int, definition: BlockMechanism, bodies: Bodies) -> tuple[float | None, Term | Message]:
     """Return the least friction of the blocks that meet at a hinge, None if one has none, with the remedy."""
     least: float | None = None
-    for block in FACING_BLOCKS[definition.block_count][number]:
+    for block in FACING_BLOCKS[definition.number_of_blocks][number]:
         if block is None:
             continue
         materials = dict.fromkeys(materials_of(definition.blocks[min(block, len(definition.blocks) - 1)], bodies))

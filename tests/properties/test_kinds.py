@@ -49,8 +49,8 @@ def test_section_and_definition_have_one_name(kind: str) -> None:
     assert issubclass(definition, BlockMechanism), (
         "what an engineer states of a mechanism of blocks is a BlockMechanism"
     )
-    same = definition.block_count == section.moving
-    assert same, "as many blocks move by the section (`moving`) as by the definition (`block_count`)"
+    same = definition.number_of_blocks == section.number_of_blocks
+    assert same, "as many blocks move by the section as by the definition: `number_of_blocks`"
     assert {"hinges", "hinges_negative"} <= section.model_fields.keys(), "sections of blocks have both keys"
 
 

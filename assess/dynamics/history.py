@@ -259,7 +259,7 @@ def _trace(
     run = _RUNS[equation]([one], [motion], tolerance)
     path, events = np.zeros((motion.npts, 3)), np.zeros((capacity + 1, 4))
     first = np.zeros(1, dtype=np.int64)
-    start = _released(one, release) if release else 0.0
+    start = _release_coordinate(one, release) if release else 0.0
     samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, events)
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
@@ -308,7 +308,15 @@ def free_rocking(
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _RUNS[equation]([one], [still], tolerance)
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
-    run(first, first, np.ones(1), _released(one, rotation), np.empty((1, columns.FOUND)), np.empty((0, 3)), events)
+    run(
+        first,
+        first,
+        np.ones(1),
+        _release_coordinate(one, rotation),
+        np.empty((1, columns.FOUND)),
+        np.empty((0, 3)),
+        events,
+    )
     happened = events[1 : 1 + int(events[0, 0])]
     time, kind, value, on = happened[happened[:, columns.HAPPENED] <= duration].T  # the last swing goes to its peak
     impact, peak = kind == columns.IMPACT, kind == columns.PEAK
@@ -327,7 +335,7 @@ def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArra
     return ground, offset, np.array([m.dt for m in motions]), np.array([m.pga for m in motions])
 
 
-def _released(one: PackedOscillator, rotation: float) -> float:
+def _release_coordinate(one: PackedOscillator, rotation: float) -> float:
     """Return the y of the kernel at a rotation of the positive branch [rad], which must be positive."""
     if not 0.0 < rotation < math.inf:
         raise ValueError(f"release at {rotation} rad; it must be a positive rotation of the positive branch")

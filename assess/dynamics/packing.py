@@ -57,7 +57,7 @@ def _pack_exact(oscillator: Oscillator) -> PackedOscillator:
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
         _check_pace(branch)
-    sides = _of_each(oscillator, canonical_form)
+    sides = _for_each_branch(oscillator, canonical_form)
     rows = _rows(oscillator, sides)
     for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
         E = _require_positive(
@@ -71,7 +71,7 @@ def _pack_exact(oscillator: Oscillator) -> PackedOscillator:
 
 def _pack_linearised(oscillator: Oscillator) -> PackedOscillator:
     """Pack an oscillator by its linearised form; LIMIT depends on the job."""
-    forms = _of_each(oscillator, lambda branch: branch.linearised)
+    forms = _for_each_branch(oscillator, lambda branch: branch.linearised)
     for form in forms:
         _require_positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
         _require_positive(form.overturning, "linearised overturning rotation", "rad")
@@ -91,7 +91,7 @@ _PACKING: dict[Equation, Callable[[Oscillator], PackedOscillator]] = {
 }
 
 
-def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
+def _for_each_branch(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
     """Return what `make` returns for each branch, made once where both are one branch."""
     first = make(oscillator.positive)
     if oscillator.negative is None:

@@ -113,7 +113,9 @@ def overburden(
     for body in bodies:
         found = support(body, block=block, others=others, tolerance=tolerance)
         if found is None or not found.contact.bearing:
-            raise GeometryError(f'body "{body.name}": it does not bear on the block; {nearest(body, block=block)}')
+            raise GeometryError(
+                f'body "{body.name}": it does not bear on the block; {no_contact_text(body, block=block)}'
+            )
         share = share_of(bearing_contacts(found), centroid=body.centroid)
         if share == 0.0:
             raise GeometryError(f'body "{body.name}": by statics it lifts off the block; give its load as a force')
@@ -125,7 +127,7 @@ def overburden(
     return Overburden(force, np.asarray(np.array(weights) @ np.array(places) / force, dtype=np.float64))
 
 
-def nearest(body: Solid, *, block: Sequence[Solid]) -> str:
+def no_contact_text(body: Solid, *, block: Sequence[Solid]) -> str:
     """Say how far a body that does not load the block is from it, and what to do."""
     if any((find_contact(body, solid) or _NO_CONTACT).bearing for solid in block):
         return "the block stands on it, so it is no load of the block; remove it from `loads`"
@@ -141,7 +143,7 @@ ROUNDING = 1e-9  # of the thickness: a load this near its edge is on it
 WEIGHT = "a weight, which stays"
 
 
-def overburden_of(
+def overburden_force(
     number: int,
     load: OverburdenLoad,
     *,
@@ -167,7 +169,7 @@ def overburden_of(
     ------
     GeometryError : the wall has no geometry, a body does not bear on it, or the load is beside its top
     """
-    name = name_of(number)
+    name = overburden_name(number)
     head = top_edge(piece.body)
     if head is None:
         raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
@@ -176,7 +178,7 @@ def overburden_of(
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
-    found, states = weight_of(load, piece, solids, moving, where=f"{where}: {name}")
+    found, states = weight_on_wall(load, piece, solids, moving, where=f"{where}: {name}")
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
@@ -186,7 +188,7 @@ def overburden_of(
     return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(said), until="collapse", evidence=WEIGHT)
 
 
-def weight_of(
+def weight_on_wall(
     load: OverburdenLoad, piece: Piece, solids: Mapping[str, Solid | None], moving: Sequence[str], *, where: str
 ) -> tuple[Overburden, list[str]]:
     """Return the weight that bodies put on the wall, and the bodies left out because they are drawn in its place."""
@@ -215,6 +217,6 @@ def require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) 
     return solid
 
 
-def name_of(number: int) -> str:
+def overburden_name(number: int) -> str:
     """Return the name of the overburden that is entry `number` of the loads, from 1."""
     return f"overburden {number}"

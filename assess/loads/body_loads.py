@@ -18,7 +18,7 @@ from assess.geometry.contact import Contact, find_contact, join_contacts
 from assess.geometry.cut import Piece
 from assess.geometry.planar import distance_to_outline
 from assess.geometry.solid import Solid
-from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
+from assess.loads.bearing import Support, bearing_contacts, carries_weight, no_contact_text, share_of, support
 from assess.loads.load import BodyLoad, Force, Load, Point, PointMass, point_in_plane
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, body_mass, extent_along, thrust_of
 from assess.messages.message import Message, Quantity, Term, Value, message, warning, whole_number
@@ -49,7 +49,7 @@ def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings)
     if body is None or given:
         return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
-    why = BELOW_THE_CUT if below else nearest(body, block=around.block)
+    why = BELOW_THE_CUT if below else no_contact_text(body, block=around.block)
     raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
 
 
@@ -85,7 +85,7 @@ def body_loads(
     side = 0.0 if covering is None else side_of_span(covering, found, arch, at, along=around.along)
     case = BodyOnBlock(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
-    bearing, how = bearing_of(case)
+    bearing, how = bears_on_block(case)
     part = carried_share(case, bearing=bearing)
     source, pushed = [of, part.source, how, *place_source(load, found, along=around.along)], list[Force]()
     if covering is not None:
@@ -268,7 +268,7 @@ def without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surrou
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bearing_of(case: BodyOnBlock) -> tuple[bool, Term | Message]:
+def bears_on_block(case: BodyOnBlock) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
     given = case.load.bearing
     if case.found is None:
@@ -349,7 +349,7 @@ def thrust_on(case: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
             f"{case.where}: it meets the block about the middle of its span, so it is not clear which way is outwards; "
             'write the thrust as a load of kind = "force"'
         )
-    if not given and not bearing_of(case)[0]:
+    if not given and not bears_on_block(case)[0]:
         return Thrust(0.0, [Term("no thrust: it does not stand on the block")])
     found = thrust_of(case.load, case.arch, along=along, V=V)
     if not found.size:

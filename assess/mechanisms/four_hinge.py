@@ -237,7 +237,7 @@ def cut_into_voussoirs(
     """
     if not piece.solids:
         raise GeometryError(f"{where}: its body has no geometry to open at joints; give it a mesh, box or profile")
-    require_apart(lines, where=where)
+    require_joints_apart(lines, where=where)
     along = np.append(np.array(direction[:2]) / np.linalg.norm(direction), 0.0)
     normals = joint_normals(lines)
     near = divide_at_joint(piece.solids, lines[0], normals[0], along, where=f"{where}: joint 1")
@@ -256,7 +256,7 @@ def cut_into_voussoirs(
     return pieces, [joint_ends(springing, lines[0], along), *joints]
 
 
-def require_apart(lines: Sequence[Line], *, where: str) -> None:
+def require_joints_apart(lines: Sequence[Line], *, where: str) -> None:
     """Raise GeometryError for a joint without length, or two of them in one place."""
     middles = [np.add(a, b) / 2.0 for a, b in lines]
     size = max(float(np.hypot(*np.subtract(b, a))) for a, b in lines)

@@ -206,7 +206,7 @@ def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Pi
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
         return tuple(uncut_block(block, definition.towards, bodies) for block in definition.blocks)
-    crossed = [crosses(block, plane, bodies) for block in definition.blocks]
+    crossed = [crosses_plane(block, plane, bodies) for block in definition.blocks]
     if len(definition.blocks) == 1 or not any(crossed):
         crossed = [True, *crossed[1:]]  # one must be: `divide` says why it is not
     return tuple(
@@ -249,7 +249,7 @@ def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | Non
     )
 
 
-def crosses(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
+def crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
     """Return whether a body of the block reaches below the plane."""
     corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
     return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)

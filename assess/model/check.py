@@ -448,13 +448,13 @@ def _kind_text(kind: Any) -> str:
     return KIND_TEXTS.get(kind, f"{'an' if name[0] in 'AEIOU' else 'a'} {name}")
 
 
-D = TypeVar("D")
+Data = TypeVar("Data")
 
 COUNTS = ("block", "construction", "count")
 """The whole numbers of a definition: which block, which case, how many."""
 
 
-def with_floats(data: D) -> D:
+def with_floats(data: Data) -> Data:
     """Return a definition whose lengths and masses are floats and whose places are tuples, however they were given."""
     changed = {
         field.name: as_floats(getattr(data, field.name))

@@ -82,8 +82,8 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
         return mechanism_as_given(name, definition, bodies)
     look = prepare_search(name, definition, bodies)
     if definition.direction is None:
-        return in_weakest(look)
-    return in_given_direction(look)
+        return build_in_weakest_direction(look)
+    return build_in_given_direction(look)
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
@@ -109,9 +109,9 @@ def has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
     return all(bodies[body].solid is not None for body in definition.bodies)
 
 
-def in_weakest(look: DirectionSearch) -> Built:
+def build_in_weakest_direction(look: DirectionSearch) -> Built:
     """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
-    candidates = evaluate_all(look)
+    candidates = evaluate_candidates(look)
     known = [each for each in candidates if each.multiplier is not None]
     if not known:  # nor can it be built towards any: say why
         return mechanism_of(look.name, turn_towards(look.definition, candidates[0].way), look.bodies)
@@ -125,7 +125,7 @@ def in_weakest(look: DirectionSearch) -> Built:
     definition = with_sides(turn_towards(look.definition, found.way), behind)
     built = mechanism_of(look.name, definition, look.bodies)
     messages = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
-    messages += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
+    messages += [left_out_warning(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
     return with_messages(built, candidates, messages, look)
 
 
@@ -149,7 +149,7 @@ def format_key(key: Sequence[str | int]) -> str:
 
 def list_directions(known: Sequence[CandidateDirection]) -> str:
     """List directions with their multipliers, the weakest first."""
-    rising = sorted(known, key=rank)
+    rising = sorted(known, key=rank_key)
     texts = [f"{vector_text(each.way)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
     return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
 
@@ -159,7 +159,7 @@ def opposite_direction(way: Vector) -> Vector:
     return (-way[0], -way[1], 0.0)
 
 
-def in_given_direction(look: DirectionSearch) -> Built:
+def build_in_given_direction(look: DirectionSearch) -> Built:
     """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
     ahead = CandidateDirection(direction_angle(look.definition.towards)).way
     into = bodies_that_stop(look.obstacles, ahead)
@@ -168,8 +168,8 @@ def in_given_direction(look: DirectionSearch) -> Built:
     messages = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
     if look.definition.hinges is not None or next(look.definition.keys_along(), None) is not None:
         return with_messages(built, (), messages, look)
-    candidates = evaluate_all(look)
-    messages += weaker_than(built.mechanism, candidates, look)
+    candidates = evaluate_candidates(look)
+    messages += weaker_direction_warnings(built.mechanism, candidates, look)
     return with_messages(built, candidates, messages, look)
 
 
@@ -180,7 +180,9 @@ def direction_warnings(into: Sequence[str], ahead: Vector, look: DirectionSearch
         yield message("direction-into", values, severity=Severity.WARNING, where=look.where)
 
 
-def weaker_than(given: Mechanism, candidates: Sequence[CandidateDirection], look: DirectionSearch) -> Iterator[Message]:
+def weaker_direction_warnings(
+    given: Mechanism, candidates: Sequence[CandidateDirection], look: DirectionSearch
+) -> Iterator[Message]:
     """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
     ahead = np.array(CandidateDirection(direction_angle(look.definition.towards)).way)
     open_ways = [each for each in candidates if each.multiplier is not None and not each.touching]
@@ -228,7 +230,7 @@ def sides_messages(behind: Sequence[str], look: DirectionSearch) -> Iterator[Mes
         yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)
 
 
-def cannot_rock(candidate: CandidateDirection, where: str) -> Message:
+def left_out_warning(candidate: CandidateDirection, where: str) -> Message:
     """Say why a direction was left out."""
     values = {"direction": vector_text(candidate.way), "why": candidate.why}
     return message("direction-left-out", values, severity=Severity.WARNING, where=where)
@@ -322,12 +324,12 @@ def thinnest_normal(plan: FloatArray, normals: FloatArray) -> FloatArray:
     return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
 
 
-def evaluate_all(look: DirectionSearch) -> tuple[CandidateDirection, ...]:
+def evaluate_candidates(look: DirectionSearch) -> tuple[CandidateDirection, ...]:
     """Evaluate every candidate: its multiplier, or why it cannot rock that way, and what touches it there."""
-    return tuple(evaluate(angle, look) for angle in look.ways)
+    return tuple(evaluate_candidate(angle, look) for angle in look.ways)
 
 
-def evaluate(angle: float, look: DirectionSearch) -> CandidateDirection:
+def evaluate_candidate(angle: float, look: DirectionSearch) -> CandidateDirection:
     """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
     asked = CandidateDirection(angle)
     asked = replace(asked, touching=bodies_that_stop(look.obstacles, asked.way))
@@ -392,10 +394,10 @@ def free_candidates(known: Sequence[CandidateDirection]) -> tuple[list[Candidate
     What holds a wall on both faces, as a floor and a buttress may, does not make its own plane its weak direction.
     """
     free = [each for each in known if not each.touching]
-    least = min(known, key=rank)
+    least = min(known, key=rank_key)
     back = [each for each in known if abs((each.angle - least.angle) % 360.0 - 180.0) < 1e-6]
     both = bool(least.touching) and all(each.touching for each in back)
-    if not free or (both and multiplier_of(min(free, key=rank)) > MUCH_STRONGER * multiplier_of(least)):
+    if not free or (both and multiplier_of(min(free, key=rank_key)) > MUCH_STRONGER * multiplier_of(least)):
         return list(known), True
     return free, False
 
@@ -414,10 +416,12 @@ def near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
 
 def weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
     """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
-    return min(near, key=lambda each: (rounded(inf if each.displacement is None else each.displacement), *rank(each)))
+    return min(
+        near, key=lambda each: (rounded(inf if each.displacement is None else each.displacement), *rank_key(each))
+    )
 
 
-def rank(candidate: CandidateDirection) -> tuple[float, float, float]:
+def rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
     """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
     x, y, _ = candidate.way
     return rounded(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)

@@ -238,7 +238,7 @@ def faces_of(
     return tuple(
         tuple(
             Face(
-                *normal_of(number, chain, definition, pieces, MotionPlane.of(definition.towards, sign=sign)),
+                *hinge_normal(number, chain, definition, pieces, MotionPlane.of(definition.towards, sign=sign)),
                 *frictions[number],
             )
             for number in range(len(chain.hinges))
@@ -247,7 +247,7 @@ def faces_of(
     )
 
 
-def normal_of(
+def hinge_normal(
     number: int, chain: Chain, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane
 ) -> tuple[Vector, bool]:
     """Return the normal at a hinge, to the pressing block, and whether the geometry shows it; otherwise it is vertical.

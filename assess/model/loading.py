@@ -11,7 +11,7 @@ from assess.geometry.boolean import overlap_warnings
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Piece
 from assess.geometry.planar import Outline, distance_to_outline
-from assess.loads.bearing import overburden_of
+from assess.loads.bearing import overburden_force
 from assess.loads.body_loads import (
     FindContact,
     LoadSet,
@@ -83,7 +83,7 @@ def loads_of_entry(
 ) -> LoadSet:
     """Find the loads of one entry of `loads`, its number counted from 1."""
     if isinstance(load, OverburdenLoad):
-        force = overburden_of(
+        force = overburden_force(
             number,
             load,
             piece=blocks.pieces[-1],
@@ -96,7 +96,7 @@ def loads_of_entry(
     if isinstance(load, BodyLoad):
         part = loads_of_body(load, blocks, definition, bodies, find=find)
     else:
-        part = LoadSet((load_of(number, load, definition.towards),), ())
+        part = LoadSet((load_in_plane(number, load, definition.towards),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
     warnings = (
         *part.warnings,
@@ -157,7 +157,7 @@ def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: B
     return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
 
 
-def load_of(
+def load_in_plane(
     number: int,
     load: MassLoad | ForceLoad | TieLoad,
     direction: Sequence[float],
@@ -168,7 +168,7 @@ def load_of(
         return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     if isinstance(load, TieLoad):
-        return tie_of(name, load, at, way, direction)
+        return tie_in_plane(name, load, at, way, direction)
     if isinstance(load.force, tuple):
         force = load.force
     else:
@@ -177,7 +177,7 @@ def load_of(
     return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
 
 
-def tie_of(name: str, load: TieLoad, at: Point, way: Point | None, direction: Sequence[float]) -> Tie:
+def tie_in_plane(name: str, load: TieLoad, at: Point, way: Point | None, direction: Sequence[float]) -> Tie:
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
     if anchor == at:

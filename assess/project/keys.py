@@ -323,8 +323,8 @@ def read_case(raw: Mapping[str, Any], folder: Path, path: KeyPath, value: Any, *
     try:
         content = Content.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
-        said = f"{key_text(path)}: {value_text(value)}: "  # by the name of the case already
-        raise ProjectError(f"{name}: {error_line(error, raw=raw).removeprefix(said)}") from None
+        prefix = f"{key_text(path)}: {value_text(value)}: "  # by the name of the case already
+        raise ProjectError(f"{name}: {error_line(error, raw=raw).removeprefix(prefix)}") from None
     if not one_number(value_at(content, path)):
         raise ProjectError(f"{name}: not a number; only numbers can be swept")
     return content
@@ -376,8 +376,8 @@ def _uncertain_number(table: Mapping[str, Any], path: KeyPath, raw: Mapping[str,
     try:
         return UncertainNumber.model_validate(table, context={"folder": folder})
     except ValidationError as error:
-        said = error_line(error, raw=table)
-        raise ProjectError(f"{key_text(path)}.{said}") from None
+        line = error_line(error, raw=table)
+        raise ProjectError(f"{key_text(path)}.{line}") from None
 
 
 def uncertain_values(content: Content, stated: StatedUncertainNumbers) -> tuple[UncertainValue, ...]:

@@ -1,8 +1,8 @@
 """What a project asks: what decides, by which procedures with which options, and which fragility.
 
-Where the project names no procedures, those that apply at its site are asked: the edition of the Italian code that its
+Where the project names no procedures, those that apply at its site are run: the edition of the Italian code that its
 spectrum is of decides, the other is left out; elsewhere DM 2008 without time histories stands beside ASCE 43-05.
-Sliding is asked where a material has friction.
+Sliding is checked where a material has friction.
 """
 
 from __future__ import annotations
@@ -59,18 +59,18 @@ def basis_of(content: sections.Content) -> Basis | None:
 
 def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.0) -> Question:
     """Return what the project asks of its basis at the site's own action; scale: of the spectrum by `pga` [-]."""
-    asked, building, basis = content.verdict, content.building, basis_of(content)
+    verdict, building, basis = content.verdict, content.building, basis_of(content)
     return Question(
         basis=basis,
         action=action_of(content, basis, pga_g=site_pga / g),
-        limit_state=asked.limit_state,
-        procedures=asked.procedures,
-        works=asked.works,
+        limit_state=verdict.limit_state,
+        procedures=verdict.procedures,
+        works=verdict.works,
         use_class=use_class_of(content),
         school=None if building is None else building.school,
-        upgrading=asked.upgrading,
-        index_before=asked.index_before,
-        target_nbs=asked.target_nbs,
+        upgrading=verdict.upgrading,
+        index_before=verdict.index_before,
+        target_nbs=verdict.target_nbs,
         missing=tuple(_scaled_down_hazard(content, scale)),
     )
 
@@ -104,8 +104,8 @@ def limit_state_of(content: sections.Content) -> str:
     It is that of the site, else the deciding one, else the default of the basis: "SLV".
     """
     own, basis = None if content.site is None else content.site.own_limit_state, basis_of(content)
-    asked = (own, content.verdict.limit_state, None if basis is None else basis.default)
-    return next((state for state in asked if state is not None and state in ntc.EXCEEDANCE), "SLV")
+    states = (own, content.verdict.limit_state, None if basis is None else basis.default)
+    return next((state for state in states if state is not None and state in ntc.EXCEEDANCE), "SLV")
 
 
 def use_class_of(content: sections.Content) -> str | None:
@@ -146,11 +146,11 @@ def _missing_masonry(content: sections.Content, name: str, premises: Sequence[Pr
     """Yield the masonry of a mechanism whose disintegration is not excluded, with a source."""
     if Premise.SOUND_MASONRY not in premises:
         return
-    for table, said in _masonry(content, name).items():
+    for table, disintegration in _masonry(content, name).items():
         key = f"{table}.disintegration"
-        if said != "excluded":
+        if disintegration != "excluded":
             yield missing_input(key, message("missing-disintegration"), 'disintegration = "excluded"')
-        if said != "possible" and not source_of(content, key):
+        if disintegration != "possible" and not source_of(content, key):
             why = message("missing-source", {"key": key})
             yield missing_input(SOURCES, why, f'"{key}" = "measured: …"')
 
@@ -264,8 +264,8 @@ def in_g(section: ProjectSection, key: str) -> dict[str, Any]:
     return {**options, key: None if options[key] is None else options[key] / g}
 
 
-def _limit_states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*asked, *deciding))
+def _limit_states(requested: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*requested, *deciding))
 
 
 def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
@@ -301,20 +301,20 @@ def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str
 
 def fragility_question(content: sections.Content, hazard: SiteHazard | None, *, folder: Path) -> FragilityQuestion:
     """Return what is asked of fragility; `hazard`: of an Italian site, used where the project gives no other."""
-    asked = content.analysis.fragility or sections.Fragility()
+    section = content.analysis.fragility or sections.Fragility()
     risk = content.analysis.risk or sections.Risk()
-    measures = tuple(measure(*sections.measure_of(text)) for text in asked.measures or ())
+    measures = tuple(measure(*sections.measure_of(text)) for text in section.measures or ())
     in_g = not measures or measures[0].dimension == "ground acceleration"
     return FragilityQuestion(
         measures=measures,
-        states=tuple(map(_fragility_state, asked.states)),
-        method=asked.method,
-        samples=asked.samples,
-        largest=None if asked.largest is None else float(asked.largest) / (g if in_g else 1.0),
-        largest_factor=asked.largest_factor,
-        seed=asked.seed,
-        draws=asked.draws,
-        epistemic=dict(asked.epistemic),
+        states=tuple(map(_fragility_state, section.states)),
+        method=section.method,
+        samples=section.samples,
+        largest=None if section.largest is None else float(section.largest) / (g if in_g else 1.0),
+        largest_factor=section.largest_factor,
+        seed=section.seed,
+        draws=section.draws,
+        epistemic=dict(section.epistemic),
         hazard=_hazard_result(risk, hazard, folder),
         target_rate=risk.target,
     )

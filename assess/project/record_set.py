@@ -63,7 +63,7 @@ def overrides_of(section: sections.Records) -> HeaderOverrides:
 
 def select_records(
     section: sections.Records,
-    wanted: sections.Select,
+    selection: sections.Select,
     *,
     study: Study,
     spectrum: Spectrum,
@@ -74,7 +74,7 @@ def select_records(
 
     Parameters
     ----------
-    section, wanted : [records] and its table of the selection
+    section, selection : [records] and its table of the selection
     study : the mechanisms, and the limit state that decides
     spectrum : the target
     folder : of the project file
@@ -88,21 +88,24 @@ def select_records(
         section.files, overrides=overrides_of(section), flatfile=section.flatfile, executor=executor
     )
     try:
-        if wanted.code is None:
-            over = band(*periods_of(wanted, spectrum, study.mechanisms), weights=wanted.weights)
-            found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
+        if selection.code is None:
+            over = band(*periods_of(selection, spectrum, study.mechanisms), weights=selection.weights)
+            found = select(offer.candidates, spectrum, criteria_of(section, selection, over))
         else:
-            making, target = SELECTION_RULES[wanted.code], target_of(SELECTION_RULES[wanted.code].code, study, spectrum)
+            making, target = (
+                SELECTION_RULES[selection.code],
+                target_of(SELECTION_RULES[selection.code].code, study, spectrum),
+            )
             over = band_for(making, target)
-            if wanted.periods is not None:
-                over = band(*wanted.periods, weights=wanted.weights)
-            criteria = criteria_of(section, wanted, over)
+            if selection.periods is not None:
+                over = band(*selection.periods, weights=selection.weights)
+            criteria = criteria_of(section, selection, over)
             found = select_for(offer.candidates, making, target, criteria, read=read_candidate)
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
     suite = record_set(found, over, folder=folder)
-    if wanted.code is not None:
-        suite = with_given_factors(suite, found, spectrum, code=wanted.code)
+    if selection.code is not None:
+        suite = with_given_factors(suite, found, spectrum, code=selection.code)
     return suite, (*offer_messages(offer), *record_messages(suite.records))
 
 
@@ -115,28 +118,28 @@ def target_of(code: str, study: Study, spectrum: Spectrum) -> SuiteTarget:
     return SuiteTarget(spectrum, spectrum_of_rules(name, study, spectrum), *rules.periods(study))
 
 
-def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
+def periods_of(selection: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
     """Return the range given, else 0.2 times the least to 1.2 times the largest equivalent period [s]."""
-    if wanted.periods is not None:
-        return wanted.periods
+    if selection.periods is not None:
+        return selection.periods
     least, largest = extreme_periods(equivalent_periods(mechanisms))
     longest = min(float(PERIODS[-1]), spectrum.longest_period)
     return max(BELOW * least, float(PERIODS[0])), min(ABOVE * largest, longest)
 
 
-def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) -> SuiteCriteria:
+def criteria_of(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
     """Return the criteria of the selection."""
     filters = CandidateFilters(
-        wanted.magnitude, wanted.distance, wanted.vs30, wanted.pga, wanted.duration, wanted.events
+        selection.magnitude, selection.distance, selection.vs30, selection.pga, selection.duration, selection.events
     )
     return SuiteCriteria(
-        count=wanted.count,
+        count=selection.count,
         band=over,
         filters=filters,
-        scale_limits=wanted.scale_limits,
-        one_per_event=wanted.one_per_event,
-        fit=wanted.fit,
-        components=wanted.components,
+        scale_limits=selection.scale_limits,
+        one_per_event=selection.one_per_event,
+        fit=selection.fit,
+        components=selection.components,
         scale_to=section.scale_to,
     )
 

@@ -58,30 +58,30 @@ def report_matter_of(content: Content, folder: Path) -> ReportMatter:
     ProjectError
         If a picture cannot be read.
     """
-    said = content.report
-    logo = None if said.logo is None else read_picture(said.logo, key="report.logo", folder=folder)
+    front = content.report
+    logo = None if front.logo is None else read_picture(front.logo, key="report.logo", folder=folder)
     return ReportMatter(
-        client=said.client or content.client,
-        address=said.address,
-        coordinates=said.coordinates,
-        author=said.author,
-        office=said.office,
-        licence_number=said.licence_number,
-        checker=said.checker or content.checker,
-        date=said.date or content.date,
-        status=said.status,
+        client=front.client or content.client,
+        address=front.address,
+        coordinates=front.coordinates,
+        author=front.author,
+        office=front.office,
+        licence_number=front.licence_number,
+        checker=front.checker or content.checker,
+        date=front.date or content.date,
+        status=front.status,
         engineer=content.engineer,
-        reference=said.reference or content.reference,
-        revisions=tuple(Revision(each.number, each.date, each.description, each.author) for each in said.revisions),
-        seismic_zone=said.seismic_zone,
-        national_annex=said.national_annex,
-        building_type=said.building_type or "",
+        reference=front.reference or content.reference,
+        revisions=tuple(Revision(each.number, each.date, each.description, each.author) for each in front.revisions),
+        seismic_zone=front.seismic_zone,
+        national_annex=front.national_annex,
+        building_type=front.building_type or "",
         logo=logo,
         figures=tuple(
             read_picture(each.file, key=f"report.figures[{place}].file", folder=folder, caption=each.caption)
-            for place, each in enumerate(said.figures, start=1)
+            for place, each in enumerate(front.figures, start=1)
         ),
-        checklist=checklist(said, content.mechanisms),
+        checklist=checklist(front, content.mechanisms),
     )
 
 
@@ -374,12 +374,12 @@ def _sizes_given(shape: ProjectSection) -> Iterator[str]:
 
 def _uses_of_mechanism(mechanism: Mechanism) -> Iterator[str]:
     """Yield sides, joints and the rule of restitution, as they came out with all defaults."""
-    said = set(map(str, mechanism.restitution_said))
+    rules = set(map(str, mechanism.restitution_said))
     if mechanism.sides == "one":
         yield "one-sided"
         if any(getattr(each, "key", "") == "restitution-3-45" for each in mechanism.restitution_said):
             yield "restitution one-sided"
-    yield from (word for rule, word in USE_OF_RESTITUTION.items() if rule in said)
+    yield from (word for rule, word in USE_OF_RESTITUTION.items() if rule in rules)
     joints = [joint for chain in (mechanism.positive, mechanism.negative) if chain for joint in chain.joints]
     if not joints or None in joints:
         yield "rigid"
@@ -425,7 +425,7 @@ def _amplification(study: Study) -> Iterable[str]:
 
 
 def _uses_of_analysis(content: sections.Content) -> Iterator[str]:
-    asked = content.analysis
+    analysis = content.analysis
     for word in ("sensitivity", "uncertainty", "fragility", "risk"):
-        if getattr(asked, word) not in (None, False):
+        if getattr(analysis, word) not in (None, False):
             yield word

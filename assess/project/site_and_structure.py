@@ -122,8 +122,8 @@ def cut_of(
 ) -> float | CutPlane | CutAngle | None:
     """Return the key `cut`."""
     if isinstance(cut, sections.CutPlaneSection):
-        return CutPlane(cut.point, cut.normal)
-    return CutAngle(cut.point, cut.angle) if isinstance(cut, sections.CutAngleSection) else cut
+        return fill(CutPlane, cut)
+    return fill(CutAngle, cut) if isinstance(cut, sections.CutAngleSection) else cut
 
 
 def hinges_of(hinges: Any) -> Any:
@@ -134,14 +134,14 @@ def hinges_of(hinges: Any) -> Any:
 def joints_of(joints: Any) -> Any:
     """Return the key `joints` of an arch."""
     if isinstance(joints, sections.RadialJointsSection):
-        return RadialJoints(joints.centre, joints.first, joints.last, joints.count)
+        return fill(RadialJoints, joints)
     return joints
 
 
 def models_of(bodies: Mapping[str, sections.Body], *, known: MeshesBySelection) -> MeshesBySelection:
     """Read what the bodies take from model files, each file once; `known` has been read already."""
-    asked = {name: (body.mesh, body.element) for name, body in bodies.items() if isinstance(body, sections.MeshBody)}
-    return {**known, **read_selected_meshes({name: one for name, one in asked.items() if one not in known})}
+    choices = {name: (body.mesh, body.element) for name, body in bodies.items() if isinstance(body, sections.MeshBody)}
+    return {**known, **read_selected_meshes({name: one for name, one in choices.items() if one not in known})}
 
 
 def solid_of(
@@ -166,22 +166,9 @@ def bodies_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> 
 
 def _body(name: str, body: sections.Body, content: sections.Content, solid: Solid | None) -> Body:
     if isinstance(body, sections.DirectBody):
-        values = PointValues(mass=body.mass, centroid=body.centroid, inertia=body.inertia)
-        return Body(name=name, solid=solid, values=values)
-    return Body(name=name, solid=solid, material=material_of(body.material, content))
-
-
-def material_of(name: str, content: sections.Content) -> Material:
-    """Return one of the materials of a project."""
-    given = content.materials[name]
-    return Material(
-        name=name,
-        density=given.density,
-        young_modulus=given.young_modulus,
-        compressive_strength=given.compressive_strength,
-        tensile_strength=given.tensile_strength,
-        friction=given.friction,
-    )
+        return Body(name=name, solid=solid, values=fill(PointValues, body))
+    material = fill(Material, content.materials[body.material], name=body.material)
+    return Body(name=name, solid=solid, material=material)
 
 
 def ground_of(
@@ -207,8 +194,8 @@ def ground_mechanism(section: sections.Mechanism, mechanism: Mechanism, ground: 
 
 def amplification_method_of(section: sections.Mechanism) -> AmplificationChoice | None:
     """Return the key `amplification` of a mechanism; None for the ground's motion as it is."""
-    asked = section.amplification
-    return None if isinstance(asked, sections.NoAmplification) else fill(AmplificationChoice, asked)
+    method = section.amplification
+    return None if isinstance(method, sections.NoAmplification) else fill(AmplificationChoice, method)
 
 
 def structure_of(building: sections.BuildingSection | None) -> Structure:
@@ -415,11 +402,11 @@ def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
         return spectrum
     state, use_class = section.limit_state or DEFAULT_STATE, section.use_class or ""
     life = section.nominal_life
-    asked: dict[str, float | str] = {"limit_state": state, "nominal_life": life, "use_class": use_class}
+    parameters: dict[str, float | str] = {"limit_state": state, "nominal_life": life, "use_class": use_class}
     if use_class:
-        asked["use_coefficient"] = ntc.USE_FACTORS[use_class]
-        asked["reference_life"] = ntc.reference_life(life, use_class=use_class)
-    return replace(spectrum, parameters={**asked, **spectrum.parameters})
+        parameters["use_coefficient"] = ntc.USE_FACTORS[use_class]
+        parameters["reference_life"] = ntc.reference_life(life, use_class=use_class)
+    return replace(spectrum, parameters={**parameters, **spectrum.parameters})
 
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")

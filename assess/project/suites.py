@@ -166,7 +166,7 @@ class SelectedSuite:
 def select_for_target(
     target: Path,
     places: Sequence[Path],
-    wanted: SuiteOptions,
+    options: SuiteOptions,
     *,
     overrides: HeaderOverrides,
     flatfile: Path | None,
@@ -179,7 +179,7 @@ def select_for_target(
     ----------
     target : a project, or a table of period and acceleration
     places : files and folders of records
-    wanted : options of the command line
+    options : of the command line
     overrides : what files do not state themselves
     flatfile : magnitudes and distances of the recordings
     kept : file of the catalogue, if it is not in the folder
@@ -189,16 +189,16 @@ def select_for_target(
     ------
     AssessError : an option cannot be followed
     """
-    spectrum, criteria = spectrum_at(target), criteria_of(wanted)
+    spectrum, criteria = spectrum_at(target), criteria_of(options)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
     offer = suites.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
-    if wanted.code is None:
+    if options.code is None:
         found, own = select(offer.candidates, spectrum, criteria), {}
         chosen = suites.record_set(found, criteria.band, folder=Path.cwd())
         motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     else:
-        code: CodeName = _one_of("for", wanted.code, CodeName)
+        code: CodeName = _one_of("for", options.code, CodeName)
         making = SELECTION_RULES[code]
         low, high = truncate_band(criteria.band, spectrum.longest_period).ends
         goal = SuiteTarget(spectrum, spectrum, low / BELOW, high / ABOVE)
@@ -215,9 +215,9 @@ def select_for_target(
     return SelectedSuite(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
-def criteria_of(wanted: SuiteOptions) -> SuiteCriteria:
+def criteria_of(options: SuiteOptions) -> SuiteCriteria:
     """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
-    spans = {**wanted.spans, "scale-limits": wanted.scale_limits}
+    spans = {**options.spans, "scale-limits": options.scale_limits}
     for name, span in spans.items():
         if span is not None and (isnan(span[0]) or isnan(span[1])):
             raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first")
@@ -225,17 +225,17 @@ def criteria_of(wanted: SuiteOptions) -> SuiteCriteria:
             raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
     si = {
         name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
-        for name, span in wanted.spans.items()
+        for name, span in options.spans.items()
     }
     return SuiteCriteria(
-        count=wanted.count,
-        band=band(*wanted.periods),
-        filters=CandidateFilters(**si, events=wanted.events),
-        scale_limits=wanted.scale_limits,
-        one_per_event=wanted.one_per_event,
-        fit=_one_of("fit", wanted.fit, Fit),
-        components=_one_of("components", wanted.components, Components),
-        scale_to=_one_of("scale-to", wanted.scale_to, ScaleTo),
+        count=options.count,
+        band=band(*options.periods),
+        filters=CandidateFilters(**si, events=options.events),
+        scale_limits=options.scale_limits,
+        one_per_event=options.one_per_event,
+        fit=_one_of("fit", options.fit, Fit),
+        components=_one_of("components", options.components, Components),
+        scale_to=_one_of("scale-to", options.scale_to, ScaleTo),
     )
 
 

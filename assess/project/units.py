@@ -158,8 +158,8 @@ def _from_text(text: str, kind: QuantityKind) -> Fraction:
     try:
         number, unit = number_and_unit(text)
     except QuantityError as error:
-        said = str(error)
-        raise QuantityError(said if "; write " in said else f"{said}; {_remedy(kind)}") from None
+        reason = str(error)
+        raise QuantityError(reason if "; write " in reason else f"{reason}; {_remedy(kind)}") from None
     if not math.isfinite(float(number)):
         raise QuantityError(f"not a finite number; {_remedy(kind)}")
     return Fraction(number) * _factor(unit, kind)
@@ -447,9 +447,9 @@ def _pattern_of_names(kind: QuantityKind) -> str:
     """Return the pattern of the kind's names, with prefix and plural, and signs."""
     prefixes, names = (list(filter(str.isascii, each)) for each in prefixes_and_names(kind))
     single = [each for each in (*SIGNS, *USUAL.get(kind.name, {}), *UNITS_OF_ACCELERATION) if _is_plain_unit(each)]
-    alone = dict.fromkeys(each for each in single if each not in names and reads_unit(each, kind))
+    without_prefix = dict.fromkeys(each for each in single if each not in names and reads_unit(each, kind))
     with_prefix = f"{_any_of(prefixes)}?{_any_of(names)}s?" if names else ""
-    return "|".join(filter(None, (_any_of(alone) if alone else "", with_prefix)))
+    return "|".join(filter(None, (_any_of(without_prefix) if without_prefix else "", with_prefix)))
 
 
 def _refused_units(kind: QuantityKind) -> Iterator[str]:

@@ -54,7 +54,7 @@ class VariedMechanism:
     amplified: MechanismAmplification
     project: Project
     solids: Solids
-    alone: StudyOfMechanism
+    build_study: StudyOfMechanism
 
     @property
     def name(self) -> str:
@@ -74,14 +74,14 @@ class VariedMechanism:
 
 
 def variables_of(
-    project: Project, study: Study, solids: Solids, alone: StudyOfMechanism
+    project: Project, study: Study, solids: Solids, build_study: StudyOfMechanism
 ) -> tuple[Variable | UnvariedNumber, ...]:
     """Return every variable of every mechanism of a study; none if no sensitivity is requested.
 
-    alone : builds the study of one mechanism from other content, with some bodies replaced
+    build_study : builds the study of one mechanism from other content, with some bodies replaced
     """
-    asked = project.content.analysis.sensitivity
-    if asked is None:
+    sensitivity = project.content.analysis.sensitivity
+    if sensitivity is None:
         return ()
     swept = {name for each in project.variations for name in dependents(project.content, each.path)}
     found: list[Variable | UnvariedNumber] = []
@@ -89,9 +89,9 @@ def variables_of(
         if mechanism.name in swept:
             found.append(UnvariedNumber(mechanism.name, "", SWEPT))
         else:
-            faced = fix_direction(project, mechanism)
+            directed = fix_direction(project, mechanism)
             found += variables_of_mechanism(
-                VariedMechanism(mechanism, study.amplified[mechanism.name], faced, solids, alone), asked
+                VariedMechanism(mechanism, study.amplified[mechanism.name], directed, solids, build_study), sensitivity
             )
     return tuple(found)
 
@@ -110,17 +110,17 @@ def fix_direction(project: Project, mechanism: Mechanism) -> Project:
 
 
 def variables_of_mechanism(
-    subject: VariedMechanism, asked: sections.Sensitivity
+    subject: VariedMechanism, sensitivity: sections.Sensitivity
 ) -> Iterator[Variable | UnvariedNumber]:
     """Yield the variables of one mechanism that are requested."""
-    if asked.thickness is not None and isinstance(subject.section, sections.ChainSection):
-        yield vary_thickness(subject, subject.section, asked.thickness)
+    if sensitivity.thickness is not None and isinstance(subject.section, sections.ChainSection):
+        yield vary_thickness(subject, subject.section, sensitivity.thickness)
     for number in dict.fromkeys(numbers_of(subject)):
-        change = asked.entries()[number.parameter]
+        change = sensitivity.entries()[number.parameter]
         if change is not None:
             yield vary_at_key(subject, number, change)
-    if asked.restitution is not None:
-        yield vary_restitution(subject, asked.restitution)
+    if sensitivity.restitution is not None:
+        yield vary_restitution(subject, sensitivity.restitution)
 
 
 def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
@@ -201,7 +201,7 @@ def study_with_number(subject: VariedMechanism, path: KeyPath, value: Any) -> St
     project = subject.project
     raw = with_value(project.raw, path, value, project.content)
     content = read_case(raw, project.folder, path, value, name=key_text(path))
-    return subject.alone(subject.name, content, {})
+    return subject.build_study(subject.name, content, {})
 
 
 def vary_between(at_base: Variable, change: sections.Change) -> Variable | UnvariedNumber:
@@ -239,12 +239,12 @@ def vary_thickness(
     subject: VariedMechanism, section: sections.ChainSection, change: sections.Change
 ) -> Variable | UnvariedNumber:
     """Vary the size of the blocks along the direction about the middle of the base, whose thickness names it."""
-    foot = block_base(subject, section)
-    if isinstance(foot, str):
-        return UnvariedNumber(subject.name, "thickness", foot)
-    study_at = partial(study_with_thickness, subject, section, width=foot.width, middle=foot.middle)
+    base = block_base(subject, section)
+    if isinstance(base, str):
+        return UnvariedNumber(subject.name, "thickness", base)
+    study_at = partial(study_with_thickness, subject, section, width=base.width, middle=base.middle)
     return vary_between(
-        Variable(subject.name, "thickness", key_of_thickness(section), "m", *(foot.width,) * 3, study_at), change
+        Variable(subject.name, "thickness", key_of_thickness(section), "m", *(base.width,) * 3, study_at), change
     )
 
 
@@ -257,13 +257,13 @@ class BlockBase(NamedTuple):
 
 def block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
     """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
-    why = why_thickness_is_fixed(subject, section)
-    if why:
-        return why
+    reason = why_thickness_is_fixed(subject, section)
+    if reason:
+        return reason
     definition: BlockMechanism = definition_of(section)
-    foot = pieces_of(subject.name, definition, bodies_of(subject.project.content, subject.solids))[0].body.base
-    assert foot is not None  # every body has geometry
-    (low, _), (high, _) = foot
+    base = pieces_of(subject.name, definition, bodies_of(subject.project.content, subject.solids))[0].body.base
+    assert base is not None  # every body has geometry
+    (low, _), (high, _) = base
     return BlockBase(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
 
 
@@ -293,8 +293,8 @@ def study_with_thickness(
     subject: VariedMechanism, section: sections.ChainSection, value: float, *, width: float, middle: float
 ) -> Study:
     """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
-    thick = thick_blocks(section, subject.solids, factor=value / width, middle=middle)
-    return subject.alone(subject.name, subject.project.content, thick)
+    blocks = thick_blocks(section, subject.solids, factor=value / width, middle=middle)
+    return subject.build_study(subject.name, subject.project.content, blocks)
 
 
 def thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
@@ -307,13 +307,17 @@ def thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: floa
 LOAD_TOLERANCE = 0.05  # share
 
 
-def survey_of(project: Project, study: Study, solids: Mapping[str, Solid | None], alone: StudyOfMechanism) -> Survey:
+def survey_of(
+    project: Project, study: Study, solids: Mapping[str, Solid | None], build_study: StudyOfMechanism
+) -> Survey:
     """Return what gives the numbers of a mechanism that the survey's tolerance bears on, by its name."""
     mechanisms = {mechanism.name: mechanism for mechanism in study.mechanisms}
 
     def variables(name: str) -> tuple[Variable, ...]:
         mechanism = mechanisms[name]
-        subject = VariedMechanism(mechanism, study.amplified[name], fix_direction(project, mechanism), solids, alone)
+        subject = VariedMechanism(
+            mechanism, study.amplified[name], fix_direction(project, mechanism), solids, build_study
+        )
         return tuple(_surveyed_variables(subject, mechanism, tolerance=project.content.verdict.survey_tolerance))
 
     return variables
@@ -352,7 +356,7 @@ def _study_with_moved_hinge(
     project, moved = subject.project, [at + shift * each for at, each in zip(place, way, strict=True)]
     raw = with_value(project.raw, path, moved, project.content)
     content = sections.Content.model_validate(raw, context={"folder": project.folder})
-    return subject.alone(subject.name, content, {})
+    return subject.build_study(subject.name, content, {})
 
 
 THICKNESS_GROUP = "thickness"
@@ -375,7 +379,7 @@ class SampledThickness:
     """The blocks of a mechanism whose thickness is sampled: the table, and the base that they are scaled about."""
 
     section: sections.ChainSection
-    foot: BlockBase
+    base: BlockBase
 
 
 def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesOf) -> Sampling | None:
@@ -383,47 +387,47 @@ def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesO
 
     Raises ProjectError if it asks and has none.
     """
-    asked = project.content.analysis.uncertainty
-    if asked is None:
+    section = project.content.analysis.uncertainty
+    if section is None:
         return None
     varied = {name for each in project.variations for name in dependents(project.content, each.path)}
     swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in varied]
-    faced = reduce(fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
+    directed = reduce(fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
     beside = {mechanism.name: mechanism.beside for mechanism in study.mechanisms}
     numbers = [
         SampledNumber(
             value.given,
             value.least,
             value.most,
-            tuple(name for name in dependents(faced.content, value.path, beside=beside) if name not in swept),
+            tuple(name for name in dependents(directed.content, value.path, beside=beside) if name not in swept),
         )
         for value in project.uncertain
     ]
-    thick: dict[str, SampledThickness] = {}
+    thicknesses: dict[str, SampledThickness] = {}
 
-    def study_alone(name: str, content: sections.Content, replaced: Mapping[str, Solid]) -> Study:
+    def build_study(name: str, content: sections.Content, replaced: Mapping[str, Solid]) -> Study:
         return cases_of(content).build(name, replaced)
 
     notes = [note("uncertainty-left-out", f"mechanisms.{name}", why=Term(SWEPT)) for name in swept]
-    if asked.thickness is not None:
-        found = dict(_sampled_thicknesses(faced, study, solids, study_alone, swept))
-        thick = {name: each for name, each in found.items() if isinstance(each, SampledThickness)}
+    if section.thickness is not None:
+        found = dict(_sampled_thicknesses(directed, study, solids, build_study, swept))
+        thicknesses = {name: each for name, each in found.items() if isinstance(each, SampledThickness)}
         for name, each in found.items():
             if isinstance(each, str):
                 notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(each)))
             else:
-                key, mean = key_of_thickness(each.section), each.foot.width
-                given = UncertainInput(key, "m", mean, asked.thickness, "lognormal", THICKNESS_GROUP)
+                key, mean = key_of_thickness(each.section), each.base.width
+                given = UncertainInput(key, "m", mean, section.thickness, "lognormal", THICKNESS_GROUP)
                 numbers.append(SampledNumber(given, 0.0, float("inf"), (name,)))
     if not numbers:
         remedy = "write numbers as { mean, cov }, or thickness = 0.05 here"
         raise ProjectError(f"{UNCERTAINTY_KEY}: no number of the project is uncertain; {remedy}")
-    study_at = partial(_study_at_samples, faced, project.uncertain, thick, cases_of)
-    return Sampling(asked.samples, asked.seed, tuple(numbers), study_at, tuple(notes))
+    study_at = partial(_study_at_samples, directed, project.uncertain, thicknesses, cases_of)
+    return Sampling(section.samples, section.seed, tuple(numbers), study_at, tuple(notes))
 
 
 def _sampled_thicknesses(
-    project: Project, study: Study, solids: Solids, study_alone: StudyOfMechanism, swept: Sequence[str]
+    project: Project, study: Study, solids: Solids, build_study: StudyOfMechanism, swept: Sequence[str]
 ) -> Iterator[tuple[str, SampledThickness | str]]:
     """Yield the mechanisms whose thickness no number of the file varies, or why it cannot be varied."""
     own = {value.path[1] for value in project.uncertain if value.path[0] == "bodies"}
@@ -433,23 +437,23 @@ def _sampled_thicknesses(
             continue
         if own & {name for block in section.blocks for name in block}:
             continue
-        subject = VariedMechanism(mechanism, study.amplified[mechanism.name], project, solids, study_alone)
-        foot = block_base(subject, section)
-        yield mechanism.name, foot if isinstance(foot, str) else SampledThickness(section, foot)
+        subject = VariedMechanism(mechanism, study.amplified[mechanism.name], project, solids, build_study)
+        base = block_base(subject, section)
+        yield mechanism.name, base if isinstance(base, str) else SampledThickness(section, base)
 
 
 def _study_at_samples(
     project: Project,
     uncertain: Sequence[UncertainValue],
-    thick: Mapping[str, SampledThickness],
+    thicknesses: Mapping[str, SampledThickness],
     cases_of: CasesOf,
     values: Sequence[float],
 ) -> Callable[[str], Study]:
-    """Return what builds the study of each mechanism at values of the numbers; those of `thick` come last.
+    """Return what builds the study of each mechanism at values of the numbers; those of `thicknesses` come last.
 
     Raises ProjectError if the schema refuses the values.
     """
-    at_keys, widths = values[: len(uncertain)], dict(zip(thick, values[len(uncertain) :], strict=True))
+    at_keys, widths = values[: len(uncertain)], dict(zip(thicknesses, values[len(uncertain) :], strict=True))
     raw = project.raw
     for number, value in zip(uncertain, at_keys, strict=True):
         raw = with_value(raw, number.path, value, project.content)
@@ -460,11 +464,11 @@ def _study_at_samples(
     cases = cases_of(content)
 
     def build(name: str) -> Study:
-        if name not in thick:
+        if name not in thicknesses:
             return cases.build(name, {})
-        section, foot = thick[name].section, thick[name].foot
-        factor = widths[name] / foot.width
-        return cases.build(name, thick_blocks(section, cases.solids, factor=factor, middle=foot.middle))
+        section, base = thicknesses[name].section, thicknesses[name].base
+        factor = widths[name] / base.width
+        return cases.build(name, thick_blocks(section, cases.solids, factor=factor, middle=base.middle))
 
     return build
 

@@ -16,35 +16,52 @@ from scipy.constants import g
 
 from assess.codes.calculation_sheet import UNANSWERED, Step, step
 from assess.codes.check import (
+    AMERICAN,
     TABLE_SPECTRUM,
     BranchName,
     Check,
+    CodeProcedure,
+    Family,
     Outcome,
     Reason,
     caveats_of,
     check_worst_branch,
     missing_ordinate,
     reason_message,
-    spectrum_caveats,
 )
 from assess.codes.context import PLINTH, Building, Context, Wall
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Branch, Oscillator, threshold
 
-SLENDERNESS = "asce41-13-ht"
+EDITION = "ASCE/SEI 41-13"
 CLAUSE, CHECKLIST = "ASCE 41-13 Table 11-5", "ASCE 41-13, checklist for nonstructural components"
+CAVEAT = (
+    "Table 11-5 is from memory, not checked against the printed standard; it presumes a wall anchored at its base and "
+    "top; S_X1 is that of the site's spectrum at the level, whatever hazard it represents"
+)
+CAVEAT_PARAPET = "the limits for parapets are from memory, not checked against the printed standard"
 KEY = "procedures.asce41-13.s_x1"
 PERIOD, DAMPING = 1.0, 0.05  # s, of S_X1
+Position = Literal["one-storey", "first-storey", "top-storey", "other"]
+STRICTEST: Position = "top-storey"
+MILDEST: Position = "first-storey"
+Masonry = Literal["coursed", "rubble"]
+Seismicity = Literal["moderate", "high"]
 
-PERMITTED: Mapping[Position | Seismicity, str] = {
-    "one-storey": "the permissible h/t (wall of a one-storey building)",
-    "first-storey": "the permissible h/t (first-storey wall of a multistorey building)",
-    "top-storey": "the permissible h/t (wall in the top storey of a multistorey building)",
-    "other": "the permissible h/t (all other walls)",
-    "moderate": "the permissible h/t of parapets in moderate seismicity",
-    "high": "the permissible h/t of parapets in high seismicity",
-}
-SEISMICITY: Mapping[Seismicity, str] = {"moderate": "moderate seismicity, given", "high": "high seismicity, given"}
+
+@dataclass(frozen=True)
+class Asce41Options:
+    """Options of the permissible h/t.
+
+    position : row of Table 11-5; None where storeys and elevation decide
+    masonry : None where it is not given; seismicity : of the site, for parapets
+    s_x1 : at the site's own PGA [g]; None for the ordinate of the spectrum at 1 s
+    """
+
+    position: Position | None = None
+    masonry: Masonry | None = None
+    seismicity: Seismicity = "high"
+    s_x1: float | None = None
 
 
 def assess_slenderness(oscillator: Oscillator, context: Context, *, options: Asce41Options) -> tuple[Check, ...]:
@@ -56,11 +73,23 @@ def assess_slenderness(oscillator: Oscillator, context: Context, *, options: Asc
     return check_worst_branch(oscillator, context.levels, one)
 
 
+ASCE41_13_SLENDERNESS = CodeProcedure(
+    name="asce41-13-ht",
+    family=Family.TABLE,
+    assess=assess_slenderness,
+    title=Term("ASCE 41-13, slenderness"),
+    short_title=Term("ASCE 41-13"),
+    work="asce41-13",
+    options="asce41_13",
+    spectra=AMERICAN,
+)
+
+
 def _check(branch: Branch, name: BranchName, context: Context, options: Asce41Options, level: float) -> Check:
     verdict, reason = _outcome_without_numbers(context, options)
     parapet = is_parapet(context)
     empty = Check(
-        procedure=SLENDERNESS,
+        procedure=ASCE41_13_SLENDERNESS.name,
         edition=EDITION,
         branch=name,
         limit_state="life safety, collapse prevention",
@@ -72,7 +101,9 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Asce41Op
         verdict=verdict,
         reason=reason,
         uplift_pga_g=threshold(branch),
-        **caveats_of(CAVEAT_PARAPET if parapet else CAVEAT, *spectrum_caveats(SLENDERNESS, context.spectrum.code)),
+        **caveats_of(
+            CAVEAT_PARAPET if parapet else CAVEAT, *ASCE41_13_SLENDERNESS.spectrum_caveats(context.spectrum.code)
+        ),
         conditions=() if options.masonry else (message("premise-coursed", severity=Severity.WARNING),),
         steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=UNANSWERED),),
     )
@@ -174,50 +205,30 @@ def _ratio_step(slenderness: float, most: float) -> Step:
     return step("D/C", "ratio", CLAUSE, "h/t / max h/t", slenderness / most, given=given)
 
 
-EDITION = "ASCE/SEI 41-13"
-
-CAVEAT = (
-    "Table 11-5 is from memory, not checked against the printed standard; it presumes a wall anchored at its base and "
-    "top; S_X1 is that of the site's spectrum at the level, whatever hazard it represents"
-)
-CAVEAT_PARAPET = "the limits for parapets are from memory, not checked against the printed standard"
-Position = Literal["one-storey", "first-storey", "top-storey", "other"]
-STRICTEST: Position = "top-storey"
-MILDEST: Position = "first-storey"
-Masonry = Literal["coursed", "rubble"]
-Seismicity = Literal["moderate", "high"]
-BOUNDS = (0.24, 0.37)  # g: S_X1 up to which the first and the second column hold
-
-PERMISSIBLE: Mapping[Position, tuple[float, float, float]] = {  # h/t [-], Table 11-5
-    "one-storey": (20.0, 16.0, 13.0),
-    "first-storey": (20.0, 18.0, 15.0),
-    "top-storey": (14.0, 14.0, 9.0),
-    "other": (20.0, 16.0, 13.0),
+PERMITTED: Mapping[Position | Seismicity, str] = {
+    "one-storey": "the permissible h/t (wall of a one-storey building)",
+    "first-storey": "the permissible h/t (first-storey wall of a multistorey building)",
+    "top-storey": "the permissible h/t (wall in the top storey of a multistorey building)",
+    "other": "the permissible h/t (all other walls)",
+    "moderate": "the permissible h/t of parapets in moderate seismicity",
+    "high": "the permissible h/t of parapets in high seismicity",
 }
-
+SEISMICITY: Mapping[Seismicity, str] = {"moderate": "moderate seismicity, given", "high": "high seismicity, given"}
 PLACES: Mapping[Position, str] = {
     "one-storey": "wall of a one-storey building",
     "first-storey": "first-storey wall of a multistorey building",
     "top-storey": "wall in the top storey of a multistorey building",
     "other": "all other walls",
 }
+BOUNDS = (0.24, 0.37)  # g: S_X1 up to which the first and the second column hold
+PERMISSIBLE: Mapping[Position, tuple[float, float, float]] = {  # h/t [-], Table 11-5
+    "one-storey": (20.0, 16.0, 13.0),
+    "first-storey": (20.0, 18.0, 15.0),
+    "top-storey": (14.0, 14.0, 9.0),
+    "other": (20.0, 16.0, 13.0),
+}
 PARAPET: Mapping[Seismicity, float] = {"moderate": 2.5, "high": 1.5}  # h/t [-]
 NEAR_ROOF = 0.5  # m: what stands free no lower than this under the top of the building stands on it
-
-
-@dataclass(frozen=True)
-class Asce41Options:
-    """Options of the permissible h/t.
-
-    position : row of Table 11-5; None where storeys and elevation decide
-    masonry : None where it is not given; seismicity : of the site, for parapets
-    s_x1 : at the site's own PGA [g]; None for the ordinate of the spectrum at 1 s
-    """
-
-    position: Position | None = None
-    masonry: Masonry | None = None
-    seismicity: Seismicity = "high"
-    s_x1: float | None = None
 
 
 def permissible_slenderness(position: Position, s_x1: float) -> float:

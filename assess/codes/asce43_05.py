@@ -39,6 +39,8 @@ from assess.codes.calculation_sheet import (
 from assess.codes.check import (
     BranchName,
     Check,
+    CodeProcedure,
+    Family,
     InputAt,
     Outcome,
     Reason,
@@ -47,7 +49,6 @@ from assess.codes.check import (
     check_worst_branch,
     reason_message,
 )
-from assess.codes.check import Reading as Kind
 from assess.codes.context import Context
 from assess.codes.pga_rotation import (
     PgaOf,
@@ -61,7 +62,7 @@ from assess.codes.pga_rotation import (
     to_equivalent_blocks,
     to_pga_curve,
 )
-from assess.messages.message import Severity, message
+from assess.messages.message import Severity, Term, message
 from assess.oscillator import (
     Branch,
     Oscillator,
@@ -76,6 +77,23 @@ from assess.oscillator import (
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
+EDITION = "ASCE/SEI 43-05"
+A2_CAVEAT = "Appendix A.2 was not checked against the printed standard: its equations were re-derived from energy"
+A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "thesis 8.3.2"
+HALF = 0.5  # of the rotation that overturns: allowed to the mean of the maxima of response histories
+THIRD = 1.0 / 3.0  # of the same: allowed by A.2
+THESIS_DAMPING = 0.05
+
+
+@dataclass(frozen=True)
+class Asce43Options:
+    """Options of ASCE 43-05.
+
+    allowable_sliding : of a rigid body on its base [m]; None: sliding is given for information
+    """
+
+    allowable_sliding: float | None = None
+
 
 def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
     """Return the checks of A.2 with the demand at f_e and beta_e from uplift on, one for each level."""
@@ -84,6 +102,18 @@ def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce43
         return clause_reading(branch, context, f_v=f_v)
 
     return _spectrum_checks(oscillator, context, reading, own=oscillator)
+
+
+ASCE43_05_SPECTRUM = CodeProcedure(
+    name="asce43-05-spectrum",
+    family=Family.ENERGY,
+    assess=assess_spectrum,
+    title=Term("ASCE 43-05, approximate method"),
+    short_title=Term("ASCE 43-05 approximate"),
+    work="asce43-05",
+    options="asce43_05",
+    damped_by_impacts=True,
+)
 
 
 def assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
@@ -96,19 +126,16 @@ def assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options:
     return _spectrum_checks(like, context, reading, own=oscillator)
 
 
-Where = Literal["demand", "limit", "end"]
-
-ROTATION: Mapping[Where, str] = {
-    "demand": "rotation at the demand",
-    "limit": "the allowable rotation",
-    "end": "rotation where the curve ends, as the spectrum does",
-}
-
-PGA_THERE: Mapping[Where, str] = {
-    "demand": "PGA that takes the body to θ, at the demand",
-    "limit": "PGA that takes the body to θ, at the allowable rotation",
-    "end": "PGA that takes the body to θ, where the curve ends",
-}
+ASCE43_05_SPECTRUM_THESIS = CodeProcedure(
+    name="asce43-05-spectrum-thesis",
+    family=Family.ENERGY,
+    assess=assess_spectrum_thesis,
+    title=Term("ASCE 43-05, approximate method, thesis reading"),
+    short_title=Term("ASCE 43-05 appr., thesis"),
+    work="asce43-05",
+    options="asce43_05",
+    reading="thesis",
+)
 
 
 @dataclass(frozen=True)
@@ -121,8 +148,7 @@ class SpectrumReading:
     in_range : whether the limit holds for such a body
     """
 
-    procedure: str
-    kind: Kind
+    procedure: CodeProcedure
     damping: float
     damping_steps: tuple[Step, ...]
     spectrum: Spectrum
@@ -135,6 +161,100 @@ class SpectrumReading:
 
 
 ReadingOf = Callable[[Branch, float], SpectrumReading]
+
+
+def clause_reading(branch: Branch, context: Context, *, f_v: float) -> SpectrumReading:
+    """Read the clause to the letter: demand at f_e and beta_e from uplift on, a third of overturning allowed.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : the site, and the floor's spectrum where the mechanism is above the ground
+    f_v : factor of vertical motion [-]
+
+    Returns
+    -------
+    Reading
+    """
+    damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
+    floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
+    if floor is None:
+        curve = spectral_pga_rotation(branch, context.spectrum, damping=damping, f_v=f_v, uplift=uplift)
+    else:
+        curve = floor_spectral_pga_rotation(branch, floor, damping=damping, f_v=f_v, uplift=uplift, pga=pga)
+    return SpectrumReading(
+        procedure=ASCE43_05_SPECTRUM,
+        damping=damping,
+        damping_steps=_effective_damping_steps(branch.restitution, damping),
+        spectrum=floor or context.spectrum,
+        pga=pga,
+        input_at="ground" if floor is None else "mechanism base",
+        curve=curve,
+        limit=THIRD * branch.unstable,
+        limit_steps=_limit_steps(branch, curve),
+    )
+
+
+def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float) -> SpectrumReading:
+    """Read the clause as the thesis does (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : the site
+    f_v : factor of vertical motion [-]
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    Reading
+    """
+    block = equivalent_block(branch, mass=mass)
+    ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
+    limit, words = ratio * branch.unstable, "empirical: fits the thesis' Table 8.5, no derivation known"
+    given = {"φ_ov": (branch.unstable, "rad"), "k": (k, "-"), "α": (alpha, "rad")}
+    parts = {"I_O": (block.inertia, "kg m2"), "M": (mass, "kg"), "R": (block.radius, "m")}
+    return SpectrumReading(
+        procedure=ASCE43_05_SPECTRUM_THESIS,
+        damping=THESIS_DAMPING,
+        damping_steps=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING),),
+        spectrum=context.spectrum,
+        pga=context.spectrum.pga,
+        input_at="ground",
+        curve=spectral_pga_rotation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
+        limit=limit,
+        limit_steps=(
+            step("k", "inertia ratio of the equivalent block", THESIS, "I_O / (M R²)", k, given=parts),
+            step("θ_lim", words, THESIS, "φ_ov k α / sin(2 α)", limit, "rad", given=given),
+        ),
+        in_range=ratio <= 1.0,
+    )
+
+
+def _effective_damping_steps(restitution: float, damping: float) -> tuple[Step, ...]:
+    if restitution == 0.0:
+        return (step("β_e", "effective damping", A2, "1", damping, remark="no rebound", at={"C_R": restitution}),)
+    gamma = -2.0 * float(np.log(min(restitution, 1.0)))
+    return (
+        step("γ", "of two impacts in a cycle", A2, "−2 ln(min(C_R, 1))", gamma, given={"C_R": restitution}),
+        step("β_e", "effective damping", A2, "γ / √(4π² + γ²)", damping, given={"γ": gamma}),
+    )
+
+
+def _limit_steps(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
+    """Write the allowable rotation and, beside it, half of what overturns, with the PGA that takes the body there."""
+    overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
+    third = "allowed: one third of the rotation that overturns"
+    beside = "one half, the limit of response histories, for comparison"
+    at_half = pga_capacity(curve, half)
+    return (
+        instability_step("φ_ov", "rotation that overturns the body, joints included", A2, branch),
+        step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
+        step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),
+        step("PGA(θ_1/2)", "PGA at capacity if one half were allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
+             None if at_half is None else at_half / g, "g", at={"θ_1/2": (half, "rad")},
+             remark="on the curve of PGA over rotation of this method"),
+    )  # fmt: skip
 
 
 def _spectrum_checks(
@@ -168,9 +288,9 @@ def _spectrum_check(
     if not reading.in_range:
         answer = RotationOutcome(Outcome.NOT_APPLICABLE, reason_message(Reason.LIMIT_BEYOND_OVERTURNING), None)
     return Check(
-        procedure=reading.procedure,
+        procedure=reading.procedure.name,
         edition=EDITION,
-        reading=reading.kind,
+        reading=reading.procedure.reading,
         branch=name,
         limit_state="no overturning",
         level_pga_g=level / g,
@@ -242,6 +362,19 @@ def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
     return (step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", 0.0, "rad", at=at),)
 
 
+Where = Literal["demand", "limit", "end"]
+ROTATION: Mapping[Where, str] = {
+    "demand": "rotation at the demand",
+    "limit": "the allowable rotation",
+    "end": "rotation where the curve ends, as the spectrum does",
+}
+PGA_THERE: Mapping[Where, str] = {
+    "demand": "PGA that takes the body to θ, at the demand",
+    "limit": "PGA that takes the body to θ, at the allowable rotation",
+    "end": "PGA that takes the body to θ, where the curve ends",
+}
+
+
 def _rotation_steps(
     oscillator: Oscillator,
     branch: Branch,
@@ -284,120 +417,18 @@ def _rotation_steps(
     )  # fmt: skip
 
 
-THESIS_DAMPING = 0.05
-A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "thesis 8.3.2"
+def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
+    """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
+    return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
 
 
-def clause_reading(branch: Branch, context: Context, *, f_v: float) -> SpectrumReading:
-    """Read the clause to the letter: demand at f_e and beta_e from uplift on, a third of overturning allowed.
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    context : the site, and the floor's spectrum where the mechanism is above the ground
-    f_v : factor of vertical motion [-]
-
-    Returns
-    -------
-    Reading
-    """
-    damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
-    floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
-    if floor is None:
-        curve = spectral_pga_rotation(branch, context.spectrum, damping=damping, f_v=f_v, uplift=uplift)
-    else:
-        curve = floor_spectral_pga_rotation(branch, floor, damping=damping, f_v=f_v, uplift=uplift, pga=pga)
-    return SpectrumReading(
-        procedure="asce43-05-spectrum",
-        kind="letter",
-        damping=damping,
-        damping_steps=_effective_damping_steps(branch.restitution, damping),
-        spectrum=floor or context.spectrum,
-        pga=pga,
-        input_at="ground" if floor is None else "mechanism base",
-        curve=curve,
-        limit=THIRD * branch.unstable,
-        limit_steps=_limit_steps(branch, curve),
-    )
-
-
-def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float) -> SpectrumReading:
-    """Read the clause as the thesis does (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift.
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    context : the site
-    f_v : factor of vertical motion [-]
-    mass : total moved mass [kg]
-
-    Returns
-    -------
-    Reading
-    """
-    block = equivalent_block(branch, mass=mass)
-    ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
-    limit, words = ratio * branch.unstable, "empirical: fits the thesis' Table 8.5, no derivation known"
-    given = {"φ_ov": (branch.unstable, "rad"), "k": (k, "-"), "α": (alpha, "rad")}
-    parts = {"I_O": (block.inertia, "kg m2"), "M": (mass, "kg"), "R": (block.radius, "m")}
-    return SpectrumReading(
-        procedure="asce43-05-spectrum-thesis",
-        kind="thesis",
-        damping=THESIS_DAMPING,
-        damping_steps=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING),),
-        spectrum=context.spectrum,
-        pga=context.spectrum.pga,
-        input_at="ground",
-        curve=spectral_pga_rotation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
-        limit=limit,
-        limit_steps=(
-            step("k", "inertia ratio of the equivalent block", THESIS, "I_O / (M R²)", k, given=parts),
-            step("θ_lim", words, THESIS, "φ_ov k α / sin(2 α)", limit, "rad", given=given),
-        ),
-        in_range=ratio <= 1.0,
-    )
-
-
-def _effective_damping_steps(restitution: float, damping: float) -> tuple[Step, ...]:
-    if restitution == 0.0:
-        return (step("β_e", "effective damping", A2, "1", damping, remark="no rebound", at={"C_R": restitution}),)
-    gamma = -2.0 * float(np.log(min(restitution, 1.0)))
-    return (
-        step("γ", "of two impacts in a cycle", A2, "−2 ln(min(C_R, 1))", gamma, given={"C_R": restitution}),
-        step("β_e", "effective damping", A2, "γ / √(4π² + γ²)", damping, given={"γ": gamma}),
-    )
-
-
-def _limit_steps(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
-    """Write the allowable rotation and, beside it, half of what overturns, with the PGA that takes the body there."""
-    overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
-    third = "allowed: one third of the rotation that overturns"
-    beside = "one half, the limit of response histories, for comparison"
-    at_half = pga_capacity(curve, half)
-    return (
-        instability_step("φ_ov", "rotation that overturns the body, joints included", A2, branch),
-        step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
-        step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),
-        step("PGA(θ_1/2)", "PGA at capacity if one half were allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
-             None if at_half is None else at_half / g, "g", at={"θ_1/2": (half, "rad")},
-             remark="on the curve of PGA over rotation of this method"),
-    )  # fmt: skip
-
-
-EDITION = "ASCE/SEI 43-05"
-HALF = 0.5  # of the rotation that overturns: allowed to the mean of the maxima of response histories
-THIRD = 1.0 / 3.0  # of the same: allowed by A.2
-A2_CAVEAT = "Appendix A.2 was not checked against the printed standard: its equations were re-derived from energy"
-
-
-@dataclass(frozen=True)
-class Asce43Options:
-    """Options of ASCE 43-05.
-
-    allowable_sliding : of a rigid body on its base [m]; None: sliding is given for information
-    """
-
-    allowable_sliding: float | None = None
+def _with_height(check: Check, height: float) -> Check:
+    if check.input_at != "ground":
+        return check
+    words = "height of what holds the mechanism; the motion is that of the ground, not amplified"
+    line = step("z", words, "geometry", "z_base − z_ground", height, "m")
+    remark = message("ground-motion", severity=Severity.WARNING)
+    return replace(check, remarks=(*check.remarks, remark), steps=(line, *check.steps))
 
 
 def vertical_factor(a: float, ratio: float) -> float:
@@ -585,17 +616,3 @@ def _pga_of(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, p
         return capacity_acceleration(branch, rotation, f_v=f_v) / amplified
 
     return pga_of
-
-
-def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
-    """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
-    return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
-
-
-def _with_height(check: Check, height: float) -> Check:
-    if check.input_at != "ground":
-        return check
-    words = "height of what holds the mechanism; the motion is that of the ground, not amplified"
-    line = step("z", words, "geometry", "z_base − z_ground", height, "m")
-    remark = message("ground-motion", severity=Severity.WARNING)
-    return replace(check, remarks=(*check.remarks, remark), steps=(line, *check.steps))

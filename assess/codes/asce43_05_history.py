@@ -15,7 +15,18 @@ from scipy.constants import g
 
 from assess.codes.asce43_05 import EDITION, HALF, Asce43Options, warn_at_height
 from assess.codes.calculation_sheet import Step, instability_step, step
-from assess.codes.check import Check, NumericalSpread, Outcome, PgaCurve, Reason, branch_of, caveats_of, reason_message
+from assess.codes.check import (
+    Check,
+    CodeProcedure,
+    Family,
+    NumericalSpread,
+    Outcome,
+    PgaCurve,
+    Reason,
+    branch_of,
+    caveats_of,
+    reason_message,
+)
 from assess.codes.context import Context
 from assess.codes.histories import (
     Capacities,
@@ -36,6 +47,10 @@ from assess.oscillator import (
     Oscillator,
 )
 from spectra.arrays import BoolArray, FloatArray
+
+CLAUSE = "ASCE 43-05, response-history method"
+CAVEAT = "the method was read in the thesis, not in the printed standard"
+LEAST_RECORDS = 5
 
 
 def assess_history(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
@@ -62,9 +77,16 @@ def assess_history(oscillator: Oscillator, context: Context, *, options: Asce43O
     return warn_at_height(tuple(checks), context=context)
 
 
-CLAUSE = "ASCE 43-05, response-history method"
-CAVEAT = "the method was read in the thesis, not in the printed standard"
-LEAST_RECORDS = 5
+ASCE43_05_HISTORY = CodeProcedure(
+    name="asce43-05-history",
+    family=Family.HISTORY,
+    assess=assess_history,
+    title=Term("ASCE 43-05, response history"),
+    short_title=Term("ASCE 43-05 history"),
+    work="asce43-05",
+    options="asce43_05",
+    suite_rules="asce43-05",
+)
 
 
 @dataclass(frozen=True)
@@ -76,41 +98,6 @@ class ScanResult:
     uplift: float | None
 
 
-def run_shares(suite: SuiteResponse, oscillator: Oscillator) -> FloatArray:
-    """Return the shares of every run of each record [runs, records] [-]; inf where it overturned."""
-    runs = suite.runs
-    scale = [each.overturning / each.unstable for each in oscillator.branches]
-    return runs.ratio * np.where(runs.negative, scale[-1], scale[0])
-
-
-def rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[float | None, ...]:
-    """Return the largest rotation of each record over what overturns the mechanism in its branch [-].
-
-    Parameters
-    ----------
-    suite : the maxima of the records
-    oscillator : the mechanism
-
-    Returns
-    -------
-    tuple of float or None
-        None for a record that overturned the mechanism.
-    """
-    names = suite.branches or (suite.branch,) * len(suite.ratio)
-    branches = [branch_of(oscillator, name) for name in names]
-    return tuple(
-        None if ratio is None else ratio * branch.overturning / branch.unstable
-        for ratio, branch in zip(suite.ratio, branches, strict=True)
-    )
-
-
-def mean_share(suite: SuiteResponse, oscillator: Oscillator) -> float | None:
-    """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
-    found = rotation_shares(suite, oscillator)
-    standing = [share for share in found if share is not None]
-    return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
-
-
 def _check(
     oscillator: Oscillator, suite: SuiteResponse, context: Context, scanned: ScanResult, spread: NumericalSpread | None
 ) -> Check:
@@ -120,7 +107,7 @@ def _check(
     at_collapse = scanned.holds_to.sure
     demand, capacity = None if share is None else share * branch.unstable, HALF * branch.unstable
     return Check(
-        procedure="asce43-05-history",
+        procedure=ASCE43_05_HISTORY.name,
         edition=EDITION,
         branch=suite.branch,
         limit_state="no overturning",
@@ -164,6 +151,41 @@ def _outcome(suite: SuiteResponse, share: float | None) -> tuple[Outcome, Messag
     return Outcome.FAIL, reason_message(Reason.BEYOND, capacity=Term("the allowable mean of the maxima"))
 
 
+def run_shares(suite: SuiteResponse, oscillator: Oscillator) -> FloatArray:
+    """Return the shares of every run of each record [runs, records] [-]; inf where it overturned."""
+    runs = suite.runs
+    scale = [each.overturning / each.unstable for each in oscillator.branches]
+    return runs.ratio * np.where(runs.negative, scale[-1], scale[0])
+
+
+def rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[float | None, ...]:
+    """Return the largest rotation of each record over what overturns the mechanism in its branch [-].
+
+    Parameters
+    ----------
+    suite : the maxima of the records
+    oscillator : the mechanism
+
+    Returns
+    -------
+    tuple of float or None
+        None for a record that overturned the mechanism.
+    """
+    names = suite.branches or (suite.branch,) * len(suite.ratio)
+    branches = [branch_of(oscillator, name) for name in names]
+    return tuple(
+        None if ratio is None else ratio * branch.overturning / branch.unstable
+        for ratio, branch in zip(suite.ratio, branches, strict=True)
+    )
+
+
+def mean_share(suite: SuiteResponse, oscillator: Oscillator) -> float | None:
+    """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
+    found = rotation_shares(suite, oscillator)
+    standing = [share for share in found if share is not None]
+    return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
+
+
 def _steps(
     suite: SuiteResponse, found: tuple[float | None, ...], share: float | None, branch: Branch
 ) -> tuple[Step, ...]:
@@ -185,11 +207,6 @@ def _steps(
     return tuple(lines)
 
 
-def _shares_without_overturning(found: tuple[float | None, ...]) -> dict[str, float]:
-    """Return the maxima of the records that left the body standing, by number."""
-    return {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}
-
-
 def _largest_step(found: tuple[float | None, ...]) -> Step:
     symbol, words, each = (
         "max φ/φ_u",
@@ -208,3 +225,8 @@ def _mean_step(found: tuple[float | None, ...], share: float | None) -> Step:
         return step(symbol, words, CLAUSE, "Σ max |φ(t)| / φ_u / n", None, remark="a record overturned")
     each = _shares_without_overturning(found)
     return step(symbol, words, CLAUSE, f"({' + '.join(each)}) / {n}", share, given=each)
+
+
+def _shares_without_overturning(found: tuple[float | None, ...]) -> dict[str, float]:
+    """Return the maxima of the records that left the body standing, by number."""
+    return {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}

@@ -1,23 +1,31 @@
-"""One check of one code procedure, and the worse of the checks of a mechanism's two branches."""
+"""A procedure of a code as one object, one check of it, and the worse of the checks of a mechanism's two branches."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import inf
-from typing import Literal, TypedDict
+from typing import TYPE_CHECKING, Literal, TypedDict
 
 from assess.codes.calculation_sheet import Bound, Step
 from assess.messages.message import Message, Severity, Term, Value, message
 from assess.oscillator import Branch, Oscillator
 from assess.short_repr import ShortRepr
 
+if TYPE_CHECKING:
+    from assess.codes.italian_histories import HistoryRule
+
 Role = Literal["deciding", "comparison"]
 Reading = Literal["letter", "thesis"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base", "missing"]
 Unbounded = Literal["", "overturned", "beyond the spectrum"]
+
+AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
+EUROPEAN = ("ec8", "ntc2008", "ntc2018")
+NEW_ZEALAND = ("nzs1170.5",)
+TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
 
 NEEDED = 0.84
 """Share of the draws among the runs of histories in which a rule must hold for a pass."""
@@ -48,6 +56,54 @@ class Family(StrEnum):
     ELEMENT = "element"
     SLIDING = "sliding"
     FRICTION = "friction"
+
+
+@dataclass(frozen=True, kw_only=True)
+class CodeProcedure:
+    """A procedure of a code: each stands beside its formulas, and `assess.codes.registry` lists them all.
+
+    Attributes
+    ----------
+    name : as project files write it
+    family : the kind of comparison it makes
+    assess : makes the checks of an oscillator in a context, with `options` of its code where it has any
+    title, short_title : in the report; the shorter one for legends and narrow columns
+    work : the key of its source in the references of the report; empty for none
+    options : the field of `assess.codes.registry.CodeOptions` that it takes; empty for none
+    reading : whether it follows the clause, or a reading of the thesis, which is shown and never decides
+    limit_states : that it checks, of those its options request; empty where they request none
+    spectra : codes of the site spectra it is written for; empty for any
+    only_on_request : whether the project must name it, even where it is written for the site's spectrum
+    suite_rules : the code whose rules its suite of records must meet; empty where it uses none
+    history_rule : of a procedure that needs suites at a PGA of its own; else None
+    damped_by_impacts : whether its damping is that of impacts on both hinges, so that the body must rebound on both
+    """
+
+    name: str
+    family: Family
+    assess: Callable[..., tuple[Check, ...]]
+    title: Term
+    short_title: Term
+    work: str = ""
+    options: str = ""
+    reading: Reading = "letter"
+    limit_states: tuple[str, ...] = ()
+    spectra: tuple[str, ...] = ()
+    only_on_request: bool = False
+    suite_rules: str = ""
+    history_rule: HistoryRule | None = None
+    damped_by_impacts: bool = False
+
+    @property
+    def knowledge_code(self) -> str:
+        """The code whose knowledge levels and limit states it goes by; empty where it has none."""
+        return self.options if self.limit_states else ""
+
+    def spectrum_caveats(self, spectrum_code: str) -> tuple[Message, ...]:
+        """Return the caveat where the spectrum is of a code the procedure is not written for; else none."""
+        if not self.spectra or spectrum_code in (*self.spectra, TABLE_SPECTRUM):
+            return ()
+        return (message("other-spectrum", {"codes": ", ".join(self.spectra), "code": spectrum_code}),)
 
 
 class Reason(StrEnum):
@@ -236,6 +292,11 @@ class Check(ShortRepr):
     numerical: NumericalSpread | None = None
 
     @property
+    def follows_code(self) -> bool:
+        """Whether it follows the clause, not a reading of the thesis, and with no input milder than the code's own."""
+        return self.reading == "letter" and not self.informs
+
+    @property
     def unbounded(self) -> Unbounded:
         """Why it fails without a finite demand: the body overturns, or the spectrum ends first; "" where it slides."""
         if self.verdict != Outcome.FAIL or self.demand is not None or self.reason.key == Reason.SLIDING_BEYOND_BEFORE:
@@ -300,27 +361,3 @@ def worst_check(checks: Sequence[Check]) -> Check:
         return check.verdict == "fail", ratio, -at_collapse
 
     return max(checks, key=severity)
-
-
-AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
-EUROPEAN = ("ec8", "ntc2008", "ntc2018")
-NEW_ZEALAND = ("nzs1170.5",)
-TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
-
-WRITTEN_FOR: Mapping[str, tuple[str, ...]] = {
-    "asce41-13-ht": AMERICAN,
-    "ec8-element": EUROPEAN,
-    "nzsee2017-face-loaded": NEW_ZEALAND,
-}
-
-
-def is_written_for(procedure: str, spectrum_code: str) -> bool:
-    """Return whether a procedure is written for a spectrum of this code; True where it is for any."""
-    return procedure not in WRITTEN_FOR or spectrum_code in (*WRITTEN_FOR[procedure], TABLE_SPECTRUM)
-
-
-def spectrum_caveats(procedure: str, spectrum_code: str) -> tuple[Message, ...]:
-    """Return the caveat where the spectrum is of a code the procedure is not written for; else none."""
-    if is_written_for(procedure, spectrum_code):
-        return ()
-    return (message("other-spectrum", {"codes": ", ".join(WRITTEN_FOR[procedure]), "code": spectrum_code}),)

@@ -21,7 +21,7 @@ from scipy.constants import g
 
 from assess.codes import italian_histories
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
-from assess.codes.check import BranchName, Check, branch_of, caveats_of, check_worst_branch
+from assess.codes.check import BranchName, Check, CodeProcedure, Family, branch_of, caveats_of, check_worst_branch
 from assess.codes.context import Context
 from assess.codes.italian_kinematic import (
     DisplacementAnalysis,
@@ -65,77 +65,43 @@ from assess.messages.message import Quantity, Term, message
 from assess.oscillator import Branch, Oscillator, displacement, participation_ratio, threshold
 from spectra.arrays import FloatArray
 
+EDITION = ItalianEdition(
+    code="dmi2008",
+    name="DM 14.01.2008, Circolare 617/2009",
+    caveat="clause numbers of C8A.4 not checked against the printed circular",
+    multiplier="C8A.4.1",
+    oscillator="C8A.4.1.2",
+    confidence="C8A.1.1, C8A.4.1",
+)
+DAMPING = 0.05  # of every ordinate: the clauses know no other
+ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
+DISPLACEMENT_LIMIT = DisplacementLimit(ULTIMATE, breaks=False, clause="C8A.4.2.2")
+LINEAR_CLAUSE = "C8A.4.2.1"
+
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check a0* against the demand (over q at SLV), at the ground and, above it, at the floor (C8A.4.2.1)."""
-    checks = check_each_limit_state(
-        oscillator, context, EDITION, options, known=LINEAR_STATES, one=lambda case: _linear_check(case, options)
-    )
-    return tuple(add_safety_index(check, context) for check in checks)
-
-
-def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Check du* against S_De(Ts) and, above the ground, against the floor's displacement (C8A.4.2.2-2.3)."""
     checks = check_each_limit_state(
         oscillator,
         context,
         EDITION,
         options,
-        known=NONLINEAR_STATES,
-        one=lambda case: _nonlinear_check(case.at_ultimate),
+        known=DMI2008_LINEAR.limit_states,
+        one=lambda case: _linear_check(case, options),
     )
     return tuple(add_safety_index(check, context) for check in checks)
 
 
-def assess_nonlinear_thesis(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Return the checks of the thesis' reading (8.3.2): at the ground, FC = 1, no threshold of uplift."""
-    like = to_equivalent_blocks(oscillator, lambda branch: ULTIMATE * branch.unstable)
-
-    def one(branch: Branch, name: BranchName, level: float) -> Check:
-        curve = thesis_pga_rotation(branch, context, mass=oscillator.mass)
-        allowable = ULTIMATE * branch.unstable
-        rotation = rotation_demand(curve, level)
-        lifts = threshold(branch_of(oscillator, name))
-        answer = rotation_verdict(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
-        return Check(
-            procedure="dmi2008-nonlinear-thesis",
-            edition=EDITION.name,
-            reading="thesis",
-            branch=name,
-            limit_state="SLV",
-            level_pga_g=level / g,
-            input_at="ground",
-            damping=DAMPING,
-            quantity="rotation",
-            unit="rad",
-            demand=rotation,
-            capacity=allowable,
-            ratio=None if rotation is None else rotation / allowable,
-            verdict=answer.verdict,
-            reason=answer.reason,
-            capacity_pga_g=answer.capacity_pga_g,
-            uplift_pga_g=lifts,
-            capacity_rotation_ratio=allowable / branch.overturning,
-            rotation_ratio=None if rotation is None else rotation / branch.overturning,
-            pga_curve=to_pga_curve(curve, branch),
-            steps=_thesis_steps(
-                like, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g
-            ),
-            **caveats_of(EDITION.caveat),
-        )
-
-    return check_worst_branch(like, context.levels, one)
-
-
-def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Return the checks of the suites of time histories against 0.4 d0*."""
-    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
-    return tuple(add_safety_index(check, context) for check in checks)
-
-
-LINEAR = "dmi2008-linear"
-LINEAR_CLAUSE = "C8A.4.2.1"
-LINEAR_STATES = ("SLD", "SLV")
+DMI2008_LINEAR = CodeProcedure(
+    name="dmi2008-linear",
+    family=Family.LINEAR,
+    assess=assess_linear,
+    title=Term("DMI 2008, linear"),
+    short_title=Term("DMI 2008 linear"),
+    work="dmi2008",
+    options="dmi2008",
+    limit_states=("SLD", "SLV"),
+)
 
 
 def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
@@ -146,7 +112,7 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
     return acceleration_check(
         case,
         EDITION,
-        procedure=LINEAR,
+        procedure=DMI2008_LINEAR.name,
         capacity=a0,
         demands=demands,
         needs=Term("T1 of the building"),
@@ -196,29 +162,32 @@ def _acceleration_demand_steps(case: LimitStateCase, demands: Demands | None, *,
     return ground, step(formula, words, LINEAR_CLAUSE, formula, demands.floor, "m/s2", given=shape)
 
 
-NONLINEAR = "dmi2008-nonlinear"
 NONLINEAR_CLAUSE = "C8A.4.2.2"
-NONLINEAR_STATES = ("SLV",)
 
 
-def displacement_demands(context: Context, Ts: float) -> Demands | None:
-    """Return S_De(Ts) of the ground and the floor's demand, both over PGA (C8A.4.2.3).
+def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Check du* against S_De(Ts) and, above the ground, against the floor's displacement (C8A.4.2.2-2.3)."""
+    checks = check_each_limit_state(
+        oscillator,
+        context,
+        EDITION,
+        options,
+        known=DMI2008_NONLINEAR.limit_states,
+        one=lambda case: _nonlinear_check(case.at_ultimate),
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
 
-    Parameters
-    ----------
-    context : site and building
-    Ts : secant period [s]
 
-    Returns
-    -------
-    Demands or None
-        Displacements for each m/s2 of PGA [s2]; None where the spectrum ends before Ts or T1.
-    """
-    floor = floor_of(context)
-    if max(Ts, floor.T1 if floor is not None else 0.0) > context.spectrum.longest_period:
-        return None
-    at_floor = 0.0 if floor is None else floor_displacement(context, floor, Ts)
-    return Demands(ground_displacement(context, Ts) / context.spectrum.pga, at_floor / context.spectrum.pga)
+DMI2008_NONLINEAR = CodeProcedure(
+    name="dmi2008-nonlinear",
+    family=Family.DISPLACEMENT,
+    assess=assess_nonlinear,
+    title=Term("DMI 2008, capacity spectrum"),
+    short_title=Term("DMI 2008 spectrum"),
+    work="dmi2008",
+    options="dmi2008",
+    limit_states=("SLV",),
+)
 
 
 def _nonlinear_check(case: LimitStateCase) -> Check:
@@ -242,7 +211,29 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
         *_capacity_steps(case, cap),
         *_displacement_demand_steps(case, cap, answer),
     )
-    return displacement_check(case, answer, EDITION, procedure=NONLINEAR, damping=DAMPING, rule="", steps=steps)
+    return displacement_check(
+        case, answer, EDITION, procedure=DMI2008_NONLINEAR.name, damping=DAMPING, rule="", steps=steps
+    )
+
+
+def displacement_demands(context: Context, Ts: float) -> Demands | None:
+    """Return S_De(Ts) of the ground and the floor's demand, both over PGA (C8A.4.2.3).
+
+    Parameters
+    ----------
+    context : site and building
+    Ts : secant period [s]
+
+    Returns
+    -------
+    Demands or None
+        Displacements for each m/s2 of PGA [s2]; None where the spectrum ends before Ts or T1.
+    """
+    floor = floor_of(context)
+    if max(Ts, floor.T1 if floor is not None else 0.0) > context.spectrum.longest_period:
+        return None
+    at_floor = 0.0 if floor is None else floor_displacement(context, floor, Ts)
+    return Demands(ground_displacement(context, Ts) / context.spectrum.pga, at_floor / context.spectrum.pga)
 
 
 def _capacity_steps(case: LimitStateCase, cap: Dmi2008Capacity) -> tuple[Step, ...]:
@@ -282,111 +273,6 @@ def _displacement_demand_steps(
             step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, wanted.floor * case.pga, "m", given=given),
         ]
     return (*steps, displacement_ratio_step(answer, NONLINEAR_CLAUSE, demanded=demanded))
-
-
-def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> PgaRotation:
-    """Return PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
-
-    x = phi / phi_ov, d_u = x d0; lambda and the curve are linearised and rigid. The clause has d_s, not d_u, under the
-    root; with d_u the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    context : its spectrum
-    mass : total moved mass [kg]
-
-    Returns
-    -------
-    PgaRotation
-    """
-    d0 = float(displacement(branch, np.array(branch.unstable), mass=mass))
-    linear = branch.linearised
-
-    def secant(rotation: FloatArray) -> FloatArray:
-        return linear.multiplier * g * (1 - ULTIMATE * rotation / branch.unstable)
-
-    def period_of(rotation: FloatArray) -> FloatArray:
-        return np.asarray(2 * np.pi * np.sqrt(rotation / branch.unstable * d0 / secant(rotation)))
-
-    def pga_of(rotation: FloatArray) -> FloatArray:
-        ordinate = context.spectrum.acceleration(period_of(rotation), damping=DAMPING)
-        return secant(rotation) * context.spectrum.pga / ordinate
-
-    return pga_rotation(
-        pga_of,
-        overturning=branch.unstable,
-        period_of=period_of,
-        longest_period=context.spectrum.longest_period,
-    )
-
-
-def _thesis_steps(
-    oscillator: Oscillator,
-    branch: Branch,
-    context: Context,
-    *,
-    level: float,
-    rotation: float | None,
-    at_collapse: float | None,
-) -> tuple[Step, ...]:
-    linear, source = branch.linearised, "thesis 8.3.2"
-    d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
-    a_s = linear.multiplier * g * (1 - ULTIMATE**2)
-    period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
-    ratio = None if rotation is None else rotation / branch.overturning
-    at_rest = {
-        "K": (linear.stiffness, "N m/rad"),
-        "φ_cr": (linear.critical, "rad"),
-        "M": (linear.moment, "N m"),
-        "B": (linear.excitation, "kg m"),
-    }
-    secant, moved = {"d0": (d0, "m"), "a_s": (a_s, "m/s2")}, d0 * oscillator.mass
-    whole: Given = {"∫ B dφ": (moved, "kg m"), "M": (oscillator.mass, "kg")}
-    falls, along = "rotation where the restoring moment falls to zero", "excitation over rotation"
-    steps = (
-        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
-        instability_step("φ_ov", falls, source, branch),
-        integral_step("∫ B dφ", along, source, excitation_column(branch), branch.unstable, "kg m", upper="φ_ov"),
-        step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", given=whole),
-        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2",
-             given={"λ": linear.multiplier}),
-        step("T", "period, with d_u (the clause: d_s)", source, "2π √(0.4 d0 / a_s)", period, "s", given=secant),
-        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, at={"level": (level / g, "g")}),
-    )  # fmt: skip
-    return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
-
-
-def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
-    ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
-    clause, at = context.spectrum.clause, {"T": (period, "s"), "ξ": (DAMPING, "-")}
-    given = {"a_s": (a_s, "m/s2"), "S_a/PGA": (ordinate, "-")}
-    words = "largest PGA with φ ≤ 0.4 φ_ov"
-    return (
-        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, at=at),
-        step("PGA_c", words, "thesis 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
-    )
-
-
-EDITION = ItalianEdition(
-    code="dmi2008",
-    name="DM 14.01.2008, Circolare 617/2009",
-    caveat="clause numbers of C8A.4 not checked against the printed circular",
-    multiplier="C8A.4.1",
-    oscillator="C8A.4.1.2",
-    confidence="C8A.1.1, C8A.4.1",
-)
-ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
-DISPLACEMENT_LIMIT = DisplacementLimit(ULTIMATE, breaks=False, clause="C8A.4.2.2")
-
-HISTORY_RULE = italian_histories.HistoryRule(
-    procedure="dmi2008-history",
-    edition=EDITION,
-    clause="C8A.4.2.3 (non-linear dynamic)",
-    limits={"SLV": DISPLACEMENT_LIMIT},
-)
-HISTORY_STATES = tuple(HISTORY_RULE.limits)
-DAMPING = 0.05  # of every ordinate: the clauses know no other
 
 
 @dataclass(frozen=True)
@@ -501,3 +387,167 @@ def uplift_on_floor(branch: Branch, context: Context, *, confidence_factor: floa
         return None
     amplified = 1.0 if floor is None else floor_acceleration(context, floor) / context.spectrum.pga
     return uplift_pga(branch, confidence_factor=confidence_factor, amplified=amplified)
+
+
+HISTORY_RULE = italian_histories.HistoryRule(
+    procedure="dmi2008-history",
+    edition=EDITION,
+    clause="C8A.4.2.3 (non-linear dynamic)",
+    limits={"SLV": DISPLACEMENT_LIMIT},
+)
+
+
+def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Return the checks of the suites of time histories against 0.4 d0*."""
+    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
+    return tuple(add_safety_index(check, context) for check in checks)
+
+
+DMI2008_HISTORY = CodeProcedure(
+    name=HISTORY_RULE.procedure,
+    family=Family.HISTORY,
+    assess=assess_history,
+    title=Term("DMI 2008, response history"),
+    short_title=Term("DMI 2008 history"),
+    work="dmi2008",
+    options="dmi2008",
+    limit_states=tuple(HISTORY_RULE.limits),
+    suite_rules="ntc2018",
+    history_rule=HISTORY_RULE,
+)
+
+
+def assess_nonlinear_thesis(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Return the checks of the thesis' reading (8.3.2): at the ground, FC = 1, no threshold of uplift."""
+    like = to_equivalent_blocks(oscillator, lambda branch: ULTIMATE * branch.unstable)
+
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        curve = thesis_pga_rotation(branch, context, mass=oscillator.mass)
+        allowable = ULTIMATE * branch.unstable
+        rotation = rotation_demand(curve, level)
+        lifts = threshold(branch_of(oscillator, name))
+        answer = rotation_verdict(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
+        return Check(
+            procedure=DMI2008_NONLINEAR_THESIS.name,
+            edition=EDITION.name,
+            reading=DMI2008_NONLINEAR_THESIS.reading,
+            branch=name,
+            limit_state="SLV",
+            level_pga_g=level / g,
+            input_at="ground",
+            damping=DAMPING,
+            quantity="rotation",
+            unit="rad",
+            demand=rotation,
+            capacity=allowable,
+            ratio=None if rotation is None else rotation / allowable,
+            verdict=answer.verdict,
+            reason=answer.reason,
+            capacity_pga_g=answer.capacity_pga_g,
+            uplift_pga_g=lifts,
+            capacity_rotation_ratio=allowable / branch.overturning,
+            rotation_ratio=None if rotation is None else rotation / branch.overturning,
+            pga_curve=to_pga_curve(curve, branch),
+            steps=_thesis_steps(
+                like, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g
+            ),
+            **caveats_of(EDITION.caveat),
+        )
+
+    return check_worst_branch(like, context.levels, one)
+
+
+DMI2008_NONLINEAR_THESIS = CodeProcedure(
+    name="dmi2008-nonlinear-thesis",
+    family=Family.DISPLACEMENT,
+    assess=assess_nonlinear_thesis,
+    title=Term("DMI 2008, capacity spectrum, thesis reading"),
+    short_title=Term("DMI 2008 sp., thesis"),
+    work="dmi2008",
+    options="dmi2008",
+    reading="thesis",
+)
+
+
+def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> PgaRotation:
+    """Return PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
+
+    x = phi / phi_ov, d_u = x d0; lambda and the curve are linearised and rigid. The clause has d_s, not d_u, under the
+    root; with d_u the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : its spectrum
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    PgaRotation
+    """
+    d0 = float(displacement(branch, np.array(branch.unstable), mass=mass))
+    linear = branch.linearised
+
+    def secant(rotation: FloatArray) -> FloatArray:
+        return linear.multiplier * g * (1 - ULTIMATE * rotation / branch.unstable)
+
+    def period_of(rotation: FloatArray) -> FloatArray:
+        return np.asarray(2 * np.pi * np.sqrt(rotation / branch.unstable * d0 / secant(rotation)))
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        ordinate = context.spectrum.acceleration(period_of(rotation), damping=DAMPING)
+        return secant(rotation) * context.spectrum.pga / ordinate
+
+    return pga_rotation(
+        pga_of,
+        overturning=branch.unstable,
+        period_of=period_of,
+        longest_period=context.spectrum.longest_period,
+    )
+
+
+def _thesis_steps(
+    oscillator: Oscillator,
+    branch: Branch,
+    context: Context,
+    *,
+    level: float,
+    rotation: float | None,
+    at_collapse: float | None,
+) -> tuple[Step, ...]:
+    linear, source = branch.linearised, "thesis 8.3.2"
+    d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
+    a_s = linear.multiplier * g * (1 - ULTIMATE**2)
+    period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
+    ratio = None if rotation is None else rotation / branch.overturning
+    at_rest = {
+        "K": (linear.stiffness, "N m/rad"),
+        "φ_cr": (linear.critical, "rad"),
+        "M": (linear.moment, "N m"),
+        "B": (linear.excitation, "kg m"),
+    }
+    secant, moved = {"d0": (d0, "m"), "a_s": (a_s, "m/s2")}, d0 * oscillator.mass
+    whole: Given = {"∫ B dφ": (moved, "kg m"), "M": (oscillator.mass, "kg")}
+    falls, along = "rotation where the restoring moment falls to zero", "excitation over rotation"
+    steps = (
+        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
+        instability_step("φ_ov", falls, source, branch),
+        integral_step("∫ B dφ", along, source, excitation_column(branch), branch.unstable, "kg m", upper="φ_ov"),
+        step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", given=whole),
+        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2",
+             given={"λ": linear.multiplier}),
+        step("T", "period, with d_u (the clause: d_s)", source, "2π √(0.4 d0 / a_s)", period, "s", given=secant),
+        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, at={"level": (level / g, "g")}),
+    )  # fmt: skip
+    return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
+
+
+def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
+    ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
+    clause, at = context.spectrum.clause, {"T": (period, "s"), "ξ": (DAMPING, "-")}
+    given = {"a_s": (a_s, "m/s2"), "S_a/PGA": (ordinate, "-")}
+    words = "largest PGA with φ ≤ 0.4 φ_ov"
+    return (
+        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, at=at),
+        step("PGA_c", words, "thesis 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
+    )

@@ -16,24 +16,76 @@ from scipy.constants import g
 
 from assess.codes.calculation_sheet import Step, multiplier_step, step
 from assess.codes.check import (
+    EUROPEAN,
     TABLE_SPECTRUM,
     BranchName,
     Check,
+    CodeProcedure,
+    Family,
     Outcome,
     Reason,
     caveats_of,
     check_worst_branch,
     missing_ordinate,
     reason_message,
-    spectrum_caveats,
 )
 from assess.codes.context import Context, Support
 from assess.messages.message import Term
 from assess.oscillator import Branch, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
 
-ELEMENT = "ec8-element"
+EDITION = "EN 1998-1:2004"
 CLAUSE, FORCE, TABLE = "EN 1998-1, 4.3.5.2 (4.25)", "EN 1998-1, 4.3.5.2 (4.24)", "EN 1998-1, 4.3.5.4, Table 4.4"
+CAVEAT = (
+    "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause covers "
+    "non-structural elements, and its force check has no reserve beyond uplift but q_a"
+)
+BEHAVIOUR: dict[Support, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
+ELEMENTS: dict[Support, str] = {
+    "free": "stands free, as cantilever parapets",
+    "spanning": "held at base and top, as walls and facades",
+    "hinged": "chain of hinges, not in Table 4.4: the smallest value",
+}
+RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
+
+
+@dataclass(frozen=True)
+class Ec8Options:
+    """Options of EN 1998-1, 4.3.5.
+
+    behaviour_factor : q_a [-], None for that of Table 4.4; importance_factor : gamma_a [-] of the element
+    alpha_s : alpha S at the site's own PGA [g]; None where the spectrum is of a code, and begins with it
+    """
+
+    behaviour_factor: float | None = None
+    importance_factor: float = 1.0
+    alpha_s: float | None = None
+
+
+def assess_element(oscillator: Oscillator, context: Context, *, options: Ec8Options) -> tuple[Check, ...]:
+    """Check F_a / W_a against the multiplier that the mechanism resists, on the worse branch (4.3.5)."""
+
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        check = _check(branch, name, context, options, level)
+        if context.spectrum.code != TABLE_SPECTRUM or options.alpha_s is not None:
+            return check
+        why = missing_ordinate(CLAUSE, "alpha S", "procedures.ec8.alpha_s")
+        return replace(check, verdict=Outcome.NOT_ANSWERED, reason=why)
+
+    return check_worst_branch(oscillator, context.levels, one)
+
+
+EC8_ELEMENT = CodeProcedure(
+    name="ec8-element",
+    family=Family.ELEMENT,
+    assess=assess_element,
+    title=Term("Eurocode 8, non-structural element"),
+    short_title=Term("Eurocode 8"),
+    work="ec8",
+    options="ec8",
+    spectra=EUROPEAN,
+    only_on_request=True,
+)
 
 
 @dataclass(frozen=True)
@@ -50,19 +102,6 @@ class ElementDemand:
     q_a: float
     gamma_a: float
     force: float
-
-
-def assess_element(oscillator: Oscillator, context: Context, *, options: Ec8Options) -> tuple[Check, ...]:
-    """Check F_a / W_a against the multiplier that the mechanism resists, on the worse branch (4.3.5)."""
-
-    def one(branch: Branch, name: BranchName, level: float) -> Check:
-        check = _check(branch, name, context, options, level)
-        if context.spectrum.code != TABLE_SPECTRUM or options.alpha_s is not None:
-            return check
-        why = missing_ordinate(CLAUSE, "alpha S", "procedures.ec8.alpha_s")
-        return replace(check, verdict=Outcome.NOT_ANSWERED, reason=why)
-
-    return check_worst_branch(oscillator, context.levels, one)
 
 
 def element_demand(branch: Branch, context: Context, options: Ec8Options, level: float) -> ElementDemand:
@@ -94,7 +133,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
     lifts, ratio = uplift_pga(branch, found.surface * found.amplified), found.force / resistance
     verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
     return Check(
-        procedure=ELEMENT,
+        procedure=EC8_ELEMENT.name,
         edition=EDITION,
         branch=name,
         limit_state="element",
@@ -113,7 +152,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
         capacity_pga_g=level * resistance / found.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
         steps=_steps(branch, context, found),
-        **caveats_of(CAVEAT, *spectrum_caveats(ELEMENT, context.spectrum.code)),
+        **caveats_of(CAVEAT, *EC8_ELEMENT.spectrum_caveats(context.spectrum.code)),
     )
 
 
@@ -155,35 +194,6 @@ def _height_step(context: Context) -> Step:
         return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, at={"z": (z, "m")})
     given = {"z": (z, "m"), "H": (context.building.height, "m")}
     return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)
-
-
-EDITION = "EN 1998-1:2004"
-
-CAVEAT = (
-    "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause covers "
-    "non-structural elements, and its force check has no reserve beyond uplift but q_a"
-)
-BEHAVIOUR: dict[Support, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
-
-ELEMENTS: dict[Support, str] = {
-    "free": "stands free, as cantilever parapets",
-    "spanning": "held at base and top, as walls and facades",
-    "hinged": "chain of hinges, not in Table 4.4: the smallest value",
-}
-RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
-
-
-@dataclass(frozen=True)
-class Ec8Options:
-    """Options of EN 1998-1, 4.3.5.
-
-    behaviour_factor : q_a [-], None for that of Table 4.4; importance_factor : gamma_a [-] of the element
-    alpha_s : alpha S at the site's own PGA [g]; None where the spectrum is of a code, and begins with it
-    """
-
-    behaviour_factor: float | None = None
-    importance_factor: float = 1.0
-    alpha_s: float | None = None
 
 
 def element_period(branch: Branch) -> float:

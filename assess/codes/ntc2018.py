@@ -13,7 +13,7 @@ import numpy as np
 
 from assess.codes import italian_histories
 from assess.codes.calculation_sheet import Given, Step, step
-from assess.codes.check import Check
+from assess.codes.check import Check, CodeProcedure, Family
 from assess.codes.context import Context
 from assess.codes.italian_kinematic import (
     DisplacementAnalysis,
@@ -64,37 +64,32 @@ from assess.oscillator import Oscillator
 from spectra.damping import ec8_eta
 from spectra.floor import PLATEAU
 
+LINEAR_CLAUSES = {"SLD": "C8.7.1.2.1.5", "SLV": "C8.7.1.2.1.7"}
+
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check a0* against the accelerations of ground and floor, S_eZ(T0) of free elements; a_g,SLV = q a_g,SLD."""
-    checks = check_each_limit_state(
-        oscillator, context, EDITION, options, known=LINEAR_STATES, one=lambda case: _linear_check(case, options)
-    )
-    return tuple(add_safety_index(check, context) for check in checks)
-
-
-def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
     checks = check_each_limit_state(
         oscillator,
         context,
         EDITION,
         options,
-        known=NONLINEAR_STATES,
-        one=lambda case: _nonlinear_check(case.at_ultimate),
+        known=NTC2018_LINEAR.limit_states,
+        one=lambda case: _linear_check(case, options),
     )
     return tuple(add_safety_index(check, context) for check in checks)
 
 
-def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
-    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
-    return tuple(add_safety_index(check, context) for check in checks)
-
-
-LINEAR = "ntc2018-linear"
-LINEAR_CLAUSES = {"SLD": "C8.7.1.2.1.5", "SLV": "C8.7.1.2.1.7"}
-LINEAR_STATES = tuple(LINEAR_CLAUSES)
+NTC2018_LINEAR = CodeProcedure(
+    name="ntc2018-linear",
+    family=Family.LINEAR,
+    assess=assess_linear,
+    title=Term("NTC 2018, linear kinematic"),
+    short_title=Term("NTC 2018 linear"),
+    work="ntc2018",
+    options="ntc2018",
+    limit_states=tuple(LINEAR_CLAUSES),
+)
 
 
 def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
@@ -107,7 +102,7 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
     return acceleration_check(
         case,
         EDITION,
-        procedure=LINEAR,
+        procedure=NTC2018_LINEAR.name,
         capacity=a0,
         demands=demands,
         needs=Term("T0 or T1 of the building"),
@@ -188,11 +183,34 @@ def _linear_capacity_steps(case: LimitStateCase, over_pga: Demands | None, *, a0
     return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded
 
 
-NONLINEAR = "ntc2018-nonlinear"
 NONLINEAR_CLAUSE = "C8.7.1.2.1.8"
-NONLINEAR_STATES = tuple(ULTIMATE)
 SOFTENED_WORST = "first mode, softened by 1.5 to 2.0: that of the largest displacement"
 FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
+
+
+def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
+    checks = check_each_limit_state(
+        oscillator,
+        context,
+        EDITION,
+        options,
+        known=NTC2018_NONLINEAR.limit_states,
+        one=lambda case: _nonlinear_check(case.at_ultimate),
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
+
+
+NTC2018_NONLINEAR = CodeProcedure(
+    name="ntc2018-nonlinear",
+    family=Family.DISPLACEMENT,
+    assess=assess_nonlinear,
+    title=Term("NTC 2018, non-linear kinematic"),
+    short_title=Term("NTC 2018 non-linear"),
+    work="ntc2018",
+    options="ntc2018",
+    limit_states=tuple(ULTIMATE),
+)
 
 
 @dataclass(frozen=True)
@@ -217,7 +235,9 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
         *_displacement_steps(case, worked, answer),
     )
     damping, rule = ULTIMATE[case.state].damping, case.context.spectrum.damping_rule
-    return displacement_check(case, answer, EDITION, procedure=NONLINEAR, damping=damping, rule=rule, steps=steps)
+    return displacement_check(
+        case, answer, EDITION, procedure=NTC2018_NONLINEAR.name, damping=damping, rule=rule, steps=steps
+    )
 
 
 def _capacity_and_demands(case: LimitStateCase) -> CapacityAndDemands:
@@ -345,7 +365,26 @@ HISTORY_RULE = italian_histories.HistoryRule(
     clause="C8.7.1.2.1.9",
     limits={state: ultimate.rule for state, ultimate in ULTIMATE.items()},
 )
-HISTORY_STATES = tuple(HISTORY_RULE.limits)
+
+
+def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
+    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
+    return tuple(add_safety_index(check, context) for check in checks)
+
+
+NTC2018_HISTORY = CodeProcedure(
+    name=HISTORY_RULE.procedure,
+    family=Family.HISTORY,
+    assess=assess_history,
+    title=Term("NTC 2018, response history"),
+    short_title=Term("NTC 2018 history"),
+    work="ntc2018",
+    options="ntc2018",
+    limit_states=tuple(HISTORY_RULE.limits),
+    suite_rules="ntc2018",
+    history_rule=HISTORY_RULE,
+)
 
 
 def period_steps(case: LimitStateCase, *, T0: float) -> tuple[Step, ...]:

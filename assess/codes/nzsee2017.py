@@ -34,9 +34,12 @@ from scipy.constants import g
 
 from assess.codes.calculation_sheet import Step, instability_step, integral_step, moment_column, step
 from assess.codes.check import (
+    NEW_ZEALAND,
     TABLE_SPECTRUM,
     BranchName,
     Check,
+    CodeProcedure,
+    Family,
     Outcome,
     PgaCurve,
     Reason,
@@ -44,7 +47,6 @@ from assess.codes.check import (
     check_worst_branch,
     missing_ordinate,
     reason_message,
-    spectrum_caveats,
 )
 from assess.codes.context import Context, Gravity, Support
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
@@ -53,8 +55,31 @@ from assess.oscillator import Branch, Oscillator, energy, threshold
 from spectra.arrays import FloatArray
 from spectra.floor import NZS_LOW, NZS_SHARE, nzs1170_5_height_coefficient, part_shape
 
-FACE_LOADED, SCORE = "nzsee2017-face-loaded", "%NBS"
+EDITION = "NZSEE/MBIE Guidelines 2017, C8"
+CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
+CAVEAT = "formulas from memory, re-derived, not checked against the printed Guidelines; numbers of clauses unsure"
+CAVEAT_FREE = (
+    "the usable 0.3 of walls that stand free is unsure (0.6 in 2006); whether this is a wall, the engineer must judge"
+)
+SCORE = "%NBS"
 DAMPING = 0.05
+USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i
+THICKNESS = (0.975, 0.025)  # t_eff / t without overburden, and what each P/W takes off
+LET_GO: dict[Support, float] = {"spanning": 0.6, "free": 0.8}  # rotation from which T_p is counted, over phi_m
+LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
+
+
+@dataclass(frozen=True)
+class Nzsee2017Options:
+    """Options of face-loaded walls.
+
+    usable : phi_m / phi_i [-], None for 0.6 (spanning) and 0.3 (free); risk_factor : R_p, NZS 1170.5 Table 8.1 [-]
+    c_0 : C(0) at the site's own PGA [g]; None where the spectrum is that of NZS 1170.5, which begins with it
+    """
+
+    usable: float | None = None
+    risk_factor: float = 1.0
+    c_0: float | None = None
 
 
 def assess_face_loaded(oscillator: Oscillator, context: Context, *, options: Nzsee2017Options) -> tuple[Check, ...]:
@@ -75,6 +100,18 @@ def assess_face_loaded(oscillator: Oscillator, context: Context, *, options: Nzs
     )
 
 
+NZSEE2017_FACE_LOADED = CodeProcedure(
+    name="nzsee2017-face-loaded",
+    family=Family.PART,
+    assess=assess_face_loaded,
+    title=Term("NZSEE 2017, face-loaded wall"),
+    short_title=Term("NZSEE 2017"),
+    work="nzsee2017",
+    options="nzsee2017",
+    spectra=NEW_ZEALAND,
+)
+
+
 def _checks(oscillator: Oscillator, context: Context, options: Nzsee2017Options) -> tuple[Check, ...]:
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         empty = _check(name, context, level)
@@ -92,7 +129,7 @@ def _checks(oscillator: Oscillator, context: Context, options: Nzsee2017Options)
 
 def _check(name: BranchName, context: Context, level: float) -> Check:
     return Check(
-        procedure=FACE_LOADED,
+        procedure=NZSEE2017_FACE_LOADED.name,
         edition=EDITION,
         branch=name,
         limit_state="ULS",
@@ -106,7 +143,7 @@ def _check(name: BranchName, context: Context, level: float) -> Check:
         **caveats_of(
             CAVEAT,
             *([CAVEAT_FREE] if context.support == "free" else []),
-            *spectrum_caveats(FACE_LOADED, context.spectrum.code),
+            *NZSEE2017_FACE_LOADED.spectrum_caveats(context.spectrum.code),
         ),
     )
 
@@ -252,31 +289,6 @@ def gravity_of(whole: FaceLoadedWall, name: BranchName, context: Context) -> Gra
     return known.get(name, Gravity(0.0, whole.line.b, 0.0, whole.line.a, whole.J, 0.0, whole.B))
 
 
-EDITION = "NZSEE/MBIE Guidelines 2017, C8"
-CAVEAT = "formulas from memory, re-derived, not checked against the printed Guidelines; numbers of clauses unsure"
-
-CAVEAT_FREE = (
-    "the usable 0.3 of walls that stand free is unsure (0.6 in 2006); whether this is a wall, the engineer must judge"
-)
-USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i
-THICKNESS = (0.975, 0.025)  # t_eff / t without overburden, and what each P/W takes off
-LET_GO: dict[Support, float] = {"spanning": 0.6, "free": 0.8}  # rotation from which T_p is counted, over phi_m
-LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
-
-
-@dataclass(frozen=True)
-class Nzsee2017Options:
-    """Options of face-loaded walls.
-
-    usable : phi_m / phi_i [-], None for 0.6 (spanning) and 0.3 (free); risk_factor : R_p, NZS 1170.5 Table 8.1 [-]
-    c_0 : C(0) at the site's own PGA [g]; None where the spectrum is that of NZS 1170.5, which begins with it
-    """
-
-    usable: float | None = None
-    risk_factor: float = 1.0
-    c_0: float | None = None
-
-
 @dataclass(frozen=True)
 class MomentLine:
     """The restoring moment as a straight line: b at rest [N m], slope a [N m/rad], b = a phi_i."""
@@ -297,12 +309,6 @@ class FaceLoadedWall:
     line: MomentLine
     J: float
     B: float
-
-
-def thickness_factor(overburden_ratio: float) -> float:
-    """Return k = t_eff / t = 0.975 - 0.025 P/W [-]; 0 from P = 39 W on, where no effective thickness is left."""
-    whole, taken = THICKNESS
-    return max(whole - taken * max(overburden_ratio, 0.0), 0.0)
 
 
 def nominal(branch: Branch) -> FaceLoadedWall:
@@ -329,6 +335,12 @@ def with_effective_thickness(part: FaceLoadedWall, gravity: Gravity) -> FaceLoad
     return FaceLoadedWall(MomentLine(b, a), J, part.B - (1.0 - k) * gravity.own_excitation)
 
 
+def thickness_factor(overburden_ratio: float) -> float:
+    """Return k = t_eff / t = 0.975 - 0.025 P/W [-]; 0 from P = 39 W on, where no effective thickness is left."""
+    whole, taken = THICKNESS
+    return max(whole - taken * max(overburden_ratio, 0.0), 0.0)
+
+
 def straight_line(branch: Branch) -> MomentLine:
     """Return the line from the restoring moment at rest down to phi_i.
 
@@ -340,12 +352,6 @@ def straight_line(branch: Branch) -> MomentLine:
     else:
         b = 2.0 * float(energy(branch, np.array(phi_i))) / phi_i
     return MomentLine(b, b / phi_i)
-
-
-def period_factor(support: Support) -> float:
-    """Return 4 arcosh(1 / (1 - r)) [-]: 4.07 for a wall that spans, 3.10 for one that stands free."""
-    r = USABLE[support] * LET_GO[support]
-    return float(4.0 * np.arccosh(1.0 / (1.0 - r)))
 
 
 def part_period(part: FaceLoadedWall, *, support: Support) -> float:
@@ -361,6 +367,12 @@ def part_period(part: FaceLoadedWall, *, support: Support) -> float:
     float [s]
     """
     return period_factor(support) * float(np.sqrt(part.J / part.line.a))
+
+
+def period_factor(support: Support) -> float:
+    """Return 4 arcosh(1 / (1 - r)) [-]: 4.07 for a wall that spans, 3.10 for one that stands free."""
+    r = USABLE[support] * LET_GO[support]
+    return float(4.0 * np.arccosh(1.0 / (1.0 - r)))
 
 
 def floor_factor(context: Context) -> float:
@@ -429,7 +441,6 @@ def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) ->
     return None if multiplier is None else multiplier * g / (part_coefficient(0.0, floor=floor) * risk_factor)
 
 
-CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
 AT_REST = "table of the mechanism, at rest"
 
 

@@ -16,26 +16,53 @@ from functools import partial
 
 from scipy.constants import g
 
-from assess.codes import asce41_13, asce43_05, dmi2008, en1998_1, nzsee2017, sliding
-from assess.codes import dmi2008 as dmi2008_history
-from assess.codes import ntc2018 as ntc2018_history
-from assess.codes import ntc2018 as ntc2018_linear
-from assess.codes import ntc2018 as ntc2018_nonlinear
-from assess.codes.asce41_13 import Asce41Options
-from assess.codes.asce43_05 import Asce43Options
-from assess.codes.asce43_05_history import assess_history
-from assess.codes.check import WRITTEN_FOR, Check, Family, Outcome, Reason, reason_message
+from assess.codes.asce41_13 import ASCE41_13_SLENDERNESS, Asce41Options
+from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, ASCE43_05_SPECTRUM_THESIS, Asce43Options
+from assess.codes.asce43_05_history import ASCE43_05_HISTORY
+from assess.codes.check import Check, CodeProcedure, Family, Outcome, Reason, reason_message
 from assess.codes.context import Context
-from assess.codes.en1998_1 import Ec8Options
+from assess.codes.dmi2008 import DMI2008_HISTORY, DMI2008_LINEAR, DMI2008_NONLINEAR, DMI2008_NONLINEAR_THESIS
+from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options
 from assess.codes.italian_histories import HistoryRule
 from assess.codes.italian_limit_states import ItalianOptions, floor_of
-from assess.codes.nzsee2017 import Nzsee2017Options
-from assess.codes.sliding import sliding_pga
+from assess.codes.ntc2018 import NTC2018_HISTORY, NTC2018_LINEAR, NTC2018_NONLINEAR
+from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, Nzsee2017Options
+from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING, sliding_pga
 from assess.errors import ProcedureError
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.oscillator import Oscillator
 
 Assess = Callable[[Oscillator, Context], tuple[Check, ...]]
+
+PROCEDURES: Mapping[str, CodeProcedure] = {
+    each.name: each
+    for each in (
+        ASCE43_05_SPECTRUM,
+        ASCE43_05_SPECTRUM_THESIS,
+        ASCE43_05_HISTORY,
+        DMI2008_LINEAR,
+        DMI2008_NONLINEAR,
+        DMI2008_NONLINEAR_THESIS,
+        NZSEE2017_FACE_LOADED,
+        ASCE41_13_SLENDERNESS,
+        EC8_ELEMENT,
+        DMI2008_HISTORY,
+        NTC2018_LINEAR,
+        NTC2018_NONLINEAR,
+        NTC2018_HISTORY,
+        ASCE43_05_SLIDING,
+        SLIDING,
+    )
+}
+FAMILIES: Mapping[str, Family] = {name: each.family for name, each in PROCEDURES.items()}
+LIMIT_STATES: Mapping[str, tuple[str, ...]] = {
+    name: each.limit_states for name, each in PROCEDURES.items() if each.limit_states
+}
+KNOWLEDGE_CODES: Mapping[str, str] = {
+    name: each.knowledge_code for name, each in PROCEDURES.items() if each.knowledge_code
+}
+SUITE_RULES: Mapping[str, str] = {name: each.suite_rules for name, each in PROCEDURES.items() if each.suite_rules}
+THESIS_READINGS = tuple(name for name, each in PROCEDURES.items() if each.reading == "thesis")
 
 
 @dataclass(frozen=True)
@@ -50,44 +77,15 @@ class CodeOptions:
     ec8: Ec8Options = field(default_factory=Ec8Options)
 
 
-PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
-    "asce43-05-spectrum": lambda options: partial(asce43_05.assess_spectrum, options=options.asce43_05),
-    "asce43-05-spectrum-thesis": lambda options: partial(asce43_05.assess_spectrum_thesis, options=options.asce43_05),
-    "asce43-05-history": lambda options: partial(assess_history, options=options.asce43_05),
-    "dmi2008-linear": lambda options: partial(dmi2008.assess_linear, options=options.dmi2008),
-    "dmi2008-nonlinear": lambda options: partial(dmi2008.assess_nonlinear, options=options.dmi2008),
-    "dmi2008-nonlinear-thesis": lambda options: partial(dmi2008.assess_nonlinear_thesis, options=options.dmi2008),
-    "nzsee2017-face-loaded": lambda options: partial(nzsee2017.assess_face_loaded, options=options.nzsee2017),
-    "asce41-13-ht": lambda options: partial(asce41_13.assess_slenderness, options=options.asce41_13),
-    "ec8-element": lambda options: partial(en1998_1.assess_element, options=options.ec8),
-    "dmi2008-history": lambda options: partial(dmi2008_history.assess_history, options=options.dmi2008),
-    "ntc2018-linear": lambda options: partial(ntc2018_linear.assess_linear, options=options.ntc2018),
-    "ntc2018-nonlinear": lambda options: partial(ntc2018_nonlinear.assess_nonlinear, options=options.ntc2018),
-    "ntc2018-history": lambda options: partial(ntc2018_history.assess_history, options=options.ntc2018),
-    "asce43-05-sliding": lambda options: partial(sliding.assess_sliding_distance, options=options.asce43_05),
-    "sliding": lambda options: sliding.assess_sliding,
-}
-
-LIMIT_STATES: dict[str, tuple[str, ...]] = {  # that an Italian procedure checks, of those its options ask for
-    "dmi2008-linear": dmi2008.LINEAR_STATES,
-    "dmi2008-nonlinear": dmi2008.NONLINEAR_STATES,
-    "dmi2008-history": dmi2008_history.HISTORY_STATES,
-    "ntc2018-linear": ntc2018_linear.LINEAR_STATES,
-    "ntc2018-nonlinear": ntc2018_nonlinear.NONLINEAR_STATES,
-    "ntc2018-history": ntc2018_history.HISTORY_STATES,
-}
-
-
-def history_rules(options: CodeOptions) -> dict[str, tuple[HistoryRule, ItalianOptions]]:
-    """Return the Italian procedures that need suites of time histories at a PGA of their own, with their options."""
-    return {
-        dmi2008_history.HISTORY_RULE.procedure: (dmi2008_history.HISTORY_RULE, options.dmi2008),
-        ntc2018_history.HISTORY_RULE.procedure: (ntc2018_history.HISTORY_RULE, options.ntc2018),
-    }
+def find_procedure(name: str) -> CodeProcedure:
+    """Return a procedure by its name; raise ProcedureError for an unknown one, with the known ones."""
+    if name not in PROCEDURES:
+        raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
+    return PROCEDURES[name]
 
 
 def procedure(name: str, options: CodeOptions) -> Assess:
-    """Return a procedure with its code's options.
+    """Return what makes the checks of a procedure, with the options of its code.
 
     Parameters
     ----------
@@ -104,62 +102,28 @@ def procedure(name: str, options: CodeOptions) -> Assess:
     ProcedureError
         For an unknown name; it lists the known ones.
     """
-    if name not in PROCEDURES:
-        raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
-    return PROCEDURES[name](options)
+    found = find_procedure(name)
+    return partial(found.assess, options=getattr(options, found.options)) if found.options else found.assess
 
 
-FAMILIES: Mapping[str, Family] = {
-    "asce43-05-spectrum": Family.ENERGY,
-    "asce43-05-spectrum-thesis": Family.ENERGY,
-    "asce43-05-history": Family.HISTORY,
-    "dmi2008-linear": Family.LINEAR,
-    "dmi2008-nonlinear": Family.DISPLACEMENT,
-    "dmi2008-nonlinear-thesis": Family.DISPLACEMENT,
-    "dmi2008-history": Family.HISTORY,
-    "ntc2018-linear": Family.LINEAR,
-    "ntc2018-nonlinear": Family.DISPLACEMENT,
-    "ntc2018-history": Family.HISTORY,
-    "nzsee2017-face-loaded": Family.PART,
-    "asce41-13-ht": Family.TABLE,
-    "ec8-element": Family.ELEMENT,
-    "asce43-05-sliding": Family.SLIDING,
-    "sliding": Family.FRICTION,
-}
-
-SUITE_RULES: Mapping[str, str] = {  # whose rules for suites a procedure by histories goes by
-    "asce43-05-history": "asce43-05",
-    "dmi2008-history": "ntc2018",
-    "ntc2018-history": "ntc2018",
-}
-
-KNOWLEDGE_CODES: Mapping[str, str] = {  # the code whose knowledge levels and limit states a procedure goes by
-    "dmi2008-linear": "dmi2008",
-    "dmi2008-nonlinear": "dmi2008",
-    "dmi2008-history": "dmi2008",
-    "ntc2018-linear": "ntc2018",
-    "ntc2018-nonlinear": "ntc2018",
-    "ntc2018-history": "ntc2018",
-}
-
-THESIS_READINGS = (
-    "asce43-05-spectrum-thesis",
-    "dmi2008-nonlinear-thesis",
-)  # of the thesis: shown, and they never decide
-ONLY_ON_REQUEST = ("ec8-element",)  # whether a mechanism is a non-structural element, the engineer must say
-
-
-def uses_histories(procedure: str) -> bool:
-    """Return whether a procedure uses time histories."""
-    return FAMILIES.get(procedure) == Family.HISTORY
+def uses_histories(name: str) -> bool:
+    """Return whether a procedure uses time histories; False for an unknown name."""
+    return FAMILIES.get(name) == Family.HISTORY
 
 
 def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
     """Return the procedures that are added for a spectrum of this code without being requested."""
-    return tuple(name for name, codes in WRITTEN_FOR.items() if spectrum_code in codes and name not in ONLY_ON_REQUEST)
+    return tuple(
+        name for name, each in PROCEDURES.items() if spectrum_code in each.spectra and not each.only_on_request
+    )
 
 
-BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+def history_rules(options: CodeOptions) -> dict[str, tuple[HistoryRule, ItalianOptions]]:
+    """Return the Italian procedures that need suites of time histories at a PGA of their own, with their options."""
+    ruled = ((name, each, each.history_rule) for name, each in PROCEDURES.items())
+    return {name: (rule, getattr(options, each.options)) for name, each, rule in ruled if rule is not None}
+
+
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
 
 ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
@@ -338,9 +302,10 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
 
 def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """Return the objection of the clause: mechanisms that it does not cover."""
-    if procedure in BY_IMPACTS and oscillator.negative is None:
+    by_impacts = PROCEDURES[procedure].damped_by_impacts
+    if by_impacts and oscillator.negative is None:
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.ONE_SIDED))
-    if procedure in BY_IMPACTS and min(branch.restitution for branch in oscillator.branches) == 0.0:
+    if by_impacts and min(branch.restitution for branch in oscillator.branches) == 0.0:
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NO_REBOUND))
     if family == Family.PART and context.support == "hinged":
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))

@@ -28,14 +28,22 @@ from scipy.optimize import brentq
 
 from assess.codes.asce43_05 import EDITION, Asce43Options, warn_at_height
 from assess.codes.calculation_sheet import UNANSWERED, Given, Step, step
-from assess.codes.check import CaveatFields, Check, Outcome, Reason, caveats_of, least_if_all_known, reason_message
+from assess.codes.check import (
+    CaveatFields,
+    Check,
+    CodeProcedure,
+    Family,
+    Outcome,
+    Reason,
+    caveats_of,
+    least_if_all_known,
+    reason_message,
+)
 from assess.codes.context import Context
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import HingeForces, Oscillator, threshold
 
 FRICTION_EDITION = "equilibrium; Coulomb"
-SLIDING = "sliding"
-
 CHAIN = (
     "before it rocks a chain of blocks is statically indeterminate: N is taken as when it starts to rock, T in "
     "proportion to the acceleration"
@@ -56,6 +64,15 @@ def assess_sliding(oscillator: Oscillator, context: Context) -> tuple[Check, ...
     ]
     lifts = least_if_all_known([threshold(branch) for branch in oscillator.branches])
     return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
+
+
+SLIDING = CodeProcedure(
+    name="sliding",
+    family=Family.FRICTION,
+    assess=assess_sliding,
+    title=Term("Sliding, equilibrium"),
+    short_title=Term("Sliding"),
+)
 
 
 def reason_friction_unknown(hinges: Sequence[HingeForces]) -> Message | None:
@@ -158,7 +175,7 @@ def _friction_check(
     steps: tuple[Step, ...],
 ) -> Check:
     return Check(
-        procedure=SLIDING,
+        procedure=SLIDING.name,
         edition=FRICTION_EDITION,
         branch="positive" if hinge is None else hinge.branch,
         limit_state="no sliding",
@@ -311,9 +328,11 @@ def _least_pga_step(context: Context, slides_at: float | None) -> Step:
     return step(symbol, words, FRICTION_EDITION, formula, slides_at / g, "g", given=given, remark=remark)
 
 
-ASCE43_05_SLIDING = "asce43-05-sliding"
 A1 = "ASCE 43-05 A.1"
 A1_CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
+A1_DAMPING = 0.1
+SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
+HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
 LEVEL_FACE = 1e-6  # of a unit normal: faces less inclined are level
 
 
@@ -324,6 +343,17 @@ def assess_sliding_distance(oscillator: Oscillator, context: Context, *, options
         _distance_check_at_level(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels
     )
     return tuple(replace(check, uplift_pga_g=lifts) for check in warn_at_height(checks, context=context))
+
+
+ASCE43_05_SLIDING = CodeProcedure(
+    name="asce43-05-sliding",
+    family=Family.SLIDING,
+    assess=assess_sliding_distance,
+    title=Term("ASCE 43-05, sliding"),
+    short_title=Term("ASCE 43-05 sliding"),
+    work="asce43-05",
+    options="asce43_05",
+)
 
 
 def reason_not_covered(context: Context) -> tuple[Outcome, Message] | None:
@@ -400,7 +430,7 @@ def _distance_check(
     at_capacity: float | None = None,
 ) -> Check:
     return Check(
-        procedure=ASCE43_05_SLIDING,
+        procedure=ASCE43_05_SLIDING.name,
         edition=EDITION,
         branch="positive",
         limit_state="sliding",
@@ -454,11 +484,6 @@ def _distance_steps(
     if allowable is None:
         return steps
     return (*steps, step("δ_all", "allowable sliding", A1, "given", allowable, "m"))
-
-
-A1_DAMPING = 0.1
-SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
-HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:

@@ -36,7 +36,7 @@ def worst_check(checks: tuple[Check, ...]) -> Check | None:
 
 def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the checks by the letter of a code: no readings of the thesis, none that only inform."""
-    return tuple(check for check in checks if check.reading == "letter" and not check.informs)
+    return tuple(check for check in checks if check.follows_code)
 
 
 def answered_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:

@@ -3,49 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from assess.codes.check import Check
+from assess.codes.procedures import PROCEDURES
 from assess.results import MechanismResult, Results
-from reports.language.texts import Phrase, Text, Verbatim, listing, say
-
-PROCEDURE_TITLES: Mapping[str, Phrase] = {
-    "asce43-05-spectrum": say("ASCE 43-05, approximate method"),
-    "asce43-05-spectrum-thesis": say("ASCE 43-05, approximate method, thesis reading"),
-    "asce43-05-history": say("ASCE 43-05, response history"),
-    "dmi2008-linear": say("DMI 2008, linear"),
-    "dmi2008-nonlinear": say("DMI 2008, capacity spectrum"),
-    "dmi2008-nonlinear-thesis": say("DMI 2008, capacity spectrum, thesis reading"),
-    "dmi2008-history": say("DMI 2008, response history"),
-    "ntc2018-linear": say("NTC 2018, linear kinematic"),
-    "ntc2018-nonlinear": say("NTC 2018, non-linear kinematic"),
-    "ntc2018-history": say("NTC 2018, response history"),
-    "nzsee2017-face-loaded": say("NZSEE 2017, face-loaded wall"),
-    "asce41-13-ht": say("ASCE 41-13, slenderness"),
-    "ec8-element": say("Eurocode 8, non-structural element"),
-    "sliding": say("Sliding, equilibrium"),
-    "asce43-05-sliding": say("ASCE 43-05, sliding"),
-}
-"""Titles of the procedures, in place of the names by which a project file calls them."""
-
-SHORT_PROCEDURE_TITLES: Mapping[str, Phrase] = {
-    "asce43-05-spectrum": say("ASCE 43-05 approximate"),
-    "asce43-05-spectrum-thesis": say("ASCE 43-05 appr., thesis"),
-    "asce43-05-history": say("ASCE 43-05 history"),
-    "dmi2008-linear": say("DMI 2008 linear"),
-    "dmi2008-nonlinear": say("DMI 2008 spectrum"),
-    "dmi2008-nonlinear-thesis": say("DMI 2008 sp., thesis"),
-    "dmi2008-history": say("DMI 2008 history"),
-    "ntc2018-linear": say("NTC 2018 linear"),
-    "ntc2018-nonlinear": say("NTC 2018 non-linear"),
-    "ntc2018-history": say("NTC 2018 history"),
-    "nzsee2017-face-loaded": say("NZSEE 2017"),
-    "asce41-13-ht": say("ASCE 41-13"),
-    "ec8-element": say("Eurocode 8"),
-    "sliding": say("Sliding"),
-    "asce43-05-sliding": say("ASCE 43-05 sliding"),
-}
-"""Shorter titles, for legends and narrow columns."""
+from reports.language.texts import Text, Verbatim, listing, say
 
 
 def mechanism_title(mechanism: MechanismResult) -> str:
@@ -66,13 +29,13 @@ def numbered_title(results: Results, name: str) -> Verbatim:
 
 
 def procedure_title(procedure: str) -> Text:
-    """Return the title of a procedure; the name itself of one that is not in the table."""
-    return PROCEDURE_TITLES.get(procedure, Verbatim(procedure))
+    """Return the title of a procedure; the name itself of one that is not known."""
+    return PROCEDURES[procedure].title if procedure in PROCEDURES else Verbatim(procedure)
 
 
 def short_title(procedure: str) -> Text:
-    """Return the short title of a procedure; the name itself of one that is not in the table."""
-    return SHORT_PROCEDURE_TITLES.get(procedure, Verbatim(procedure))
+    """Return the short title of a procedure; the name itself of one that is not known."""
+    return PROCEDURES[procedure].short_title if procedure in PROCEDURES else Verbatim(procedure)
 
 
 def check_title(check: Check, among: tuple[Check, ...]) -> Text:

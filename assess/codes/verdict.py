@@ -362,8 +362,7 @@ def _of_method(one: MechanismChecks, procedure: str, state: LimitState, action: 
         for check in one.checks
         if check.procedure == procedure
         and _is_of(check, state)
-        and check.reading == "letter"
-        and not check.informs
+        and check.follows_code
         and check.verdict != Outcome.NOT_APPLICABLE
         and at_action(check, action)
     ]
@@ -606,7 +605,7 @@ def find_deciding_check(checks: Sequence[Check], answer: Answer, basis: Basis | 
 
 
 def _is_behind(check: Check, answer: Answer, basis: Basis | None, action: Action) -> bool:
-    if basis is None or check.procedure != answer.procedure or check.informs or check.reading != "letter":
+    if basis is None or check.procedure != answer.procedure or not check.follows_code:
         return False
     states = {state.checked_as for state in basis.states if state.name == answer.limit_state}
     decides = check.verdict in (Outcome.PASS, Outcome.FAIL)

@@ -21,7 +21,7 @@ from assess.codes.en1998_1 import Ec8Options
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.nzsee2017 import Nzsee2017Options
-from assess.codes.procedures import LIMIT_STATES, CodeOptions
+from assess.codes.procedures import LIMIT_STATES, PROCEDURES, CodeOptions
 from assess.codes.question import SOURCES, Action, Missing, Question, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
@@ -215,7 +215,7 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
         return with_methods((name for name in unasked if not _states_not_checked(name, content)), content)
     for name in named:
         if states := _states_not_checked(name, content):
-            key = f"procedures.{name.split('-')[0]}.limit_states"
+            key = f"procedures.{PROCEDURES[name].options}.limit_states"
             known = ", ".join(LIMIT_STATES[name])
             raise ProjectError(f"{key}: {', '.join(states)}: {name} checks {known}; add one, or leave it out")
     return with_methods(named, content)
@@ -231,7 +231,7 @@ def _states_not_checked(name: str, content: sections.Content) -> tuple[str, ...]
     """Return the limit states requested if the procedure checks none of them, else nothing."""
     if name not in LIMIT_STATES:
         return ()
-    states: tuple[str, ...] = getattr(content.procedures, name.split("-")[0]).limit_states
+    states: tuple[str, ...] = getattr(content.procedures, PROCEDURES[name].options).limit_states
     return () if set(states) & set(LIMIT_STATES[name]) else states
 
 
@@ -239,8 +239,8 @@ def with_procedures_run(resolved: Mapping[str, ResolvedValue], content: sections
     """Add the procedures that run to the values of the project, and leave out default options of other codes."""
     names = procedures_of(content)
     codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}
-    idle = {key for key, code in codes.items() if not any(name.startswith(f"{code}-") for name in names)}
-    kept = {key: each for key, each in resolved.items() if each.given or key not in idle}
+    unused = {key for key, code in codes.items() if not any(name.startswith(f"{code}-") for name in names)}
+    kept = {key: each for key, each in resolved.items() if each.given or key not in unused}
     return {**kept, "analysis.procedures": ResolvedValue(list(names), content.analysis.procedures is not None)}
 
 

@@ -102,11 +102,7 @@ def uncertainty(
 def questions_of(mechanism: MechanismResult) -> Mapping[CheckKey, Check]:
     """Return the checks of a mechanism whose spread is of use: by the letter of a clause that covers it."""
     return checks_by_key(
-        tuple(
-            check
-            for check in mechanism.checks
-            if check.reading == "letter" and not check.informs and check.verdict != Outcome.NOT_APPLICABLE
-        )
+        tuple(check for check in mechanism.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
     )
 
 

@@ -174,8 +174,8 @@ def round_figures(value: float) -> float:
 
 def deciding_checks(mechanism: MechanismResult) -> list[Check]:
     """Return the checks that decide; if none does, all by the letter of a code."""
-    letters = [check for check in mechanism.checks if check.reading == "letter" and not check.informs]
-    return [check for check in letters if check.role == "deciding"] or letters
+    by_code = [check for check in mechanism.checks if check.follows_code]
+    return [check for check in by_code if check.role == "deciding"] or by_code
 
 
 def worst_ratio(checks: Sequence[Check]) -> float | None:
@@ -282,9 +282,7 @@ def sensitivities(
         if isinstance(variable, UnvariedNumber):
             rows.append(unvaried_row(variable))
             continue
-        deciding = tuple(
-            check for check in assessed[variable.mechanism].checks if check.reading == "letter" and not check.informs
-        )
+        deciding = tuple(check for check in assessed[variable.mechanism].checks if check.follows_code)
         procedures = tuple(dict.fromkeys(check.procedure for check in deciding))
         low, high = (
             assess_at_value(variable, value, study, procedures, spectrum, motions, jobs=jobs)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
 from assess.codes.check import Check, Family, Outcome, Reason
-from assess.codes.procedures import FAMILIES
+from assess.codes.procedures import FAMILIES, PROCEDURES
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
@@ -330,7 +330,7 @@ PROCEDURE_WORKS: Mapping[str, Verbatim] = {
     ),
     "ec8": Verbatim("EN 1998-1:2004. Eurocode 8: Design of structures for earthquake resistance, part 1. CEN."),
 }
-"""Of procedures, by how their names begin."""
+"""Of procedures, by the key that each has of its work."""
 
 SPECTRUM_WORKS: Mapping[str, Verbatim] = {
     "asce7-05": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
@@ -360,7 +360,8 @@ def _works(results: Results) -> Iterator[Text]:
     if results.spectrum is not None and results.spectrum.code in SPECTRUM_WORKS:
         yield SPECTRUM_WORKS[results.spectrum.code]
     for procedure in (check.procedure for mechanism in results.mechanisms for check in mechanism.checks):
-        yield from (text for start, text in PROCEDURE_WORKS.items() if procedure.startswith(start))
+        if procedure in PROCEDURES and PROCEDURES[procedure].work:
+            yield PROCEDURE_WORKS[PROCEDURES[procedure].work]
     yield HOUSNER
     yield THESIS
     if any("Sorrentino et al. 2011" in mechanism.restitution_source for mechanism in results.mechanisms):

@@ -12,10 +12,10 @@ import pytest
 from pypdf import PdfReader
 
 from assess import cli
+from assess.codes.procedures import PROCEDURES
 from assess.results import json as results_io
 from reports.assessment import assessment
 from reports.language.locale import Locale
-from reports.titles import PROCEDURE_TITLES
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
 from tests.support.places import NO_RECORDS, PEER
 
@@ -123,7 +123,7 @@ def test_the_main_part_has_twenty_pages_or_so(pages):
 
 
 def test_each_mechanism_has_its_page_with_every_answer_at_the_site_s_own_action(results, pages):
-    titles = {title.english: procedure for procedure, title in PROCEDURE_TITLES.items()}
+    titles = {each.title.english: name for name, each in PROCEDURES.items()}
     method = "|".join(map(re.escape, sorted(titles, key=len, reverse=True)))
     row = re.compile(rf"({method}) (decides|for comparison) .*? (pass|fail|not answered|not applicable)(?= |$)")
     site = results["verdict"]["action"]["pga_g"]

@@ -7,12 +7,10 @@ from typing import Any
 import pytest
 from scipy.constants import g
 
-from assess.codes.procedures import PROCEDURES as REGISTERED
 from assess.errors import ProjectError
 from assess.project.project_file import json_schema, load, resolve
 from assess.project.sections.bodies_and_loads import BoxBody, DirectBody, MeshBody, ProfileBody
 from assess.project.sections.mechanisms import EquivalentBlockSection, SingleBlockSection
-from assess.project.sections.procedures import PROCEDURES
 
 PROJECT = """
 title = "A wall"
@@ -79,10 +77,6 @@ def test_defaults(tmp_path: Path) -> None:
     assert content.building.period == pytest.approx(0.05 * 8.0)  # 0.05 H^0.75, 16^0.75 = 8
     assert content.records.synthetic is not None
     assert content.records.synthetic.count == 7
-
-
-def test_schema_and_registry_name_the_same_procedures() -> None:
-    assert set(PROCEDURES) == set(REGISTERED)
 
 
 def test_the_four_forms_of_a_body(tmp_path: Path) -> None:

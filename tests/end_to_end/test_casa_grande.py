@@ -17,6 +17,7 @@ from assess.results import json as results_io
 from reports.assessment import assessment
 from reports.language.locale import Locale
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
+from tests.support.examples import example_run
 from tests.support.places import NO_RECORDS, PEER
 
 FIVE = (
@@ -53,9 +54,10 @@ def project(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def outputs(project) -> Path:
-    assert assess("run", project, "-o", project / "out") == 0  # no wall is in danger at the site, as the thesis finds
-    return project / "out"
+def outputs() -> Path:
+    run = example_run("casa_grande")
+    assert run.code == 0  # no wall is in danger at the site, as the thesis finds
+    return run.outputs
 
 
 @pytest.fixture(scope="module")

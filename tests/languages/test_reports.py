@@ -4,16 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields, is_dataclass
-from pathlib import Path
 from typing import get_args
 
 import pytest
 
-from assess.examples import copy_example
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.results import Results
-from assess.study.run import run_study
 from reports.assessment import assessment
 from reports.chapters.data_tables import tables
 from reports.document import Sheet
@@ -21,6 +16,7 @@ from reports.language.locale import Locale
 from reports.language.texts import Term, Text, Verbatim, listing, say
 from reports.render.table_text import sheet_rows
 from tests.languages.test_catalogues import OTHERS
+from tests.support.examples import example_results
 from tools.catalogue import is_symbolic
 
 EXAMPLES = ("casa_grande_table", "chiesa", "nepal_monuments", "san_leonardo_church")
@@ -65,9 +61,8 @@ def unknown_words(results: Results, language: str) -> set[str]:
 
 @pytest.mark.parametrize("language", OTHERS)
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_every_word_of_a_report_has_an_entry(name: str, language: str, tmp_path: Path) -> None:
-    results = run_study(build(load(copy_example(name, tmp_path / name))))
-    assert unknown_words(results, language) == set()
+def test_every_word_of_a_report_has_an_entry(name: str, language: str) -> None:
+    assert unknown_words(example_results(name), language) == set()
 
 
 def test_words_without_an_entry_are_found() -> None:

@@ -1,19 +1,117 @@
-"""The shipped examples, built once for all tests of a process."""
+"""The shipped examples: built once in a process, and run once for all processes of a version of the program."""
 
 from __future__ import annotations
 
-from functools import cache
+import re
+import shutil
+import time
+from dataclasses import dataclass
+from functools import cache, cached_property
+from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
-from assess.examples import copy_example
-from assess.project.build import build
-from assess.project.project_file import load
-from assess.study.study import Study
+from tests.support.command import ended
+from tests.support.places import ROOT
+
+if TYPE_CHECKING:
+    from assess.results import Results
+    from assess.study.study import Study
+
+RUNS = ROOT / "build" / "examples"
+VERSIONS_KEPT = 2
+WITH_REPORT = ("casa_grande",)
+SHORTENED = ("casa_grande_flexible", "house", "san_leonardo_spire", "san_leonardo_tower", "street")
+"""Run at one level of their study, with few pulses and the ends of their sweeps, which decide nothing."""
+
+
+@dataclass(frozen=True)
+class ExampleRun:
+    """A run of an example by the command line: its folder, and the exit code."""
+
+    name: str
+    folder: Path
+
+    @property
+    def project(self) -> Path:
+        """The project file."""
+        from assess.examples import EXAMPLES
+
+        return self.folder / "project" / ("short.toml" if self.name in SHORTENED else EXAMPLES[self.name].file)
+
+    @property
+    def outputs(self) -> Path:
+        """What the run has written; to be read only."""
+        return self.folder / "out"
+
+    @cached_property
+    def code(self) -> int:
+        """The exit code."""
+        return int((self.folder / "code").read_text())
 
 
 @cache
 def example_study(name: str) -> Study:
     """Return the study of a shipped example; its folder is gone by then, so it is not to be run."""
+    from assess.examples import copy_example
+    from assess.project.build import build
+    from assess.project.project_file import load
+
     with TemporaryDirectory() as folder:
         return build(load(copy_example(name, Path(folder) / name)))
+
+
+@cache
+def example_run(name: str) -> ExampleRun:
+    """Return the run of a shipped example, made by the process that asks first, kept by a digest of all sources."""
+    from assess.outputs.lock import HeldError, hold_lock
+
+    version = RUNS / _sources()
+    version.mkdir(parents=True, exist_ok=True)
+    for old in sorted(RUNS.iterdir(), key=lambda path: path.stat().st_mtime)[:-VERSIONS_KEPT]:
+        shutil.rmtree(old, ignore_errors=True)
+    run = ExampleRun(name, version / name)
+    while not (run.folder / "code").exists():
+        try:
+            with hold_lock(version, command="tests", name=f"{name}.lock"):
+                if not (run.folder / "code").exists():
+                    _make(run)
+        except HeldError:
+            time.sleep(0.2)
+    return run
+
+
+@cache
+def example_results(name: str) -> Results:
+    """Return the results of the run of a shipped example."""
+    from assess.results.json import loads
+
+    return loads((example_run(name).outputs / "results.json").read_text(encoding="utf-8"))
+
+
+def _make(run: ExampleRun) -> None:
+    """Copy and run an example as a user would; what an interrupted process has left is made again."""
+    from assess.examples import copy_example
+
+    shutil.rmtree(run.folder, ignore_errors=True)
+    file = copy_example(run.name, run.folder / "project")
+    if run.name in SHORTENED:
+        run.project.write_text(_shortened(file.read_text(encoding="utf-8")), encoding="utf-8")
+    more = () if run.name in WITH_REPORT else ("--no-report",)
+    code = ended("run", "--quiet", run.project, "-o", run.outputs, *more)
+    (run.folder / "code").write_text(str(code))
+
+
+def _shortened(text: str) -> str:
+    text = text.replace("count = 41", "count = 4").replace("sensitivity = true", "")
+    text = re.sub(r'levels = \[("[^"]+").*\]', r"levels = [\1]", text)
+    return re.sub(r'"50 deg".*"75 deg"', '"75 deg"', text)
+
+
+def _sources() -> str:
+    """A digest of the program's sources, its examples among them, and of the versions of what it imports."""
+    from assess.results.inputs import package_folder, sources_digest
+
+    pins = (ROOT / "requirements.lock").read_bytes()
+    return sha256(sources_digest(package_folder()).encode() + pins).hexdigest()[:16]

@@ -7,9 +7,9 @@ renderers turn both into letters by a `Locale`, and escape them.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypeVar
 from urllib.parse import quote
 
 from assess.codes.calculation_sheet import Step
@@ -99,6 +99,11 @@ class Table:
     muted: frozenset[int] = frozenset()
     small: bool = False
     sifted: bool = False
+
+
+Item = TypeVar("Item")
+Field = tuple[Column, Callable[[Item], Cell]]
+"""A column of a table, with what its cell is for an item."""
 
 
 Point = tuple[float, float, float]
@@ -233,6 +238,31 @@ Block = (
 def nonempty(table: Table) -> list[Block]:
     """Return the table as blocks: none where it has no rows."""
     return [table] if table.rows else []
+
+
+def tabulate(
+    name: str,
+    caption: Text,
+    fields: Iterable[Field[Item]],
+    items: Iterable[Item],
+    *,
+    muted: Callable[[Item], bool] | None = None,
+    small: bool = False,
+) -> Table:
+    """Return the table of some items, a row for each.
+
+    Parameters
+    ----------
+    name, caption, small : as of `Table`
+    fields : the columns, each with its cell
+    items : in the order of the rows
+    muted : tells of an item whether its row is for information only
+    """
+    columns, cells = zip(*fields, strict=True)
+    every = tuple(items)
+    rows = tuple(tuple(cell(item) for cell in cells) for item in every)
+    for_information = frozenset(place for place, item in enumerate(every) if muted is not None and muted(item))
+    return Table(name, caption, columns, rows, for_information, small)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from assess.messages.message import Quantity
 from assess.results.fragility import (
     FragilityCurve,
     HazardResult,
+    LognormalResult,
     MeasureResult,
     MechanismFragility,
     RecordRunsResult,
@@ -70,6 +71,29 @@ def interval(ends: tuple[float, float] | None, dimension: str) -> Text | None:
         return None
     low, high = (quantity(end, dimension, FIGURES) for end in ends)
     return say("{low} to {high}", low=low, high=high)
+
+
+RATE_CURVES: Mapping[str, Phrase] = {
+    "empirical": say("from the shares counted"),
+    "lognormal": say("from the lognormal"),
+    "first": say("bound, from the first intensity"),
+}
+
+
+def value_with_interval(value: float, ends: tuple[float, float] | None, measure: MeasureResult) -> Text:
+    """Return an intensity with its interval in brackets, where it has one."""
+    within = interval(ends, measure.dimension)
+    shown = intensity(value, measure)
+    return shown if within is None else say("{value} ({interval})", value=shown, interval=within)
+
+
+def dispersion_text(fitted: LognormalResult) -> Text:
+    """Return a dispersion with its interval."""
+    shown = quantity(fitted.dispersion, figures=2)
+    if fitted.dispersion_interval is None:
+        return shown
+    low, high = (quantity(end, figures=2) for end in fitted.dispersion_interval)
+    return say("{value} ({interval})", value=shown, interval=say("{low} to {high}", low=low, high=high))
 
 
 def measures_of(mechanism: MechanismFragility) -> tuple[MeasureResult, ...]:

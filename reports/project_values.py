@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.messages.message import Quantity
 from assess.results import ResolvedValue, Results
 from reports.document import Cell
-from reports.language.texts import Verbatim, listing, say
+from reports.language.texts import Verbatim, listing
 
 
 def project_text(results: Results, key: str) -> str:
@@ -69,19 +69,19 @@ def project_values(key: str, resolved: ResolvedValue) -> Iterator[ProjectValue]:
     yield from _values_below(key, resolved.value, "", resolved.dimensions)
 
 
-def _values_below(key: str, value: object, way: str, kinds: Mapping[str, str]) -> Iterator[ProjectValue]:
+def _values_below(key: str, value: object, path: str, kinds: Mapping[str, str]) -> Iterator[ProjectValue]:
     if isinstance(value, Mapping):
-        for name, held in value.items():
-            yield from _values_below(f"{key}.{name}", held, _joined(way, name), kinds)
+        for name, below in value.items():
+            yield from _values_below(f"{key}.{name}", below, _joined(path, name), kinds)
     elif isinstance(value, list | tuple) and any(isinstance(each, Mapping | list | tuple) for each in value):
-        for place, held in enumerate(value):
-            yield from _values_below(f"{key}[{place + 1}]", held, _joined(way, str(place)), kinds)
+        for place, below in enumerate(value):
+            yield from _values_below(f"{key}[{place + 1}]", below, _joined(path, str(place)), kinds)
     elif value not in (None, "", [], ()):
-        yield ProjectValue(key, _cell(value, kinds.get(way, "")))
+        yield ProjectValue(key, _cell(value, kinds.get(path, "")))
 
 
-def _joined(way: str, name: str) -> str:
-    return f"{way}.{name}" if way else name
+def _joined(path: str, name: str) -> str:
+    return f"{path}.{name}" if path else name
 
 
 def _cell(value: object, kind: str) -> Cell:
@@ -98,7 +98,6 @@ def _text(value: object, kind: str) -> Quantity | Verbatim:
     return Quantity(number, KIND_DIMENSIONS.get(kind, "ratio"), _FIGURES)
 
 
-GIVEN, DEFAULT = say("given"), say("default")
 MECHANISMS = "mechanisms."
 
 

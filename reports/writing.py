@@ -78,10 +78,10 @@ def write_document(
         pictures = {figure: svg_picture(drawing.result()) for figure, drawing in drawings.items()}
         for figure in pictures if "svg" in figures else ():
             write_svg(pictures[figure], folder / "figures" / f"{figure}.svg", creator=creator)
-        asked = [submit(_write_png, place, folder / "figures", creator) for place in _places(document, figures)]
+        pngs = [submit(_write_png, place, folder / "figures", creator) for place in _places(document, figures)]
         write_html(document, path.with_suffix(".html"), pictures=pictures)
         report_stage("tables")
-        for each in (tables, *asked):
+        for each in (tables, *pngs):
             each.result()
     return path
 

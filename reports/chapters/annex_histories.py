@@ -11,9 +11,9 @@ from assess.messages.message import Message, Quantity
 from assess.results import HistoryResult, MechanismResult, Results, SuiteResult, SweepResult
 from reports import governing
 from reports.chapters.cells import LEVEL, OUTCOMES, OVERTURNED, rocking_cell, standing_cell, swept_value, uplift_cell
-from reports.document import Block, Cell, Column, Figure, OutcomeCell, Prose, Section, Table, nonempty
+from reports.document import Block, Cell, Column, Field, Figure, OutcomeCell, Prose, Section, Table, nonempty, tabulate
 from reports.figures import rocking, sensitivity
-from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, count, quantity, say, say_count
+from reports.language.texts import Paragraph, Term, Text, Verbatim, count, quantity, say, say_count
 from reports.titles import file_stem, mechanism_number, mechanism_title
 
 MARK = "B"
@@ -80,8 +80,8 @@ def _amplification(mechanism: MechanismResult, stem: str) -> list[Block]:
     return blocks
 
 
-def _motion_sentences(said: tuple[Message | Term | str, ...]) -> list[Text]:
-    texts = (Term(each) if isinstance(each, str) else each for each in said)
+def _motion_sentences(messages: tuple[Message | Term | str, ...]) -> list[Text]:
+    texts = (Term(each) if isinstance(each, str) else each for each in messages)
     return [say("Motion at its base: {text}.", text=each) for each in texts]
 
 
@@ -102,29 +102,33 @@ def _factors(mechanism: MechanismResult) -> list[Text]:
     ]
 
 
+SUITE_FIELDS: tuple[Field[SuiteResult], ...] = (
+    (LEVEL, lambda suite: suite.level_pga_g),
+    (Column(say("Records")), lambda suite: suite.n),
+    (Column(say("Overturned")), lambda suite: suite.overturned),
+    (Column(say("Mean φ/φₒᵥ"), "ratio"), lambda suite: _statistic_cell(suite, suite.mean_ratio)),
+    (Column(say("Median"), "ratio"), lambda suite: _statistic_cell(suite, suite.median_ratio)),
+    (Column(say("84 % of records"), "ratio"), lambda suite: _statistic_cell(suite, suite.p84_ratio)),
+    (
+        Column(say("Largest without overturning"), "ratio"),
+        lambda suite: standing_cell(suite.max_ratio, suite.figures, 4),
+    ),
+)
+
+
 def suites_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the statistics of the suite of records at each level."""
-    columns = (
-        LEVEL,
-        Column(say("Records")),
-        Column(say("Overturned")),
-        Column(say("Mean φ/φₒᵥ"), "ratio"),
-        Column(say("Median"), "ratio"),
-        Column(say("84 % of records"), "ratio"),
-        Column(say("Largest without overturning"), "ratio"),
-    )
     caption = say(
         "The suite of records at each level. Half of the records do not exceed the median, and 84 % do not exceed the "
         "next column; a record that overturns counts as the largest."
     )
-    return Table(name, caption, columns, tuple(_suite_row(suite) for suite in mechanism.suites), small=True)
+    return tabulate(name, caption, SUITE_FIELDS, mechanism.suites, small=True)
 
 
-def _suite_row(suite: SuiteResult) -> tuple[Cell, ...]:
-    ratios = (suite.mean_ratio, suite.median_ratio, suite.p84_ratio)
-    fell = tuple(OVERTURNED if ratio is None and suite.overturned else ratio for ratio in ratios)
-    shown = (each if isinstance(each, Phrase) else standing_cell(each, suite.figures, 4) for each in fell)
-    return (suite.level_pga_g, suite.n, suite.overturned, *shown, standing_cell(suite.max_ratio, suite.figures, 4))
+def _statistic_cell(suite: SuiteResult, ratio: float | None) -> Cell:
+    if ratio is None and suite.overturned:
+        return OVERTURNED
+    return standing_cell(ratio, suite.figures, 4)
 
 
 def _governing_figure(mechanism: MechanismResult, stem: str) -> list[Figure]:
@@ -184,19 +188,19 @@ def _moves(history: HistoryResult) -> bool:
 
 def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
     """Return the largest responses to the records that move a mechanism, and how many do not."""
-    moving = [history for history in mechanism.histories if _moves(history)]
-    still = len(mechanism.histories) - len(moving)
+    moved = [history for history in mechanism.histories if _moves(history)]
+    not_moved = len(mechanism.histories) - len(moved)
     blocks: list[Block] = []
-    if moving:
-        blocks.append(histories_table(replace(mechanism, histories=tuple(moving)), name=f"{stem}-responses"))
-    if still:
+    if moved:
+        blocks.append(histories_table(replace(mechanism, histories=tuple(moved)), name=f"{stem}-responses"))
+    if not_moved:
         blocks.append(
             Prose(
                 (
                     say_count(
                         "{number} history of {all} does not move the mechanism.",
                         "{number} histories of {all} do not move the mechanism.",
-                        still,
+                        not_moved,
                         all=count(len(mechanism.histories)),
                     ),
                 )
@@ -205,38 +209,39 @@ def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
     return blocks
 
 
+HISTORY_FIELDS: tuple[Field[HistoryResult], ...] = (
+    (Column(say("Record"), share=0.2), lambda history: Verbatim(history.record)),
+    (LEVEL, lambda history: history.level_pga_g),
+    (Column(say("Polarity")), lambda history: history.polarity),
+    (Column(say("Scale factor"), "ratio"), lambda history: history.scale_factor),
+    (Column(say("Amplification"), "ratio"), lambda history: history.amplification),
+    (
+        Column(say("Largest φ"), "rotation"),
+        lambda history: _maximum_cell(history, history.max_rotation_rad, "rotation"),
+    ),
+    (
+        Column(say("Largest φ/φₒᵥ"), "ratio"),
+        lambda history: _maximum_cell(history, history.max_rotation_ratio, "ratio"),
+    ),
+    (Column(say("At"), "time"), lambda history: _time_cell(history, history.time_of_max_s)),
+    (Column(say("Impacts")), lambda history: _impacts(history)),
+    (Column(say("Overturns in")), lambda history: _overturning_cell(history)),
+)
+
+
 def histories_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the largest response to each record at each level."""
-    columns = (
-        Column(say("Record"), share=0.2),
-        LEVEL,
-        Column(say("Polarity")),
-        Column(say("Scale factor"), "ratio"),
-        Column(say("Amplification"), "ratio"),
-        Column(say("Largest φ"), "rotation"),
-        Column(say("Largest φ/φₒᵥ"), "ratio"),
-        Column(say("At"), "time"),
-        Column(say("Impacts")),
-        Column(say("Overturns in")),
-    )
     caption = say(
         "The largest response to each record, in the worse polarity, to the digits that stand in its runs. The last "
         "column says in how many of them the mechanism overturns, or when it does if in all."
     )
-    return Table(name, caption, columns, tuple(map(_history_row, mechanism.histories)), small=True)
-
-
-def _history_row(history: HistoryResult) -> tuple[Cell, ...]:
-    fell = history.overturned
-    rotation = OVERTURNED if fell else _maximum_cell(history, history.max_rotation_rad, "rotation")
-    ratio = OVERTURNED if fell else _maximum_cell(history, history.max_rotation_ratio, "ratio")
-    scaling = (history.scale_factor, history.amplification)
-    times = (_time_cell(history, history.time_of_max_s), _impacts(history), _overturning_cell(history))
-    return (Verbatim(history.record), history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)
+    return tabulate(name, caption, HISTORY_FIELDS, mechanism.histories, small=True)
 
 
 def _maximum_cell(history: HistoryResult, value: float | None, dimension: str) -> Cell:
-    """Return the maximum of a history that stays standing, to the figures that stand."""
+    """Return the maximum of a history to the figures that stand; words where the body overturns or does not rock."""
+    if history.overturned:
+        return OVERTURNED
     figures = figures_of(history)
     return rocking_cell(value) if not value or figures >= FIGURES else Quantity(value, dimension, figures)
 

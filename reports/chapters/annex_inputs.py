@@ -5,10 +5,13 @@ from __future__ import annotations
 from assess.results import ResolvedValue, Results
 from reports.document import Block, Cell, Column, Section, Table, nonempty
 from reports.language.texts import Verbatim, say
-from reports.project_values import DEFAULT, GIVEN, project_values
+from reports.project_values import project_values
 
 MARK = "E"
 LEFT_OUT = ("report.", "notes", "title")
+
+
+GIVEN, DEFAULT = say("given"), say("default")
 
 
 def sections(results: Results) -> list[Section]:

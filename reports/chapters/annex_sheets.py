@@ -9,10 +9,10 @@ from typing import Any
 
 from assess.codes.check import Check
 from assess.messages.message import Quantity
-from assess.results import ContactSheet, HingeForceResult, MechanismResult, OscillatorResult, Results
+from assess.results import ContactSheet, HingeForceResult, LoadResult, MechanismResult, OscillatorResult, Results
 from reports import governing, joints
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
-from reports.document import Block, Cell, Column, Figure, Prose, Section, Sheet, Table, nonempty
+from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Sheet, Table, nonempty, tabulate
 from reports.figures import capacity, sketch
 from reports.figures.sketch import model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
@@ -53,8 +53,8 @@ def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
 
 def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
     """Return the bodies of a mechanism in space, which a reader can turn; none without geometry."""
-    seen = mechanism.view
-    if seen is None:
+    bodies = mechanism.view
+    if bodies is None:
         return []
     positive = len(mechanism.drawing.displaced.hinges)
     caption = say(
@@ -63,7 +63,10 @@ def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
     )
     return [
         Figure(
-            f"{stem}-view", caption, partial(sketch.draw_view, seen, positive), model_of_view(seen, positive=positive)
+            f"{stem}-view",
+            caption,
+            partial(sketch.draw_view, bodies, positive),
+            model_of_view(bodies, positive=positive),
         )
     ]
 
@@ -152,77 +155,62 @@ def parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) ->
     return Quantity(value, dimension)
 
 
+LOAD_FIELDS: tuple[Field[LoadResult], ...] = (
+    (Column(say("Load"), share=0.22), lambda load: Verbatim(load.name)),
+    (Column(say("x"), "length"), lambda load: round(load.at[0], 9) + 0.0),
+    (Column(say("z"), "length"), lambda load: round(load.at[1], 9) + 0.0),
+    (Column(say("Mass"), "mass"), lambda load: load.mass_kg),
+    (Column(say("Bearing")), lambda load: load.bearing),
+    (Column(say("Force along"), "force"), lambda load: load.force_n and load.force_n[0]),
+    (Column(say("Force up"), "force"), lambda load: load.force_n and load.force_n[1]),
+    (Column(say("Found"), share=0.22), lambda load: Listing(load.found or (Term(load.source),), "")),
+)
+
+
 def loads_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the loads of each block and their source."""
-    columns = (
-        Column(say("Load"), share=0.22),
-        Column(say("x"), "length"),
-        Column(say("z"), "length"),
-        Column(say("Mass"), "mass"),
-        Column(say("Bearing")),
-        Column(say("Force along"), "force"),
-        Column(say("Force up"), "force"),
-        Column(say("Found"), share=0.22),
-    )
-    rows = tuple(
-        (
-            Verbatim(load.name),
-            *(round(each, 9) + 0.0 for each in load.at),
-            load.mass_kg,
-            load.bearing,
-            *(load.force_n or (None, None)),
-            Listing(load.found or (Term(load.source),), ""),
-        )
-        for load in mechanism.loads
-    )
     caption = say(
         "Loads, at x along the direction of motion and elevation z; forces along the direction and up. The weight of a "
         "non-bearing mass is carried elsewhere: only its horizontal inertia acts on the block."
     )
-    return Table(name, caption, columns, rows, small=True)
+    return tabulate(name, caption, LOAD_FIELDS, mechanism.loads, small=True)
+
+
+HINGE_FIELDS: tuple[Field[HingeForceResult], ...] = (
+    (Column(say("Hinge")), lambda forces: Verbatim(forces.hinge)),
+    (Column(say("Rocks from"), "ground acceleration"), lambda forces: forces.activation_g),
+    (Column(Verbatim("H"), "force"), lambda forces: forces.horizontal_n),
+    (Column(Verbatim("V"), "force"), lambda forces: forces.vertical_n),
+    (Column(Verbatim("N"), "force"), lambda forces: forces.normal_n),
+    (Column(Verbatim("T"), "force"), lambda forces: forces.shear_n),
+    (
+        Column(say("Friction needed"), "ratio", figures=3),
+        lambda forces: LIFTS if forces.needed_friction is None else forces.needed_friction,
+    ),
+    (
+        Column(say("Friction"), "ratio", figures=3),
+        lambda forces: NOT_GIVEN if forces.friction is None else forces.friction,
+    ),
+    (Column(say("Slides from"), "ground acceleration"), lambda forces: _sliding_cell(forces)),
+    (Column(say("Remark"), share=0.2), lambda forces: _hinge_remark(forces)),
+)
 
 
 def hinge_forces_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the forces at each hinge when the mechanism starts to rock, and the friction that they need."""
-    columns = (
-        Column(say("Hinge")),
-        Column(say("Rocks from"), "ground acceleration"),
-        Column(Verbatim("H"), "force"),
-        Column(Verbatim("V"), "force"),
-        Column(Verbatim("N"), "force"),
-        Column(Verbatim("T"), "force"),
-        Column(say("Friction needed"), "ratio", figures=3),
-        Column(say("Friction"), "ratio", figures=3),
-        Column(say("Slides from"), "ground acceleration"),
-        Column(say("Remark"), share=0.2),
-    )
-    rows = tuple(
-        (
-            Verbatim(f.hinge),
-            f.activation_g,
-            f.horizontal_n,
-            f.vertical_n,
-            f.normal_n,
-            f.shear_n,
-            *_friction(f),
-            _hinge_remark(f),
-        )
-        for f in mechanism.hinge_forces
-    )
     caption = say(
         "Forces at the hinges when rocking starts, from equilibrium of the blocks: on the block that presses, H along "
         "the direction of the branch and V upwards, N normal to its faces and T along them. The mechanism slides "
         "before it rocks where |T| / N exceeds the friction of the joint."
     )
-    return Table(name, caption, columns, rows, small=True)
+    return tabulate(name, caption, HINGE_FIELDS, mechanism.hinge_forces, small=True)
 
 
-def _friction(forces: HingeForceResult) -> tuple[Cell, Cell, Cell]:
-    """Return friction needed, friction available, and the acceleration that slides the hinge or why there is none."""
-    needed: Cell = LIFTS if forces.needed_friction is None else forces.needed_friction
+def _sliding_cell(forces: HingeForceResult) -> Cell:
+    """Return the acceleration that slides the hinge; None where its friction is not known."""
     if forces.friction is None:
-        return needed, NOT_GIVEN, None
-    return needed, forces.friction, ROCKS_FIRST if forces.sliding_g is None else forces.sliding_g
+        return None
+    return ROCKS_FIRST if forces.sliding_g is None else forces.sliding_g
 
 
 def _hinge_remark(forces: HingeForceResult) -> Cell:
@@ -284,40 +272,38 @@ def _contact_sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:
     return Sheet(name, caption, first.steps)
 
 
+Joint = dict[str, Any]
+JOINT_FIELDS: tuple[Field[Joint], ...] = (
+    (Column(say("Hinge")), lambda joint: Verbatim(joint["hinge"])),
+    (Column(say("Model"), share=0.16), lambda joint: joints.JOINT_MODELS[joint["model"]]),
+    (Column(say("Stiffness"), "stiffness"), lambda joint: _if_deformable(joint, "stiffness_pa_m", RIGID)),
+    (Column(say("Strength"), "stress"), lambda joint: _if_deformable(joint, "strength_pa", UNLIMITED)),
+    (Column(say("Force at rest"), "force"), lambda joint: joint["normal_force_n"]),
+    (Column(say("Area"), "area"), lambda joint: _if_deformable(joint, "area_m2", None)),
+    (Column(say("Depth"), "length"), lambda joint: _if_deformable(joint, "depth_m", None)),
+    (Column(say("Opens at"), "rotation"), lambda joint: _opening_cell(joint)),
+    (Column(say("Crushes at"), "rotation"), lambda joint: _if_deformable(joint, "crushing_rad", NEVER)),
+)
+
+
 def joints_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate every hinge of both branches with the contact that it presses on."""
-    columns = (
-        Column(say("Hinge")),
-        Column(say("Model"), share=0.16),
-        Column(say("Stiffness"), "stiffness"),
-        Column(say("Strength"), "stress"),
-        Column(say("Force at rest"), "force"),
-        Column(say("Area"), "area"),
-        Column(say("Depth"), "length"),
-        Column(say("Opens at"), "rotation"),
-        Column(say("Crushes at"), "rotation"),
-    )
     caption = say(
         "Joints under the hinges. Depth: along the motion; rotations: of the joint itself, under its force at rest, at "
         "which it begins to open and its edge to crush."
     )
-    return Table(name, caption, columns, tuple(map(_joint_row, mechanism.interfaces)), small=True)
+    return tabulate(name, caption, JOINT_FIELDS, mechanism.interfaces, small=True)
 
 
-def _joint_row(found: dict[str, Any]) -> tuple[Cell, ...]:
-    start = (Verbatim(found["hinge"]), joints.JOINT_MODELS[found["model"]])
-    if found["curve"] is None:
-        return (*start, RIGID, UNLIMITED, found["normal_force_n"], None, None, found["opening_rad"], NEVER)
-    return (
-        *start,
-        RIGID if found["stiffness_pa_m"] is None else found["stiffness_pa_m"],
-        UNLIMITED if found["strength_pa"] is None else found["strength_pa"],
-        found["normal_force_n"],
-        found["area_m2"],
-        found["depth_m"],
-        NEVER if found["opening_rad"] is None else found["opening_rad"],
-        NEVER if found["crushing_rad"] is None else found["crushing_rad"],
-    )
+def _if_deformable(joint: Joint, key: str, otherwise: Cell) -> Cell:
+    """Return a value of a joint that opens or crushes; `otherwise` where it is rigid or has none."""
+    value: float | None = None if joint["curve"] is None else joint[key]
+    return otherwise if value is None else value
+
+
+def _opening_cell(joint: Joint) -> Cell:
+    value: float | None = joint["opening_rad"]
+    return NEVER if value is None and joint["curve"] is not None else value
 
 
 def joints_at_peak(mechanism: MechanismResult) -> Text:

@@ -121,13 +121,13 @@ def _assumed_rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
 
 def shown_values(results: Results, key: str, value: ResolvedValue) -> Iterator[ProjectValue]:
     """Yield a value as cells with their keys; a list of tables as one, which says where the report shows them."""
-    held = value.value
-    if not isinstance(held, Sequence) or not any(isinstance(each, Mapping) for each in held):
+    content = value.value
+    if not isinstance(content, Sequence) or not any(isinstance(each, Mapping) for each in content):
         yield from project_values(key, value)
     elif key in TABLES and (results.spectrum if key.startswith(SPECTRUM) else any(m.loads for m in results.mechanisms)):
         yield ProjectValue(key, say("see {table}", table=Reference("Table", TABLES[key])))
     else:
-        yield ProjectValue(key, say_count("{number} set of values", "{number} sets of values", len(held)))
+        yield ProjectValue(key, say_count("{number} set of values", "{number} sets of values", len(content)))
 
 
 def value_label(key: str) -> Text:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isclose
 
 from assess.codes.check import Check, Reason
 from assess.codes.histories import interval_figures, ratio_figures
@@ -11,13 +10,7 @@ from assess.codes.verdict import Answer
 from assess.messages.message import DIMENSIONS, Quantity
 from reports import document
 from reports.document import Cell, Column, OutcomeCell
-from reports.language.texts import (
-    Phrase,
-    Text,
-    Verbatim,
-    quantity,
-    say,
-)
+from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
@@ -43,7 +36,11 @@ _NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
 MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground acceleration")
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
 FIGURES = 3
-DEMAND, ALLOWABLE = Column(say("Demand")), Column(say("Allowable"))
+
+
+PROCEDURE = Column(say("Procedure"))
+
+
 RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
 
@@ -78,16 +75,6 @@ def value_cell(value: float | None, unit: str, *, figures: int = 4) -> Cell:
     return None if value is None else Quantity(value, DIMENSIONS.get(unit, "ratio"), figures)
 
 
-def demand_cell(check: Check) -> Cell:
-    """Return the demand of a check with its unit, or why there is none."""
-    return unbounded_text(check) or value_cell(check.demand, check.unit, figures=ratio_figures(check))
-
-
-def capacity_cell(check: Check) -> Cell:
-    """Return the allowable of a check with its unit."""
-    return value_cell(check.capacity, check.unit)
-
-
 def rocking_cell(rotation: float | None) -> Cell:
     """Return a rotation; words for a body that does not move."""
     return NO_ROCKING if rotation == 0 else rotation
@@ -103,12 +90,6 @@ def rotation_cell(check: Check) -> Cell:
 def uplift_cell(at: float | None) -> Cell:
     """Return the multiplier or PGA at uplift; "none" where joints have no threshold of uplift."""
     return NONE if at is None else at
-
-
-def demand_or_rest(check: Check, demand: Cell) -> Cell:
-    """Return the demand of a check, or words where the body does not rock or comes to rest again."""
-    words = rotation_cell(check)
-    return words if check.rotation_ratio is not None and words in (NO_LASTING, NO_ROCKING) else demand
 
 
 def ratio_cell(check: Check) -> Cell:
@@ -134,14 +115,6 @@ def pga_interval(low: float, high: float, *, limit: float) -> Text:
     figures = interval_figures(low, high, limit=limit)
     ends = (Quantity(each, "ground acceleration", figures) for each in (low, high))
     return say("{low} to {high}", **dict(zip(("low", "high"), ends, strict=True)))
-
-
-def comparison_clause(check: Check) -> str:
-    """Return the clause by which a check compares demand and capacity; empty without steps."""
-    wanted = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
-    steps = check.steps[::-1]
-    found = (step for value in wanted for step in steps if step.value is not None and isclose(step.value, value))
-    return next((step.clause for step in found), steps[0].clause if steps else "")
 
 
 def swept_value(value: float, unit: str) -> Text:

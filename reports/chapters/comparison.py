@@ -10,7 +10,7 @@ from statistics import median
 from assess.codes.check import Check, Family, Outcome
 from assess.codes.histories import ratio_figures
 from assess.codes.procedures import FAMILIES, uses_histories
-from assess.codes.verdict import MechanismVerdict
+from assess.codes.verdict import Decision
 from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
@@ -53,8 +53,8 @@ def sections(results: Results) -> list[Section]:
 
 
 def _prose(sentences: Iterator[Text]) -> list[Block]:
-    told = tuple(sentences)
-    return [Prose(told)] if told else []
+    paragraphs = tuple(sentences)
+    return [Prose(paragraphs)] if paragraphs else []
 
 
 def _curves(results: Results) -> Iterator[Figure]:
@@ -130,18 +130,18 @@ def _ratios_caption(results: Results, others: tuple[float, ...]) -> Text:
 
 def _ratios_row(results: Results, mechanism: MechanismResult, levels: tuple[float, ...]) -> tuple[Cell, ...]:
     own = governing.site_pga(results)
-    found = governing.verdict_of(results, mechanism)
+    mechanism_verdict = governing.verdict_of(results, mechanism)
     worst = [governing.worst_check(_accepted(results, mechanism, level)) for level in levels]
     known = next((check for check in worst if check is not None), None)
     cells = (
-        _site_ratio_cell(check, found)
-        if level == own and found is not None and _has_basis(results)
+        _site_ratio_cell(check, mechanism_verdict.outcome)
+        if level == own and mechanism_verdict is not None and _has_basis(results)
         else _ratio_or_reason(check)
         for level, check in zip(levels, worst, strict=True)
     )
     title = None if known is None else procedure_title(known.procedure)
     capacity = None if known is None else capacity_pga_cell(known)
-    margin = None if found is None else margin_cell(found)
+    margin = None if mechanism_verdict is None else margin_cell(mechanism_verdict)
     return (numbered_title(results, mechanism.name), title, *cells, capacity, margin)
 
 
@@ -151,19 +151,19 @@ def _accepted(results: Results, mechanism: MechanismResult, level: float) -> tup
     Where no method decides, those of all methods that may.
     """
     checks = governing.code_checks(governing.checks_at_level(mechanism.checks, level))
-    verdict, own = results.verdict, governing.verdict_of(results, mechanism)
-    if verdict is None or own is None or not verdict.methods:
+    verdict, mechanism_verdict = results.verdict, governing.verdict_of(results, mechanism)
+    if verdict is None or mechanism_verdict is None or not verdict.methods:
         return checks
-    methods = {answer.procedure for answer in own.answers if answer.procedure} or set(verdict.methods)
+    methods = {answer.procedure for answer in mechanism_verdict.answers if answer.procedure} or set(verdict.methods)
     accepted = tuple(check for check in checks if check.procedure in methods)
     return tuple(check for check in accepted if check.limit_state in verdict.limit_states) or accepted
 
 
-def _site_ratio_cell(check: Check | None, found: MechanismVerdict) -> OutcomeCell:
+def _site_ratio_cell(check: Check | None, outcome: Decision) -> OutcomeCell:
     """Return the ratio at the site's own action in the colour of the mechanism's outcome."""
     ratio = _ratio_or_reason(check)
     text = quantity(ratio, "ratio", FIGURES) if isinstance(ratio, float) else ratio
-    return OutcomeCell(found.outcome.value, OUTCOMES[found.outcome.value] if text is None else text)
+    return OutcomeCell(outcome.value, OUTCOMES[outcome.value] if text is None else text)
 
 
 def _ratio_or_reason(check: Check | None) -> Phrase | Quantity | float | None:
@@ -268,11 +268,11 @@ def _disagreements(results: Results) -> Iterator[Text]:
         for procedure in answering
         if any(_fails(results, m, procedure) for m in apart)
     }
-    told: set[Family | None] = set()
+    explained: set[Family | None] = set()
     for procedure, mechanisms in failed.items():
         family = FAMILIES.get(procedure)
-        yield _failing(results, procedure, mechanisms, None if family in told else family)
-        told.add(family)
+        yield _failing(results, procedure, mechanisms, None if family in explained else family)
+        explained.add(family)
     passed: dict[tuple[str, ...], list[str]] = {}
     for procedure in (name for name in answering if name not in failed):
         passed.setdefault(tuple(m.name for m in apart if _passes(results, m, procedure)), []).append(procedure)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assess.codes.check import Check
-from assess.results import BranchCurve, ComparisonRow, RecordSpectrum, Results, SensitivityResult, SpectrumResult
+from assess.results import BranchCurve, ComparisonRow, RecordSpectrum, Results, SpectrumResult
 from reports import governing
 from reports.chapters import (
     annex_envelopes,
@@ -13,6 +13,7 @@ from reports.chapters import (
     annex_inputs,
     annex_sheets,
     declaration,
+    sensitivity,
     suite,
     uncertainty,
 )
@@ -24,7 +25,7 @@ from reports.chapters.cells import (
     MECHANISM,
     METHOD,
     OUTCOME,
-    OUTCOMES,
+    PROCEDURE,
     READINGS,
     ROLES,
     outcome_cell,
@@ -33,19 +34,13 @@ from reports.chapters.cells import (
     unbounded_text,
     uplift_cell,
 )
-from reports.chapters.sensitivity import input_name
-from reports.document import Cell, Column, Table
-from reports.language.texts import Listing, Phrase, Term, Verbatim, quantity, say
+from reports.document import Cell, Column, Field, Table, tabulate
+from reports.language.texts import Listing, Term, Verbatim, quantity, say
 from reports.titles import file_stem, numbered_title, procedure_title
 
-PROCEDURE = Column(say("Procedure"))
 ROTATION = Column(say("Rotation φ/φₒᵥ"), "ratio")
 RATIO = Column(say("Demand / capacity"), "ratio")
-QUANTITIES = {
-    "index": say("index"),
-    "capacity_pga_g": say("PGA at capacity [g]"),
-    "demand_capacity": say("demand / capacity"),
-}
+INPUT_AT = Column(say("Input at"))
 
 
 def tables(results: Results) -> Iterator[Table]:
@@ -58,7 +53,7 @@ def tables(results: Results) -> Iterator[Table]:
         spectra_table(results),
         capacity_curves_table(results),
         pga_curves_table(results),
-        sensitivity_table(results),
+        sensitivity.sensitivity_table(results),
         *uncertainty.data_tables(results),
         declaration.controls_in_full(results),
         *annex_envelopes.data_tables(results),
@@ -89,61 +84,46 @@ def _of_suite(results: Results) -> Iterator[Table]:
     yield suite.processing_table(results)
 
 
+CHECK_FIELDS: tuple[Field[Check], ...] = (
+    (LEVEL, lambda check: check.level_pga_g),
+    (PROCEDURE, lambda check: Verbatim(check.procedure)),
+    (METHOD, lambda check: procedure_title(check.procedure)),
+    (LIMIT_STATE, lambda check: Verbatim(check.limit_state)),
+    (Column(say("Quantity")), lambda check: Term(check.quantity)),
+    (Column(say("Unit")), lambda check: Verbatim(check.unit)),
+    (Column(say("Demand")), lambda check: unbounded_text(check) or check.demand),
+    (Column(say("Allowable")), lambda check: check.capacity),
+    (RATIO, lambda check: check.ratio),
+    (ROTATION, rotation_cell),
+    (Column(say("PGA at uplift"), "ground acceleration"), lambda check: uplift_cell(check.uplift_pga_g)),
+    (Column(say("PGA at capacity"), "ground acceleration"), lambda check: check.capacity_pga_g),
+    (Column(say("Safety index"), "ratio"), lambda check: check.safety_index),
+    (Column(say("Return period"), "return period"), lambda check: check.return_period_years),
+    (OUTCOME, outcome_cell),
+    (Column(say("Role")), lambda check: ROLES[check.role]),
+    (Column(say("Reading")), lambda check: READINGS[check.reading]),
+    (INPUT_AT, lambda check: INPUTS[check.input_at]),
+    (Column(say("Why")), lambda check: check.reason),
+    (Column(say("Conditions and remarks")), lambda check: _conditions_and_remarks(check)),
+)
+
+
 def checks_table(results: Results) -> Table:
     """Tabulate every check of every mechanism: demand, allowable, ratio, outcome, role and reason."""
     pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
-    columns = (
-        MECHANISM,
-        LEVEL,
-        PROCEDURE,
-        METHOD,
-        LIMIT_STATE,
-        Column(say("Quantity")),
-        Column(say("Unit")),
-        Column(say("Demand")),
-        Column(say("Allowable")),
-        RATIO,
-        ROTATION,
-        Column(say("PGA at uplift"), "ground acceleration"),
-        Column(say("PGA at capacity"), "ground acceleration"),
-        Column(say("Safety index"), "ratio"),
-        Column(say("Return period"), "return period"),
-        OUTCOME,
-        Column(say("Role")),
-        Column(say("Reading")),
-        Column(say("Input at")),
-        Column(say("Why")),
-        Column(say("Conditions and remarks")),
+    columns = (MECHANISM, *(column for column, _ in CHECK_FIELDS))
+    rows = tuple(
+        (numbered_title(results, mechanism.name), *(cell(check) for _, cell in CHECK_FIELDS))
+        for mechanism, check in pairs
     )
-    rows = tuple((numbered_title(results, mechanism.name), *_check_row(check)) for mechanism, check in pairs)
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
     caption = say("Demand, allowable, ratio and outcome of every check. Readings of the thesis (grey) never decide.")
     return Table("verdicts", caption, columns, rows, muted)
 
 
-def _check_row(check: Check) -> tuple[Cell, ...]:
-    return (
-        check.level_pga_g,
-        Verbatim(check.procedure),
-        procedure_title(check.procedure),
-        Verbatim(check.limit_state),
-        Term(check.quantity),
-        Verbatim(check.unit),
-        unbounded_text(check) or check.demand,
-        check.capacity,
-        check.ratio,
-        rotation_cell(check),
-        uplift_cell(check.uplift_pga_g),
-        check.capacity_pga_g,
-        check.safety_index,
-        check.return_period_years,
-        outcome_cell(check),
-        ROLES[check.role],
-        READINGS[check.reading],
-        INPUTS[check.input_at],
-        check.reason,
-        Listing(tuple({each.text: each for each in (*check.conditions, *check.remarks)}.values()), ""),
-    )
+def _conditions_and_remarks(check: Check) -> Listing:
+    """Return conditions and remarks, each sentence once."""
+    return Listing(tuple({each.text: each for each in (*check.conditions, *check.remarks)}.values()), "")
 
 
 def pga_at_capacity_table(results: Results) -> Table:
@@ -196,38 +176,41 @@ def _rotation_cells(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tup
     return (*(None if check is None else rotation_cell(check) for check in worst), min(allowed, default=None))
 
 
+Compared = tuple[ComparisonRow, Check | None]
+
+
 def comparison_table(results: Results) -> Table:
     """Tabulate all mechanisms by all procedures."""
-    columns = (
-        MECHANISM,
-        LEVEL,
-        PROCEDURE,
-        METHOD,
-        ROTATION,
-        Column(say("Allowable φ/φₒᵥ"), "ratio"),
-        RATIO,
-        Column(say("Input at")),
+    fields: tuple[Field[Compared], ...] = (
+        (MECHANISM, lambda pair: numbered_title(results, pair[0].mechanism)),
+        (LEVEL, lambda pair: pair[0].level_pga_g),
+        (PROCEDURE, lambda pair: Verbatim(pair[0].procedure)),
+        (METHOD, lambda pair: procedure_title(pair[0].procedure)),
+        (ROTATION, _compared_rotation),
+        (Column(say("Allowable φ/φₒᵥ"), "ratio"), lambda pair: pair[0].allowable_ratio),
+        (RATIO, _compared_ratio),
+        (INPUT_AT, lambda pair: None if pair[1] is None else INPUTS[pair[1].input_at]),
     )
-    checks = [governing.check_of(results, row) for row in results.comparison]
-    rows = tuple(_comparison_row(results, row, check) for row, check in zip(results.comparison, checks, strict=True))
-    muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.reading == "thesis")
     caption = say(
         "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
     )
-    return Table("comparison", caption, columns, rows, muted)
+    pairs = [(row, governing.check_of(results, row)) for row in results.comparison]
+    return tabulate("comparison", caption, fields, pairs, muted=_is_thesis_reading)
 
 
-def _comparison_row(results: Results, row: ComparisonRow, check: Check | None) -> tuple[Cell, ...]:
-    rotation = rocking_cell(row.rotation_ratio) if check is None else rotation_cell(check)
-    place: tuple[Cell, ...] = (
-        numbered_title(results, row.mechanism),
-        row.level_pga_g,
-        Verbatim(row.procedure),
-        procedure_title(row.procedure),
-    )
-    unbounded: Phrase | None = None if check is None else unbounded_text(check)
-    ratio: Cell = unbounded or row.demand_capacity
-    return (*place, rotation, row.allowable_ratio, ratio, None if check is None else INPUTS[check.input_at])
+def _compared_rotation(pair: Compared) -> Cell:
+    row, check = pair
+    return rocking_cell(row.rotation_ratio) if check is None else rotation_cell(check)
+
+
+def _compared_ratio(pair: Compared) -> Cell:
+    row, check = pair
+    return row.demand_capacity if check is None else unbounded_text(check) or row.demand_capacity
+
+
+def _is_thesis_reading(pair: Compared) -> bool:
+    _, check = pair
+    return check is not None and check.reading == "thesis"
 
 
 def spectra_table(results: Results) -> Table:
@@ -287,45 +270,3 @@ def _one_for_each_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     for check in checks:
         first.setdefault((check.procedure, check.limit_state), check)
     return tuple(first.values())
-
-
-def sensitivity_table(results: Results) -> Table:
-    """Tabulate every answer of every mechanism with each value at its low and its high end."""
-    columns = (
-        MECHANISM,
-        Column(say("Parameter")),
-        Column(say("Key")),
-        Column(say("Unit")),
-        *map(Column, (say("Base"), say("Low"), say("High"))),
-        PROCEDURE,
-        LIMIT_STATE,
-        Column(say("Role")),
-        LEVEL,
-        Column(say("Quantity")),
-        *map(Column, (say("At base"), say("At low"), say("At high"))),
-        *map(Column, (say("Outcome"), say("Outcome at low"), say("Outcome at high"))),
-        Column(say("Remark")),
-    )
-    caption = say(
-        "Every check with each value at its low and its high end; there is no ratio where the body overturns."
-    )
-    return Table("sensitivity", caption, columns, tuple(_sensitivity_row(results, row) for row in results.sensitivity))
-
-
-def _sensitivity_row(results: Results, row: SensitivityResult) -> tuple[Cell, ...]:
-    outcomes = (row.verdict_base, row.verdict_low, row.verdict_high)
-    return (
-        numbered_title(results, row.mechanism),
-        input_name(row),
-        Verbatim(row.key),
-        Verbatim(row.unit),
-        *(row.base, row.low, row.high),
-        Verbatim(row.procedure),
-        Verbatim(row.limit_state),
-        ROLES[row.role],
-        row.level_pga_g,
-        QUANTITIES.get(row.quantity),
-        *(row.at_base, row.at_low, row.at_high),
-        *(None if outcome is None else OUTCOMES[outcome.value] for outcome in outcomes),
-        Listing(row.remarks or (Term(row.remark),), ""),
-    )

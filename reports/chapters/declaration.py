@@ -8,7 +8,7 @@ from hashlib import sha256
 from assess.codes.check import Check, Family
 from assess.codes.procedures import FAMILIES
 from assess.messages.message import Message
-from assess.results import Control, ControlKind, Results
+from assess.results import Control, ControlKind, MechanismResult, Results
 from assess.results.verification import USES
 from reports.chapters.front_matter import author, checker, client, engineer, reference
 from reports.document import (
@@ -17,6 +17,7 @@ from reports.document import (
     Cell,
     Column,
     Facts,
+    Field,
     OutcomeCell,
     Prose,
     Section,
@@ -24,6 +25,7 @@ from reports.document import (
     Table,
     WritingBox,
     nonempty,
+    tabulate,
 )
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.titles import mechanism_list, numbered_title, procedure_title
@@ -127,15 +129,15 @@ def _kinds(checks: list[Check]) -> Iterator[Text]:
 
 def program_facts(results: Results) -> Iterator[tuple[Text, Text]]:
     """Yield name, version, licence and origin of the program, and the hashes of program and inputs."""
-    made = results.program
-    said = (
-        (say("Program"), made.name),
-        (say("Version"), made.version),
-        (say("Licence"), made.licence),
-        (say("Origin"), made.origin),
-        (say("SHA-256 of the program"), made.sha256),
+    program = results.program
+    facts = (
+        (say("Program"), program.name),
+        (say("Version"), program.version),
+        (say("Licence"), program.licence),
+        (say("Origin"), program.origin),
+        (say("SHA-256 of the program"), program.sha256),
     )
-    yield from ((label, Verbatim(text)) for label, text in said if text)
+    yield from ((label, Verbatim(text)) for label, text in facts if text)
     if results.inputs:
         yield say("SHA-256 of the inputs"), inputs_text(results)
     if results.stamp:
@@ -271,16 +273,33 @@ def controls_explanation() -> Text:
 
 def controls_table(results: Results) -> Table:
     """Tabulate mechanism by control: relative differences, and both multipliers."""
-    columns = (
-        Column(say("Mechanism"), share=0.26),
-        *(Column(_control_heading(results, kind)) for kind in ("equilibrium", "energy")),
-        Column(say("Multiplier of the program"), "ratio", 5),
-        Column(say("Multiplier by hand"), "ratio", 5),
-        *(Column(_control_heading(results, kind)) for kind in ("hand-multiplier", "convergence")),
+
+    def made(mechanism: MechanismResult, kind: ControlKind) -> list[Control]:
+        return [each for each in results.controls if each.mechanism == mechanism.name and each.kind == kind]
+
+    def difference(kind: ControlKind) -> Field[MechanismResult]:
+        return Column(_control_heading(results, kind)), lambda mechanism: _worst_difference(made(mechanism, kind))
+
+    def by_hand(mechanism: MechanismResult) -> Control | None:
+        return next(iter(made(mechanism, "hand-multiplier")), None)
+
+    fields: tuple[Field[MechanismResult], ...] = (
+        (Column(say("Mechanism"), share=0.26), lambda mechanism: numbered_title(results, mechanism.name)),
+        difference("equilibrium"),
+        difference("energy"),
+        (
+            Column(say("Multiplier of the program"), "ratio", 5),
+            lambda mechanism: None if (control := by_hand(mechanism)) is None else control.value,
+        ),
+        (
+            Column(say("Multiplier by hand"), "ratio", 5),
+            lambda mechanism: None if (control := by_hand(mechanism)) is None else control.reference,
+        ),
+        difference("hand-multiplier"),
+        difference("convergence"),
     )
-    rows = tuple(_controls_row(results, each.name) for each in results.mechanisms)
     caption = say("Relative differences of the automatic controls. A dash stands for a control that was not made.")
-    return Table("controls", caption, columns, rows if results.controls else (), small=True)
+    return tabulate("controls", caption, fields, results.mechanisms if results.controls else (), small=True)
 
 
 def _control_heading(results: Results, kind: ControlKind) -> Text:
@@ -290,23 +309,6 @@ def _control_heading(results: Results, kind: ControlKind) -> Text:
         return CONTROL_TITLES[kind]
     return say(
         "{control}, at most {tolerance}", control=CONTROL_TITLES[kind], tolerance=quantity(max(found), figures=2)
-    )
-
-
-def _controls_row(results: Results, name: str) -> tuple[Cell, ...]:
-    of = {
-        kind: [each for each in results.controls if each.mechanism == name and each.kind == kind]
-        for kind in CONTROL_TITLES
-    }
-    by_hand = next(iter(of["hand-multiplier"]), None)
-    return (
-        numbered_title(results, name),
-        _worst_difference(of["equilibrium"]),
-        _worst_difference(of["energy"]),
-        None if by_hand is None else by_hand.value,
-        None if by_hand is None else by_hand.reference,
-        _worst_difference(of["hand-multiplier"]),
-        _worst_difference(of["convergence"]),
     )
 
 
@@ -352,30 +354,23 @@ def _control_notes(results: Results) -> Iterator[Block]:
 
 def controls_in_full(results: Results) -> Table:
     """Tabulate every control with its numbers, for the spreadsheet and the CSV files."""
-    columns = (
-        *(Column(label) for label in (say("Mechanism"), say("Control"), say("Quantity"))),
-        Column(say("Value")),
-        Column(say("Reference")),
-        Column(say("Relative difference"), "ratio", 3),
-        Column(say("Tolerance"), "ratio", 3),
-        Column(say("Met")),
-        Column(say("Note")),
+    fields: tuple[Field[Control], ...] = (
+        (Column(say("Mechanism")), lambda each: numbered_title(results, each.mechanism)),
+        (Column(say("Control")), lambda each: CONTROL_TITLES[each.kind]),
+        (Column(say("Quantity")), lambda each: Term(each.quantity)),
+        (Column(say("Value")), lambda each: _value_text(each.value, each.dimension)),
+        (Column(say("Reference")), lambda each: _value_text(each.reference, each.dimension)),
+        (Column(say("Relative difference"), "ratio", 3), lambda each: each.difference),
+        (Column(say("Tolerance"), "ratio", 3), lambda each: each.tolerance),
+        (Column(say("Met")), lambda each: each.met),
+        (Column(say("Note")), lambda each: each.note),
     )
-    rows = tuple(
-        (
-            numbered_title(results, each.mechanism),
-            CONTROL_TITLES[each.kind],
-            Term(each.quantity),
-            None if each.value is None else quantity(each.value, each.dimension, 6),
-            None if each.reference is None else quantity(each.reference, each.dimension, 6),
-            each.difference,
-            each.tolerance,
-            each.met,
-            each.note,
-        )
-        for each in results.controls
-    )
-    return Table("controls-in-full", say("Every automatic control with its numbers."), columns, rows)
+    caption = say("Every automatic control with its numbers.")
+    return tabulate("controls-in-full", caption, fields, results.controls)
+
+
+def _value_text(value: float | None, dimension: str) -> Text | None:
+    return None if value is None else quantity(value, dimension, 6)
 
 
 def signature_sections(results: Results) -> list[Section]:
@@ -406,12 +401,12 @@ def signed_statement(results: Results) -> Text:
 def _identity_facts(results: Results) -> tuple[Facts, ...]:
     """Return what identifies the issue that is signed."""
     matter = results.report
-    said = (
+    facts = (
         (say("Office"), matter.office),
         (say("Licence number"), matter.licence_number),
         (say("Reference"), reference(results)),
         (say("Revision"), matter.revisions[-1].number if matter.revisions else ""),
         (say("Stamp of the results"), results.stamp),
     )
-    pairs = tuple((label, Verbatim(text)) for label, text in said if text)
+    pairs = tuple((label, Verbatim(text)) for label, text in facts if text)
     return (Facts(pairs),) if pairs else ()

@@ -2,36 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
 from assess.messages.message import Severity, distinct
 from assess.results.fragility import (
     FragilityCurve,
+    FragilityMethod,
     FragilityResults,
+    HazardResult,
     MeasureResult,
     MechanismFragility,
+    RateGap,
     RecordRunsResult,
+    RiskResult,
 )
 from reports.chapters import fragility_tables, scope
-from reports.chapters import fragility_tables as tables
-from reports.chapters import fragility_words as words
 from reports.document import Block, BulletList, Figure, FigureRow, Prose, Section, nonempty
-from reports.figures import fragility
-from reports.figures import fragility as figure
+from reports.figures import fragility as figures
 from reports.figures.style import HALF, WIDTH
 from reports.intensity_measures import (
+    FIGURES,
+    PERCENT,
+    RATE_CURVES,
+    RATE_FIGURES,
     curves_by,
     first_measure,
     hazard_of,
+    intensity,
+    last_state,
     main_curve,
     main_risk,
     measure_text,
     measures_of,
+    percent,
     state_text,
     unit_intensity,
+    value_with_interval,
 )
-from reports.language.texts import Paragraph, Text, Verbatim, count, listing, say
+from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
 from reports.titles import file_stem
 
 COUNTS = (
@@ -98,16 +107,16 @@ def sections(results: FragilityResults) -> list[Section]:
 
 
 def _first_page(results: FragilityResults) -> Section:
-    told = tuple(
+    points = tuple(
         say(
             "{mechanism}: {sentences}",
             mechanism=fragility_tables.numbered_name(results, each),
-            sentences=Paragraph(said),
+            sentences=Paragraph(sentences),
         )
         for each in results.mechanisms
-        if (said := tuple(words.mechanism_summary(each, results.hazard)))
+        if (sentences := tuple(mechanism_summary(each, results.hazard)))
     )
-    blocks: list[Block] = [BulletList(told)] if told else []
+    blocks: list[Block] = [BulletList(points)] if points else []
     blocks += [*nonempty(fragility_tables.overview_table(results)), Prose(tuple(_reading(results)))]
     warned = tuple(each for each in results.warnings if each.severity is not Severity.NOTE)
     if warned:
@@ -128,8 +137,8 @@ def _reading(results: FragilityResults) -> Iterator[Text]:
 
 
 def _method_section(results: FragilityResults) -> Section:
-    said = [words.METHODS[results.method], *(CLOUD if results.method == "cloud" else COUNTS), MEANS]
-    said.append(
+    paragraphs = [METHODS[results.method], *(CLOUD if results.method == "cloud" else COUNTS), MEANS]
+    paragraphs.append(
         say(
             "Bands and intervals of the lognormals: bootstrap by earthquake, {draws} draws, seed {seed}.",
             draws=count(results.draws),
@@ -138,10 +147,12 @@ def _method_section(results: FragilityResults) -> Section:
     )
     if results.hazard:
         sources = listing(dict.fromkeys(Verbatim(each.source) for each in results.hazard))
-        said.append(say("Hazard of the site: {sources}. Rates are its convolution with the curve.", sources=sources))
+        paragraphs.append(
+            say("Hazard of the site: {sources}. Rates are its convolution with the curve.", sources=sources)
+        )
     if any(risk.target_rate is not None for each in results.mechanisms for risk in each.risks):
-        said.append(WIDENED)
-    blocks = (Prose(tuple(said)), *nonempty(fragility_tables.records_table(results)))
+        paragraphs.append(WIDENED)
+    blocks = (Prose(tuple(paragraphs)), *nonempty(fragility_tables.records_table(results)))
     return Section(say("Method and records"), 0, blocks, starts_page=True)
 
 
@@ -160,19 +171,19 @@ def mechanism_section(results: FragilityResults, mechanism: MechanismFragility) 
     """Return the pages of a mechanism: what it means, the curves, the runs behind them, the measures, the rates."""
     stem = file_stem(mechanism.name, [each.name for each in results.mechanisms].index(mechanism.name) + 1)
     blocks: list[Block] = [
-        *_prose(words.mechanism_summary(mechanism, results.hazard)),
+        *_prose(mechanism_summary(mechanism, results.hazard)),
         *_curve_blocks(mechanism, stem),
-        *nonempty(tables.curves_table(mechanism, f"{stem}-curves")),
+        *nonempty(fragility_tables.curves_table(mechanism, f"{stem}-curves")),
         *_run_blocks(mechanism, stem),
-        Prose((words.islands_sentence(mechanism),)),
-        *nonempty(tables.islands_table(mechanism, f"{stem}-islands", most=tables.MAX_ISLANDS)),
-        *nonempty(tables.measures_table(mechanism, f"{stem}-measures")),
+        Prose((islands_sentence(mechanism),)),
+        *nonempty(fragility_tables.islands_table(mechanism, f"{stem}-islands", most=fragility_tables.MAX_ISLANDS)),
+        *nonempty(fragility_tables.measures_table(mechanism, f"{stem}-measures")),
         *_rate_blocks(results, mechanism, stem),
-        *_prose(words.epistemic_sentences(mechanism)),
+        *_prose(epistemic_sentences(mechanism)),
         *_remarks(mechanism),
     ]
     title = Verbatim(mechanism.label or mechanism.name)
-    return Section(title, 0, tuple(blocks), starts_page=True, mark=tables.number_of(results, mechanism))
+    return Section(title, 0, tuple(blocks), starts_page=True, mark=fragility_tables.number_of(results, mechanism))
 
 
 def _prose(sentences: Iterator[Text]) -> list[Block]:
@@ -190,8 +201,8 @@ def _curve_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
             state=state_text(curve.state),
             measure=measure_text(curve.measure),
         )
-        yield Figure(f"{stem}-fragility", caption, partial(figure.draw_fragility, curve))
-        yield from _prose(words.describe_counts(curve))
+        yield Figure(f"{stem}-fragility", caption, partial(figures.draw_fragility, curve))
+        yield from _prose(describe_counts(curve))
 
 
 def _run_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
@@ -202,11 +213,11 @@ def _run_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
     found = []
     if pairs and curves and measure is not None:
         draw = partial(
-            fragility.draw_record_runs,
+            figures.draw_record_runs,
             tuple(run for run, _ in pairs),
             tuple(unit for _, unit in pairs),
             measure,
-            reach=max(map(figure.intensity_reach, curves)),
+            reach=max(map(figures.intensity_reach, curves)),
             width=HALF if len(curves) > 1 else WIDTH,
         )
         caption = say(
@@ -231,7 +242,7 @@ def _states_figure(curves: tuple[FragilityCurve, ...], stem: str) -> Figure:
     caption = say(
         "Share of the records that reach each state: counted (hollow: most scaled by more than 4), lognormal."
     )
-    return Figure(f"{stem}-states", caption, partial(figure.draw_states, curves))
+    return Figure(f"{stem}-states", caption, partial(figures.draw_states, curves))
 
 
 def _rate_blocks(results: FragilityResults, mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
@@ -241,11 +252,11 @@ def _rate_blocks(results: FragilityResults, mechanism: MechanismFragility, stem:
             "Which ground motions make up the annual rate of {state} ({curve}): above, how often the site exceeds each "
             "intensity; below, the share of the rate from each range of intensities.",
             state=state_text(risk.state),
-            curve=words.RATE_CURVES[risk.curve],
+            curve=RATE_CURVES[risk.curve],
         )
-        draw = partial(fragility.draw_risk, risk, hazard_of(risk, results.hazard))
+        draw = partial(figures.draw_risk, risk, hazard_of(risk, results.hazard))
         yield Figure(f"{stem}-contributions", caption, draw)
-    yield from nonempty(tables.rates_table(mechanism, f"{stem}-rates"))
+    yield from nonempty(fragility_tables.rates_table(mechanism, f"{stem}-rates"))
 
 
 def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
@@ -253,7 +264,242 @@ def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
     first = first_measure(mechanism)
     of_states = [(curve.state, note) for curve in curves_by(mechanism, first) for note in curve.notes]
     of_states += [(risk.state, note) for risk in mechanism.risks if risk.measure == first for note in risk.notes]
-    said = [say("{state}: {note}", state=state_text(state), note=note) for state, note in dict.fromkeys(of_states)]
-    if mechanism.notes or said:
+    remarks = [say("{state}: {note}", state=state_text(state), note=note) for state, note in dict.fromkeys(of_states)]
+    if mechanism.notes or remarks:
         yield Prose((say("Remarks on this mechanism:"),))
-        yield BulletList((*distinct(mechanism.notes), *said))
+        yield BulletList((*distinct(mechanism.notes), *remarks))
+
+
+METHODS: Mapping[FragilityMethod, Phrase] = {
+    "ida": say(
+        "Each record is scaled step by step up to the largest scale and run at every step, in both polarities; the "
+        "worse counts."
+    ),
+    "stripes": say(
+        "At each intensity the records are scaled to it and run in both polarities; the worse counts."
+    ),
+    "cloud": say(
+        "Each record is run as it is, in both polarities; the worse counts. A point is the share of some ten records "
+        "of similar intensity; the lognormal is the one equivalent to the regression of the rotations on the intensity."
+    ),
+}  # fmt: skip
+
+
+GAPS: Mapping[RateGap, Phrase] = {
+    "motion": say(
+        "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
+        "modal filter"
+    ),
+    "runs": say(
+        "the hazard has stronger motions than those that were run; run to a larger intensity, or give stronger records"
+    ),
+    "hazard": say(
+        "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
+    ),
+    "epistemic": say(
+        "what is not known of the mechanism itself is not in the rate; give its dispersion in [analysis.fragility] "
+        "epistemic"
+    ),
+}
+
+
+def mechanism_summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ()) -> Iterator[Text]:
+    """Yield what an owner should know of a mechanism: the intensities that overturn it, then its annual rate.
+
+    Parameters
+    ----------
+    mechanism : with its curves and rates
+    hazards : of the site, to say why there is no rate though one is given
+    """
+    curve, risk = main_curve(mechanism), main_risk(mechanism)
+    if curve is not None:
+        yield intensity_sentence(curve)
+        yield from _extrapolated(curve)
+    if risk is not None:
+        yield rate_sentence(risk)
+        if risk.target_rate is not None:
+            yield target_sentence(risk)
+    elif hazards:
+        yield no_rate_sentence(mechanism, hazards)
+
+
+def no_rate_sentence(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
+    """Say why a mechanism has no annual rate although the hazard of the site is given."""
+    state, measures = last_state(mechanism), [hazard.measure for hazard in hazards]
+    found = [each for each in mechanism.curves if each.state == state and each.measure in measures]
+    if found:
+        return say(
+            "How likely it is each year is not answered: the rate of a cloud is that of its lognormal, and there is "
+            "none by {measure}: {why}.",
+            measure=measure_text(found[0].measure),
+            why=found[0].notes[0] if found[0].notes else say("the records do not bound one"),
+        )
+    return say(
+        "How likely it is each year is not answered: there is no curve by {measures}, the measure of the hazard.",
+        measures=listing(map(measure_text, measures)),
+    )
+
+
+def intensity_sentence(curve: FragilityCurve) -> Text:
+    """Say at which intensity 5 % and 50 % of the records reach the state of a curve."""
+    fitted = curve.lognormal
+    if fitted is None:
+        return _counted_sentence(curve)
+    low, half = (
+        value_with_interval(value, ends, curve.measure)
+        for value, ends in (
+            (fitted.five_percent, fitted.five_percent_interval),
+            (fitted.median, fitted.median_interval),
+        )
+    )
+    words = {"measure": measure_text(curve.measure), "low": low, "half": half}
+    if curve.state.name == "overturning":
+        return say(
+            "Ground motions with {measure} of {low} overturn it in 5 cases of 100, those with {half} in 50 of 100.",
+            **words,
+        )
+    return say(
+        "Ground motions with {measure} of {low} bring it to {state} in 5 cases of 100, those with {half} in 50 of 100.",
+        state=state_text(curve.state),
+        **words,
+    )
+
+
+def _extrapolated(curve: FragilityCurve) -> Iterator[Text]:
+    """Say where the median of a curve lies beyond the runs."""
+    if curve.lognormal is None or not curve.empirical:
+        return
+    last = curve.empirical[-1]
+    if curve.method == "cloud" and curve.lognormal.median > curve.end:
+        yield say(
+            "The strongest record has {most}: what is said of 50 of 100 is extrapolated.",
+            most=intensity(curve.end, curve.measure),
+        )
+    elif curve.lognormal.median > curve.end:
+        yield say(
+            "The runs end at {most}, where {share} of the records reach it: what is said of 50 of 100 is extrapolated.",
+            most=intensity(last.intensity, curve.measure),
+            share=percent(last.share),
+        )
+
+
+def _counted_sentence(curve: FragilityCurve) -> Text:
+    """Say what was counted where the records do not bound a curve."""
+    if not curve.empirical:
+        return say("There is no run by {measure} to count.", measure=measure_text(curve.measure))
+    last = curve.empirical[-1]
+    values: dict[str, Text] = {
+        "measure": measure_text(curve.measure),
+        "most": intensity(last.intensity, curve.measure),
+        "state": state_text(curve.state),
+    }
+    if not any(point.reached for point in curve.empirical):
+        return say("No record brings it to {state} up to {measure} of {most}, the highest examined.", **values)
+    return say_count(
+        "At {measure} of {most}, {number} record of {all} brings it to {state}; these runs do not bound a lognormal.",
+        "At {measure} of {most}, {number} records of {all} bring it to {state}; these runs do not bound a lognormal.",
+        last.reached,
+        all=count(last.records),
+        **values,
+    )
+
+
+def rate_sentence(risk: RiskResult) -> Text:
+    """Say the annual rate of a state at the site, and its probability in 50 years."""
+    return say(
+        "With the hazard of the site, the annual rate of {state} is {rate}, a probability of {probability} in 50 "
+        "years.",
+        state=state_text(risk.state),
+        rate=quantity(risk.annual_rate, "annual rate", RATE_FIGURES),
+        probability=quantity(PERCENT * risk.probability_50_years, "percent", RATE_FIGURES),
+    )
+
+
+def target_sentence(risk: RiskResult) -> Text:
+    """Say whether the rate is within the target that the project sets."""
+    target = quantity(risk.target_rate or 0.0, "annual rate", FIGURES)
+    wide = quantity(risk.with_epistemic or 0.0, "annual rate", RATE_FIGURES)
+    if risk.outcome == "fail" and risk.gap == "epistemic":
+        return say(
+            "With the epistemic dispersion it is {rate}, more than the target of {target}; only without that "
+            "dispersion is it within.",
+            rate=wide,
+            target=target,
+        )
+    if risk.outcome == "fail":
+        return say("This is more than the target of {target}.", target=target)
+    if risk.gap is None:
+        return say(
+            "With the epistemic dispersion it is {rate}, within the target of {target}.", rate=wide, target=target
+        )
+    return say("Whether this is within the target of {target} is not known: {why}.", target=target, why=GAPS[risk.gap])
+
+
+def describe_counts(curve: FragilityCurve) -> Iterator[Text]:
+    """Yield how many records make a curve, and what of them asks for care."""
+    yield say_count(
+        "{number} record of {events} makes this curve.",
+        "{number} records of {events} make this curve.",
+        curve.records,
+        events=say_count("{number} earthquake", "{number} earthquakes", curve.events),
+    )
+    if curve.censored:
+        yield say_count(
+            "{number} of them does not reach the state at its largest scale and is counted as such.",
+            "{number} of them do not reach the state at their largest scale and are counted as such.",
+            curve.censored,
+        )
+    if curve.hollow:
+        yield say_count(
+            "{number} run behind it is of a record scaled by more than 4, which may not be like a real one of that "
+            "strength.",
+            "{number} runs behind it are of records scaled by more than 4, which may not be like real ones of that "
+            "strength.",
+            curve.hollow,
+        )
+    if curve.first is not None:
+        yield say(
+            "The dashed line is a bound and no fragility: rocking is not monotone, and a record may leave the "
+            "mechanism standing above an intensity at which it reached the state."
+        )
+
+
+def islands_sentence(mechanism: MechanismFragility) -> Text:
+    """Say how many records have islands."""
+    number = sum(bool(run.islands) for run in mechanism.runs)
+    if not number:
+        return say("No record has an island: none leaves the mechanism standing above a scale that overturns it.")
+    return say_count(
+        "{number} record of {all} leaves the mechanism standing above a scale that overturns it (islands).",
+        "{number} records of {all} leave the mechanism standing above a scale that overturns it (islands).",
+        number,
+        all=count(len(mechanism.runs)),
+    )
+
+
+def epistemic_sentences(mechanism: MechanismFragility) -> Iterator[Text]:
+    """Yield the dispersion of what is not known of the mechanism, apart from that of records."""
+    if mechanism.epistemic is None:
+        yield say(
+            "What is not known of the mechanism itself is not in these curves: its geometry, loads and materials are "
+            "taken at their values in the project."
+        )
+        return
+    parts = tuple(
+        say("{key} {share}", key=Verbatim(key), share=quantity(share, figures=2))
+        for key, share in (mechanism.epistemic_sources or {}).items()
+    )
+    total = quantity(mechanism.epistemic, figures=2)
+    if parts:
+        yield say(
+            "Epistemic dispersion, of what is not known of the mechanism: {total} ({parts}). It is stated apart and is "
+            "not in the curves; a target is compared with the rate that has it.",
+            total=total,
+            parts=listing(parts),
+        )
+    else:
+        yield say(
+            "Epistemic dispersion, of what is not known of the mechanism: {total}. It is stated apart and is not in "
+            "the curves; a target is compared with the rate that has it.",
+            total=total,
+        )

@@ -17,15 +17,15 @@ from assess.results.fragility import (
     RiskResult,
     Trend,
 )
-from reports.chapters import fragility_words as words
-from reports.chapters.fragility_words import RATE_CURVES
-from reports.document import Cell, Column, OutcomeCell, Table
+from reports.document import Cell, Column, Field, OutcomeCell, Table, tabulate
 from reports.intensity_measures import (
     DIMENSION_WORDS,
     FIGURES,
     PERCENT,
+    RATE_CURVES,
     RATE_FIGURES,
     curves_by,
+    dispersion_text,
     first_measure,
     intensity,
     last_state,
@@ -35,6 +35,7 @@ from reports.intensity_measures import (
     measures_of,
     state_text,
     unit_intensity,
+    value_with_interval,
 )
 from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 
@@ -44,10 +45,20 @@ DISPERSION = Column(say("Dispersion β"))
 RATE = Column(say("Annual rate"), "annual rate", RATE_FIGURES)
 PROBABILITY = Column(say("In 50 years"), "percent", RATE_FIGURES)
 TARGET = Column(say("Target rate"), "annual rate", FIGURES)
-BEYOND = Column(say("Beyond the hazard"), "annual rate", RATE_FIGURES)
-ABOVE_RUNS = Column(say("Above the runs"), "annual rate", RATE_FIGURES)
+
+
 WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", RATE_FIGURES)
-RATE_COLUMNS = (STATE, MEASURE, Column(say("Curve")), RATE, PROBABILITY, TARGET, BEYOND, ABOVE_RUNS)
+RATE_FIELDS: tuple[Field[RiskResult], ...] = (
+    (STATE, lambda risk: state_text(risk.state)),
+    (MEASURE, lambda risk: measure_text(risk.measure)),
+    (Column(say("Curve")), lambda risk: RATE_CURVES[risk.curve]),
+    (RATE, lambda risk: risk.annual_rate),
+    (PROBABILITY, lambda risk: PERCENT * risk.probability_50_years),
+    (TARGET, lambda risk: risk.target_rate),
+    (Column(say("Beyond the hazard"), "annual rate", RATE_FIGURES), lambda risk: risk.beyond),
+    (Column(say("Above the runs"), "annual rate", RATE_FIGURES), lambda risk: risk.above_runs),
+)
+EPISTEMIC_FIELD: Field[RiskResult] = (WITH_EPISTEMIC, lambda risk: risk.with_epistemic)
 SIGNIFICANT = 0.05
 
 MAX_ISLANDS = 6
@@ -117,9 +128,9 @@ def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
     fitted = curve.lognormal
     if fitted is None:
         return say("not bounded"), say("not bounded"), None
-    five = words.value_with_interval(fitted.five_percent, fitted.five_percent_interval, curve.measure)
-    half = words.value_with_interval(fitted.median, fitted.median_interval, curve.measure)
-    return five, half, words.dispersion_text(fitted)
+    five = value_with_interval(fitted.five_percent, fitted.five_percent_interval, curve.measure)
+    half = value_with_interval(fitted.median, fitted.median_interval, curve.measure)
+    return five, half, dispersion_text(fitted)
 
 
 def curves_table(mechanism: MechanismFragility, name: str) -> Table:
@@ -234,31 +245,14 @@ def islands_table(mechanism: MechanismFragility, name: str, *, most: int | None 
 
 def rates_table(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the annual rates of a mechanism, a row for each state, measure and curve."""
-    spread = any(risk.with_epistemic is not None for risk in mechanism.risks)
-    columns = (*RATE_COLUMNS, *([WITH_EPISTEMIC] if spread else []))
-    rows = tuple(rate_row(risk)[: len(columns)] for risk in mechanism.risks)
-    muted = frozenset(place for place, risk in enumerate(mechanism.risks) if risk.curve == "first")
+    has_epistemic = any(risk.with_epistemic is not None for risk in mechanism.risks)
+    fields = (*RATE_FIELDS, *([EPISTEMIC_FIELD] if has_epistemic else []))
     caption = say(
         "Annual rates and probabilities in 50 years. Beyond the hazard: what the rate can lack, if every motion "
         "stronger than the last row of the hazard reaches the state. Above the runs: the same of motions within the "
         "hazard that are stronger than any run."
     )
-    return Table(name, caption, columns, rows, muted, small=True)
-
-
-def rate_row(risk: RiskResult) -> tuple[Cell, ...]:
-    """Return the cells of a rate."""
-    return (
-        state_text(risk.state),
-        measure_text(risk.measure),
-        words.RATE_CURVES[risk.curve],
-        risk.annual_rate,
-        PERCENT * risk.probability_50_years,
-        risk.target_rate,
-        risk.beyond,
-        risk.above_runs,
-        risk.with_epistemic,
-    )
+    return tabulate(name, caption, fields, mechanism.risks, muted=lambda risk: risk.curve == "first", small=True)
 
 
 def records_table(results: FragilityResults) -> Table:
@@ -479,6 +473,11 @@ def _remarks_table(results: FragilityResults) -> Table:
 
 
 def _all_rates_table(results: FragilityResults) -> Table:
-    rows = tuple((numbered_name(results, each), *rate_row(risk)) for each in results.mechanisms for risk in each.risks)
-    columns = (MECHANISM, *RATE_COLUMNS, WITH_EPISTEMIC)
+    fields = (*RATE_FIELDS, EPISTEMIC_FIELD)
+    rows = tuple(
+        (numbered_name(results, each), *(cell(risk) for _, cell in fields))
+        for each in results.mechanisms
+        for risk in each.risks
+    )
+    columns = (MECHANISM, *(column for column, _ in fields))
     return Table("fragility-rates", say("Annual rates and probabilities in 50 years."), columns, rows)

@@ -52,7 +52,7 @@ def date(results: Results) -> str:
 def facts(results: Results) -> tuple[Fact, ...]:
     """Return labels and what they say, of what is given."""
     matter = results.report
-    said = (
+    labelled = (
         (say("Client"), client(results)),
         (say("Address"), ", ".join(line.strip(" ,") for line in matter.address.splitlines() if line.strip(" ,"))),
         *_coordinates(results),
@@ -66,7 +66,7 @@ def facts(results: Results) -> tuple[Fact, ...]:
         (say("Program"), f"{results.program.name} {results.program.version}"),
         (say("Stamp of these results"), results.stamp),
     )
-    pairs = ((label, Verbatim(text) if isinstance(text, str) else text) for label, text in said)
+    pairs = ((label, Verbatim(text) if isinstance(text, str) else text) for label, text in labelled)
     return tuple((label, text) for label, text in pairs if text != NOTHING)
 
 
@@ -132,10 +132,10 @@ def _parameter(results: Results, key: str) -> float | None:
 def running_head(results: Results) -> tuple[Text, ...]:
     """Return what each page says besides the title: reference, revision and status."""
     matter = results.report
-    said: list[Text] = [Verbatim(text) for text in (reference(results),) if text]
+    shown: list[Text] = [Verbatim(text) for text in (reference(results),) if text]
     if matter.revisions:
-        said.append(say("revision {number}", number=Verbatim(matter.revisions[-1].number)))
-    return (*said, *(Verbatim(text) for text in (matter.status,) if text))
+        shown.append(say("revision {number}", number=Verbatim(matter.revisions[-1].number)))
+    return (*shown, *(Verbatim(text) for text in (matter.status,) if text))
 
 
 def logo(results: Results) -> Photograph | None:

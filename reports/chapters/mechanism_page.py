@@ -2,47 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import partial
 from math import atan2, degrees
 
-from assess.codes.bases import IndexKind
-from assess.codes.check import NEEDED, Check, Outcome
-from assess.codes.histories import margin_figures, ratio_figures, side_figures
-from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
-from assess.messages.message import DIMENSIONS, Message, Severity
+from assess.codes.check import Check, Outcome
+from assess.codes.histories import ratio_figures
+from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, OscillatorResult, Results
 from reports import governing, joints
-from reports.chapters import verdict_texts
 from reports.chapters.cells import (
-    ALLOWABLE,
     BRANCHES,
     CAPACITY_PGA,
-    DEMAND,
-    FIGURES,
     METHOD,
-    NONE,
+    NO_LASTING,
+    NO_ROCKING,
     OUTCOME,
     RATIO,
     ROLES,
-    capacity_cell,
     capacity_pga_cell,
-    comparison_clause,
-    demand_cell,
-    demand_or_rest,
     outcome_cell,
     ratio_cell,
+    rotation_cell,
     swept_value,
+    unbounded_text,
+    uplift_cell,
+    value_cell,
 )
-from reports.chapters.verdict_texts import (
-    capacity_pga_text,
-    has_reduced_target,
-    index_text,
-    outcome_text,
-    state_text,
-    target_text,
+from reports.chapters.mechanism_verdict import unanswered_methods, verdict_sentences, verdict_summary
+from reports.document import (
+    Block,
+    BulletList,
+    Cell,
+    Column,
+    Field,
+    Figure,
+    FigureRow,
+    Prose,
+    Section,
+    Table,
+    nonempty,
+    tabulate,
 )
-from reports.document import Block, BulletList, Cell, Column, Facts, Figure, FigureRow, Prose, Section, Table, nonempty
 from reports.figures import capacity, comparison, key_plan, sketch
 from reports.figures.key_plan import BuildingScene
 from reports.language.texts import (
@@ -52,7 +53,6 @@ from reports.language.texts import (
     Term,
     Text,
     Verbatim,
-    count,
     listing,
     names,
     quantity,
@@ -73,12 +73,12 @@ def sections(
     stem : beginning of the names of its figures and tables
     building : the bodies of all mechanisms, None where its place among them is not drawn
     """
-    beside = tuple(represented_case(results, mechanism))
+    case = tuple(represented_case(results, mechanism))
     answers = answers_table(results, mechanism, name=f"{stem}-answers")
     warnings = mechanism_warnings(results, mechanism)
     pairs = _in_pairs([*_shape_figures(mechanism, stem, building), *_curve_figures(mechanism, stem)])
     blocks: list[Block] = [
-        Prose((description(mechanism), *beside)),
+        Prose((description(mechanism), *case)),
         *verdict_summary(results, mechanism),
         *pairs[:1],
         branch_parameters_table(results, mechanism, name=f"{stem}-page-parameters"),
@@ -138,10 +138,10 @@ def _curve_figures(mechanism: MechanismResult, stem: str) -> Iterator[Figure]:
 def _findings(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     yield from verdict_sentences(results, mechanism)
     worst = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
-    silent = [check.procedure for check in worst if check.verdict == Outcome.NOT_APPLICABLE]
+    not_applicable = [check.procedure for check in worst if check.verdict == Outcome.NOT_APPLICABLE]
     yield from unanswered_methods(results, mechanism)
-    if silent:
-        methods = listing(procedure_title(name) for name in dict.fromkeys(silent))
+    if not_applicable:
+        methods = listing(procedure_title(name) for name in dict.fromkeys(not_applicable))
         yield say("Methods that do not apply to this mechanism: {methods}.", methods=methods)
 
 
@@ -177,14 +177,14 @@ def description(mechanism: MechanismResult) -> Paragraph:
 
 def _motion(mechanism: MechanismResult) -> Text:
     kind = KINDS.get(mechanism.kind, Verbatim(mechanism.kind))
-    way = motion_direction(mechanism)
-    if way is None:
+    direction = motion_direction(mechanism)
+    if direction is None:
         if mechanism.sides == "two":
             return say("{kind} that rocks to both sides.", kind=kind)
         return say("{kind} that rocks to one side only.", kind=kind)
     if mechanism.sides == "two":
-        return say("{kind} that rocks to both sides, positive towards {direction}.", kind=kind, direction=way)
-    return say("{kind} that rocks to one side only, towards {direction}.", kind=kind, direction=way)
+        return say("{kind} that rocks to both sides, positive towards {direction}.", kind=kind, direction=direction)
+    return say("{kind} that rocks to one side only, towards {direction}.", kind=kind, direction=direction)
 
 
 def motion_direction(mechanism: MechanismResult) -> Text | None:
@@ -261,244 +261,24 @@ def mechanism_warnings(results: Results, mechanism: MechanismResult) -> tuple[Me
     return tuple(own.values())
 
 
-def verdict_sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
-    """Yield what governs, up to which action the mechanism holds, and what would make it pass or complete."""
-    found, own = results.verdict, governing.verdict_of(results, mechanism)
-    if found is None or own is None:
-        return
-    if not found.basis:
-        yield say("No code is named that decides: the results of all methods are for comparison only.")
-        return
-    for answer in own.answers:
-        yield _governing_sentence(governing.checks_at_site(results, mechanism), answer)
-        yield from _floor_motion(governing_check(governing.checks_at_site(results, mechanism), answer))
-        yield from _numerical_spread(governing_check(governing.checks_at_site(results, mechanism), answer))
-    yield from _failing_within_ratio(own)
-    yield from _passing_by_target(own, found)
-    yield from _margin_or_lack(own, found)
-    if own.at_the_limit:
-        yield say(
-            "The answer is at the limit: within 5 % of it, or within what the tolerance of the survey or the numerical "
-            "spread of histories changes."
-        )
-    if own.conditions:
-        yield say("The answer depends on the conditions listed with the verdict.")
-
-
-def _failing_within_ratio(own: MechanismVerdict) -> Iterator[Text]:
-    """Yield why an answer fails whose ratio is within 1, as by histories."""
-    for answer in own.answers:
-        if answer.outcome == Decision.FAIL and answer.ratio is not None and answer.ratio <= 1.0:
-            yield say("It fails although this ratio is not above 1: {reason}.", reason=answer.reason)
-
-
-def _passing_by_target(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:
-    """Yield why a ratio above 1 passes, where the target is less than full safety."""
-    above = any(answer.ratio is not None and answer.ratio > 1.0 for answer in own.answers)
-    target = target_text(found)
-    if own.outcome == Decision.PASS and has_reduced_target(found) and above and target is not None:
-        yield say("It passes, as the target is less than full safety: {target}.", target=target)
-
-
-def verdict_summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
-    """Return the verdict of the mechanism with its indices; none without a verdict."""
-    own = governing.verdict_of(results, mechanism)
-    if own is None:
-        return []
-    outcome = outcome_text(own.outcome, near=own.at_the_limit)
-    found = [(answer.limit_state, index_text(answer.index)) for answer in own.answers if answer.index is not None]
-    indices = [
-        say("{index} at {state}", index=index, state=state_text(state)) if len(found) > 1 else index
-        for state, index in found
-    ]
-    text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
-    known = verdict_texts.mechanism_knowledge(results, mechanism)
-    if known is not None:
-        text = say("{verdict}; knowledge level: {knowledge}", verdict=text, knowledge=verdict_texts.factor_text(*known))
-    return [Facts(((say("Verdict"), text),))]
-
-
-def unanswered_methods(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
-    """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
-    own = governing.verdict_of(results, mechanism)
-    governs = () if own is None else tuple(answer.procedure for answer in own.answers)
-    checks = governing.worst_per_procedure(governing.code_checks(governing.checks_at_site(results, mechanism)))
-    silent = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
-    for reason in {check.reason.text: check.reason for check in silent}.values():
-        same = dict.fromkeys(check.procedure for check in silent if check.reason.text == reason.text)
-        yield say("No answer by {methods}: {reason}.", methods=listing(map(procedure_title, same)), reason=reason)
-
-
-def governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
-    """Return the check behind an answer, of those at the site's own action; None where no method was asked."""
-    own = tuple(check for check in governing.code_checks(checks) if check.procedure == answer.procedure)
-    of_state = tuple(check for check in own if check.limit_state == answer.limit_state)
-    return governing.worst_check(of_state or own)
-
-
-def _governing_sentence(checks: tuple[Check, ...], answer: Answer) -> Text:
-    """Return the governing check with its numbers and clause, or why there is none."""
-    check = governing_check(checks, answer)
-    if check is None or answer.outcome == Decision.INCOMPLETE:
-        return _unanswered(answer)
-    method, state, by = (
-        procedure_title(check.procedure),
-        state_text(answer.limit_state),
-        Term(comparison_clause(check) or check.edition),
-    )
-    if not check.demand or check.capacity is None or check.ratio is None:
-        return say(
-            "{method} governs at {state}: {reason} ({clause}).",
-            method=method,
-            state=state,
-            reason=check.reason,
-            clause=by,
-        )
-    figures = ratio_figures(check, most=FIGURES)
-    return say(
-        "{method} governs at {state}: {quantity} {demand} against an allowable {allowable}, a ratio of {ratio} "
-        "({clause}).",
-        method=method,
-        state=state,
-        quantity=Term(check.quantity),
-        demand=quantity(check.demand, DIMENSIONS.get(check.unit, "ratio"), figures),
-        allowable=quantity(check.capacity, DIMENSIONS.get(check.unit, "ratio"), FIGURES),
-        ratio=quantity(check.ratio, "ratio", figures),
-        clause=by,
-    )
-
-
-def _floor_motion(check: Check | None) -> Iterator[Text]:
-    """Yield which motion of the building a check takes, where it takes that of a floor."""
-    steps = {} if check is None else {step.symbol: step for step in check.steps}
-    share, period = steps.get("γψ"), steps.get("T1")
-    height = next((each.value for each in share.inputs if each.symbol == "Z"), None) if share else None
-    if share is None or share.value is None or period is None or period.value is None or height is None:
-        return
-    yield say(
-        "Its demand takes the motion of the building at {height} above the ground: first-mode factor γψ = {share} "
-        "({clause}), elastic first period {period}.",
-        height=quantity(height, "length", FIGURES),
-        share=quantity(share.value, figures=FIGURES),
-        clause=Term(share.clause),
-        period=quantity(period.value, "time", FIGURES),
-    )
-
-
-def _numerical_spread(check: Check | None) -> Iterator[Text]:
-    """Yield in how many draws among the runs of histories the rule holds; that is no scatter of earthquakes."""
-    if check is None or check.numerical is None or check.verdict not in (Outcome.PASS, Outcome.FAIL):
-        return
-    yield say(
-        "Numerical spread: the rule holds in {share} of {draws} draws among the {runs} runs of each record; a pass "
-        "needs {least}. The scatter from record to record is something else, and belongs to the suite.",
-        share=quantity(100.0 * check.numerical.holds, "percent", FIGURES),
-        draws=count(check.numerical.draws),
-        runs=count(check.numerical.runs),
-        least=quantity(100.0 * NEEDED, "percent", 2),
-    )
-
-
-def _unanswered(answer: Answer) -> Text:
-    """Return why a limit state has no answer, with what it would be."""
-    if answer.provisional is None:
-        return say(
-            "There is no answer for {state}: {reason}.", state=state_text(answer.limit_state), reason=answer.reason
-        )
-    if answer.provisional == Decision.PASS:
-        return say(
-            "There is no answer for {state}: {reason}. With the safe value of what is missing it would pass.",
-            state=state_text(answer.limit_state),
-            reason=answer.reason,
-        )
-    return say(
-        "There is no answer for {state}: {reason}. With the safe value of what is missing it would fail.",
-        state=state_text(answer.limit_state),
-        reason=answer.reason,
-    )
-
-
-def _margin_or_lack(own: MechanismVerdict, found: Verdict) -> Iterator[Text]:
-    """Yield the margin of a pass, the factor that a failure lacks, or what is missing."""
-    held = None if own.margin is None else capacity_pga_text(own, own.margin, found.action)
-    if own.outcome == Decision.INCOMPLETE:
-        if own.missing:
-            yield say("An answer needs {keys}.", keys=names(each.key for each in own.missing))
-    elif own.outcome == Decision.PASS and own.margin is not None and held is not None and own.margin_most is not None:
-        yield say(
-            "It holds up to a peak ground acceleration of {pga}, the numerical spread of the histories; the lower end "
-            "counts, {margin} times the site’s own.",
-            pga=held,
-            margin=quantity(own.margin, "ratio", margin_figures(own.margin, own.margin_most)),
-        )
-    elif own.outcome == Decision.PASS and own.margin is not None and held is not None:
-        yield say(
-            "It holds up to a peak ground acceleration of {pga}, {margin} times the site’s own.",
-            pga=held,
-            margin=quantity(own.margin, "ratio", margin_figures(own.margin, own.margin_most)),
-        )
-    elif own.outcome == Decision.FAIL:
-        yield from _lacking(own, found, held)
-
-
-def _lacking(own: MechanismVerdict, found: Verdict, held: Text | None) -> Iterator[Text]:
-    """Yield by how much a mechanism that fails would have to resist more."""
-    factor = required_increase(own, found)
-    if factor is None:
-        return
-    shown = quantity(factor, "ratio", required_increase_figures(own, factor))
-    if held is None:
-        yield say("To pass, its resistance must be {factor} times as large.", factor=shown)
-    else:
-        yield say(
-            "It holds up to a peak ground acceleration of {pga}; to pass, this must be {factor} times as large.",
-            pga=held,
-            factor=shown,
-        )
-
-
-def required_increase(own: MechanismVerdict, found: Verdict) -> float | None:
-    """Return by how much the resistance of a failing mechanism must grow; None where the numbers do not tell.
-
-    It is the target over the index of the basis, where it has one as a share of the action; else the inverse of the
-    margin; else the ratio of demand to capacity.
-    """
-    failing = [answer for answer in own.answers if answer.outcome == Decision.FAIL]
-    shares = [a.index.value for a in failing if a.index is not None and a.index.name != IndexKind.DEMAND_CAPACITY]
-    if shares and found.target is not None and min(shares) > 0.0:
-        return found.target / min(shares)
-    if own.margin is not None and 0.0 < own.margin < 1.0:
-        return 1.0 / own.margin
-    return max((answer.ratio for answer in failing if answer.ratio is not None), default=None)
-
-
-def required_increase_figures(own: MechanismVerdict, factor: float) -> int:
-    """Return to how many figures that factor stands, as the indices and the margin that it comes from."""
-    stand = [each.index.figures for each in own.answers if each.outcome == Decision.FAIL and each.index is not None]
-    stand += [margin_figures(own.margin, own.margin_most)] if own.margin else []
-    return side_figures(factor, min(FIGURES, *stand))
-
-
-ParameterColumn = tuple[Column, Callable[[OscillatorResult], Cell]]
-
-
-def _share_of_mass(mechanism: MechanismResult) -> float | None:
-    """Return the fraction of participating mass e* of the kinematic analyses; None without one."""
-    steps = (step for check in mechanism.checks for step in check.steps if step.symbol == "e*")
-    return next((step.value for step in steps), None)
-
-
-def _page_parameters(results: Results, mechanism: MechanismResult) -> list[ParameterColumn]:
+def _page_parameters(results: Results, mechanism: MechanismResult) -> list[Field[OscillatorResult]]:
     """Return the eight parameters that an engineer checks by hand."""
-    joint = mechanism.oscillator.overturning_flexible_rad is not None
+    uplift: Field[OscillatorResult] = (
+        Column(say("Multiplier at uplift λ"), "ratio"),
+        lambda branch: uplift_cell(branch.uplift_multiplier),
+    )
+    on_joints: Field[OscillatorResult] = (
+        Column(say("Overturning on its joints"), "rotation"),
+        lambda branch: branch.overturning_flexible_rad,
+    )
     return [
-        (Column(say("Mass M"), "mass"), lambda of: of.mass_kg if _has_mass(results, mechanism) else None),
-        (Column(say("Radius R"), "length"), lambda of: of.radius_m),
-        (Column(say("Slenderness α"), "rotation"), lambda of: of.slenderness_rad),
-        (Column(say("Frequency parameter p"), "angular frequency"), lambda of: of.p_eq_per_s),
-        _on_joints() if joint else _at_uplift(),
-        (Column(say("Overturning φₒᵥ"), "rotation"), lambda of: of.overturning_rad),
-        (Column(say("Restitution η"), "ratio"), lambda of: of.restitution),
+        (Column(say("Mass M"), "mass"), lambda branch: branch.mass_kg if _has_mass(results, mechanism) else None),
+        (Column(say("Radius R"), "length"), lambda branch: branch.radius_m),
+        (Column(say("Slenderness α"), "rotation"), lambda branch: branch.slenderness_rad),
+        (Column(say("Frequency parameter p"), "angular frequency"), lambda branch: branch.p_eq_per_s),
+        uplift if mechanism.oscillator.overturning_flexible_rad is None else on_joints,
+        (Column(say("Overturning φₒᵥ"), "rotation"), lambda branch: branch.overturning_rad),
+        (Column(say("Restitution η"), "ratio"), lambda branch: branch.restitution),
         *_mass_share_or_period(results, mechanism),
     ]
 
@@ -509,23 +289,13 @@ def _has_mass(results: Results, mechanism: MechanismResult) -> bool:
     return mechanism.kind != "equivalent-block" or (given is not None and given.given)
 
 
-def _at_uplift() -> ParameterColumn:
-    def multiplier(of: OscillatorResult) -> Cell:
-        return NONE if of.uplift_multiplier is None else of.uplift_multiplier
-
-    return Column(say("Multiplier at uplift λ"), "ratio"), multiplier
-
-
-def _on_joints() -> ParameterColumn:
-    return Column(say("Overturning on its joints"), "rotation"), lambda of: of.overturning_flexible_rad
-
-
-def _mass_share_or_period(results: Results, mechanism: MechanismResult) -> list[ParameterColumn]:
+def _mass_share_or_period(results: Results, mechanism: MechanismResult) -> list[Field[OscillatorResult]]:
     """Return the fraction of participating mass, or the longest equivalent period where no analysis has that."""
-    share, motion = _share_of_mass(mechanism), results.ground_motion
+    steps = (step for check in mechanism.checks for step in check.steps)
+    share = next((step.value for step in steps if step.symbol == "e*"), None)
     if share is not None:
         return [(Column(say("Participating share e*"), "ratio"), lambda _: share)]
-    periods = () if motion is None else motion.equivalent_periods
+    periods = () if results.ground_motion is None else results.ground_motion.equivalent_periods
     longest = next((one.longest_s for one in periods if one.mechanism == mechanism.name), None)
     return [] if longest is None else [(Column(say("Equivalent period"), "time"), lambda _: longest)]
 
@@ -552,12 +322,27 @@ def shown_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, .
 
 def answers_table(results: Results, mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the answers at the site's own action, a row for each method and limit state."""
-    shown = shown_checks(results, mechanism)
-    columns = (METHOD, Column(say("Role")), DEMAND, ALLOWABLE, RATIO, CAPACITY_PGA, OUTCOME)
-    own = governing.verdict_of(results, mechanism)
-    rows = tuple(_answer_row(check, shown, () if own is None else own.answers) for check in shown)
-    muted = frozenset(place for place, check in enumerate(shown) if check.reading == "thesis")
-    return Table(name, _answers_caption(results), columns, rows, muted, small=True)
+    shown, mechanism_verdict = shown_checks(results, mechanism), governing.verdict_of(results, mechanism)
+    fields: tuple[Field[Check], ...] = (
+        (METHOD, lambda check: check_title(check, shown)),
+        (Column(say("Role")), lambda check: ROLES[check.role]),
+        (Column(say("Demand")), _demand_cell),
+        (Column(say("Allowable")), lambda check: value_cell(check.capacity, check.unit)),
+        (RATIO, ratio_cell),
+        (CAPACITY_PGA, capacity_pga_cell),
+        (OUTCOME, lambda check: outcome_cell(check, () if mechanism_verdict is None else mechanism_verdict.answers)),
+    )
+    return tabulate(
+        name, _answers_caption(results), fields, shown, muted=lambda check: check.reading == "thesis", small=True
+    )
+
+
+def _demand_cell(check: Check) -> Cell:
+    """Return the demand of a check with its unit, or words: it overturns, does not rock, or comes to rest again."""
+    words = rotation_cell(check)
+    if check.rotation_ratio is not None and words in (NO_LASTING, NO_ROCKING):
+        return words
+    return unbounded_text(check) or value_cell(check.demand, check.unit, figures=ratio_figures(check))
 
 
 def _answers_caption(results: Results) -> Text:
@@ -565,16 +350,4 @@ def _answers_caption(results: Results) -> Text:
         return say("The worst answer of each method; D/C: demand over capacity.")
     return say(
         "Answers at the site’s own action; D/C: demand over capacity. Only a method that decides counts in the verdict."
-    )
-
-
-def _answer_row(check: Check, among: tuple[Check, ...], answers: tuple[Answer, ...]) -> tuple[Cell, ...]:
-    return (
-        check_title(check, among),
-        ROLES[check.role],
-        demand_or_rest(check, demand_cell(check)),
-        capacity_cell(check),
-        ratio_cell(check),
-        capacity_pga_cell(check),
-        outcome_cell(check, answers),
     )

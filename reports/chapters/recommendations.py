@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.results import Results, SensitivityResult
-from reports.chapters import key_plan, verdict_texts
-from reports.chapters.mechanism_page import required_increase, required_increase_figures
+from reports.chapters import key_plan
 from reports.chapters.sensitivity import (
     BOUNDS,
     answer_text,
@@ -17,7 +16,16 @@ from reports.chapters.sensitivity import (
     span,
     value_text,
 )
-from reports.chapters.verdict_texts import capacity_pga_text, has_reduced_target, index_symbol
+from reports.chapters.verdict_texts import (
+    blocks_to_paste,
+    capacity_pga_text,
+    fits_page_1,
+    has_reduced_target,
+    index_symbol,
+    missing_texts,
+    required_increase,
+    required_increase_figures,
+)
 from reports.document import Block, BulletList, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Text, listing, quantity, say
 from reports.titles import mechanism_list, numbered_title
@@ -25,20 +33,20 @@ from reports.titles import mechanism_list, numbered_title
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter."""
-    found = results.verdict
-    if found is None:
+    verdict = results.verdict
+    if verdict is None:
         return []
     blocks: list[Block] = [
-        *_failing(results, found),
-        *_missing(results, found),
-        *_titled(say("To be shown, since a pass depends on it:"), list(found.conditions)),
-        *_titled(say("To survey first:"), list(survey(results, found))),
+        *_failing(results, verdict),
+        *_missing(results, verdict),
+        *_titled(say("To be shown, since a pass depends on it:"), list(verdict.conditions)),
+        *_titled(say("To survey first:"), list(survey(results, verdict))),
         *_titled(say("To examine next:"), list(next_checks(results))),
     ]
-    if found.outcome == Decision.PASS:
+    if verdict.outcome == Decision.PASS:
         nothing = say("At the site’s own action no mechanism examined requires strengthening.")
         to_target = say("No mechanism examined requires strengthening to reach the target.")
-        blocks.insert(0, Prose((to_target if has_reduced_target(found) else nothing,)))
+        blocks.insert(0, Prose((to_target if has_reduced_target(verdict) else nothing,)))
     return [Section(say("Recommendations"), 0, tuple(blocks))]
 
 
@@ -46,17 +54,17 @@ def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
     return [Prose((title,)), BulletList(tuple(points))] if points else []
 
 
-def _missing(results: Results, found: Verdict) -> list[Block]:
+def _missing(results: Results, verdict: Verdict) -> list[Block]:
     """Return what is missing where page 1 does not show all of it, or nothing of it in a verdict that is not open."""
-    if found.outcome != Decision.INCOMPLETE:
-        texts = verdict_texts.missing_texts(results, found)
+    if verdict.outcome != Decision.INCOMPLETE:
+        texts = missing_texts(results, verdict)
         return [*_titled(say("To be given for the mechanisms without an answer:"), texts)]
-    return [] if verdict_texts.fits_page_1(results, found) else verdict_texts.blocks_to_paste(results, found)
+    return [] if fits_page_1(results, verdict) else blocks_to_paste(results, verdict)
 
 
-def _failing(results: Results, found: Verdict) -> list[Block]:
+def _failing(results: Results, verdict: Verdict) -> list[Block]:
     """Return by how much the mechanisms that fail must resist more, the worst first."""
-    failing = [one for one in found.mechanisms if one.outcome == Decision.FAIL]
+    failing = [one for one in verdict.mechanisms if one.outcome == Decision.FAIL]
     if not failing:
         return []
     words = say(
@@ -65,7 +73,7 @@ def _failing(results: Results, found: Verdict) -> list[Block]:
         "designed, and the mechanism is to be assessed again with them: they change the mechanism, not only its "
         "resistance."
     )
-    ordered = sorted(failing, key=lambda one: -(required_increase(one, found) or 0.0))
+    ordered = sorted(failing, key=lambda one: -(required_increase(one, verdict) or 0.0))
     columns = (
         Column(say("Mechanism")),
         Column(say("Holds up to PGA"), "ground acceleration", 3),
@@ -73,21 +81,23 @@ def _failing(results: Results, found: Verdict) -> list[Block]:
         Column(say("Factor needed"), "ratio", 3),
     )
     caption = say("What the failing mechanisms lack.")
-    rows = tuple(_failing_row(results, one, found) for one in ordered)
+    rows = tuple(_failing_row(results, one, verdict) for one in ordered)
     return [Prose((words,)), *nonempty(Table("lacking", caption, columns, rows, small=True))]
 
 
-def _failing_row(results: Results, one: MechanismVerdict, found: Verdict) -> tuple[Cell, ...]:
-    held = None if one.margin is None else capacity_pga_text(one, one.margin, found.action)
-    factor = required_increase(one, found)
-    reached = None if one.margin is None or factor is None else one.margin * found.action.pga_g * factor
-    shown = None if factor is None else quantity(factor, "ratio", required_increase_figures(one, factor))
-    return (numbered_title(results, one.mechanism), held, reached, shown)
+def _failing_row(results: Results, mechanism_verdict: MechanismVerdict, verdict: Verdict) -> tuple[Cell, ...]:
+    title, margin = numbered_title(results, mechanism_verdict.mechanism), mechanism_verdict.margin
+    factor = required_increase(mechanism_verdict, verdict)
+    shown = None if factor is None else quantity(factor, "ratio", required_increase_figures(mechanism_verdict, factor))
+    if margin is None:
+        return title, None, None, shown
+    reached = None if factor is None else margin * verdict.action.pga_g * factor
+    return title, capacity_pga_text(mechanism_verdict, margin, verdict.action), reached, shown
 
 
-def survey(results: Results, found: Verdict) -> Iterator[Text]:
+def survey(results: Results, verdict: Verdict) -> Iterator[Text]:
     """Yield the number that moves the deciding answer of each mechanism most, and what lies at the limit."""
-    near = [one.mechanism for one in found.mechanisms if one.at_the_limit]
+    near = [one.mechanism for one in verdict.mechanisms if one.at_the_limit]
     if near:
         yield say(
             "thickness and position of the hinges of {mechanisms}: the answer is at the limit, within 5 % or within "
@@ -104,9 +114,9 @@ def _strongest_inputs(results: Results) -> Iterator[Text]:
     decisive = [row for row in results.sensitivity if row.quantity == "index" and not is_negligible(row)]
     changing = [row for row in decisive if _changes_any_outcome(row)]
     yield from (_change(results, row) for row in changing)
-    settled = {row.mechanism for row in changing}
+    decided = {row.mechanism for row in changing}
     strongest: dict[Text, list[str]] = {}
-    for mechanism in (each.name for each in results.mechanisms if each.name not in settled):
+    for mechanism in (each.name for each in results.mechanisms if each.name not in decided):
         rows = [row for row in decisive if row.mechanism == mechanism]
         if rows:
             strongest.setdefault(input_name(max(rows, key=span)), []).append(mechanism)

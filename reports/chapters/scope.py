@@ -11,7 +11,7 @@ from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
 from reports.chapters import verdict, verdict_texts
-from reports.document import Block, BulletList, Column, Prose, Section, Table, nonempty
+from reports.document import Block, BulletList, Column, Field, Prose, Section, Table, nonempty, tabulate
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.project_values import project_text
 from reports.titles import mechanism_list, mechanism_number, procedure_title
@@ -119,11 +119,13 @@ def sliding(results: Results) -> Text:
     """Return where friction was checked, and where it is only assumed to be sufficient."""
     unchecked = [each.name for each in results.mechanisms if not _is_checked(each)]
     assumed = _assumed_friction(results, unchecked)
-    held = say("While a mechanism rocks, no sliding, no bouncing and no separation other than rocking are modelled.")
+    while_rocking = say(
+        "While a mechanism rocks, no sliding, no bouncing and no separation other than rocking are modelled."
+    )
     if len(unchecked) == len(results.mechanisms):
-        return Paragraph((assumed, held))
+        return Paragraph((assumed, while_rocking))
     checked = say("Sliding was checked by equilibrium up to the moment at which the mechanism starts to rock.")
-    return Paragraph((checked, *((assumed,) if unchecked else ()), held))
+    return Paragraph((checked, *((assumed,) if unchecked else ()), while_rocking))
 
 
 def _assumed_friction(results: Results, unchecked: Sequence[str]) -> Text:
@@ -149,8 +151,8 @@ def _assumed_friction(results: Results, unchecked: Sequence[str]) -> Text:
 
 
 def _is_checked(mechanism: MechanismResult) -> bool:
-    silent = (Outcome.NOT_APPLICABLE, Outcome.NOT_ANSWERED)
-    return any(check.procedure == SLIDING and check.verdict not in silent for check in mechanism.checks)
+    unanswered = (Outcome.NOT_APPLICABLE, Outcome.NOT_ANSWERED)
+    return any(check.procedure == SLIDING and check.verdict not in unanswered for check in mechanism.checks)
 
 
 def _limits_of_input(results: Results) -> Iterator[Text]:
@@ -242,20 +244,19 @@ def methods_table(results: Results) -> Table:
     found: dict[str, list[Check]] = {}
     for check in (check for mechanism in results.mechanisms for check in mechanism.checks):
         found.setdefault(check.procedure, []).append(check)
-    ordered = sorted(found.values(), key=lambda checks: not _decides(checks))
-    rows = tuple(
-        (procedure_title(each[0].procedure), Term(each[0].edition), part_in_verdict(each), _compared(each))
-        for each in ordered
+    fields: tuple[Field[list[Check]], ...] = (
+        (Column(say("Method"), share=0.24), lambda checks: procedure_title(checks[0].procedure)),
+        (Column(say("Edition"), share=0.22), lambda checks: Term(checks[0].edition)),
+        (Column(say("Part in the verdict"), share=0.16), part_in_verdict),
+        (Column(say("Compares")), _compared),
     )
-    columns = (
-        Column(say("Method"), share=0.24),
-        Column(say("Edition"), share=0.22),
-        Column(say("Part in the verdict"), share=0.16),
-        Column(say("Compares")),
-    )
-    muted = frozenset(place for place, each in enumerate(ordered) if not _decides(each))
+
+    def is_for_information(checks: list[Check]) -> bool:
+        return not _decides(checks)
+
     caption = say("Methods of this report, with the editions used.")
-    return Table("methods", caption, columns, rows, muted, small=True)
+    ordered = sorted(found.values(), key=is_for_information)
+    return tabulate("methods", caption, fields, ordered, muted=is_for_information, small=True)
 
 
 def _decides(checks: list[Check]) -> bool:

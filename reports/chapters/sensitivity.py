@@ -12,12 +12,12 @@ from typing import Literal
 from assess.codes.check import Outcome
 from assess.codes.procedures import uses_histories
 from assess.results import Results, SensitivityResult
-from reports.chapters.cells import MECHANISM, OUTCOMES, OVERTURNED
+from reports.chapters.cells import LEVEL, LIMIT_STATE, MECHANISM, OUTCOMES, OVERTURNED, PROCEDURE, ROLES
 from reports.chapters.verdict_texts import DEMAND_CAPACITY, index_symbol
-from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
+from reports.document import Block, Column, Field, Figure, Prose, Section, Table, tabulate
 from reports.figures import sensitivity
 from reports.governing import DAMAGE
-from reports.language.texts import Phrase, Term, Text, Verbatim, listing, quantity, say
+from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say
 from reports.titles import file_stem, mechanism_number, numbered_title, procedure_title
 
 MAX_ROWS = 8
@@ -25,6 +25,11 @@ MAX_ROWS = 8
 
 MAX_BARS = 10
 """Bars of the figures of the chapter, which is one page."""
+
+
+FIGURES = 3
+
+
 CHANGED_OUTCOMES: dict[str, Text] = {"pass": say("passes"), "fail": say("fails")}
 
 METHOD = say(
@@ -152,38 +157,29 @@ def _change(results: Results, each: InputEffect) -> Text:
 
 def effects_table(results: Results, found: list[InputEffect]) -> Table:
     """Tabulate the inputs with the largest effects over all mechanisms."""
-    columns = (
-        Column(say("Input")),
-        Column(say("Range")),
-        MECHANISM,
-        Column(say("Answer")),
-        *(Column(label) for label in (say("At low"), say("As assessed"), say("At high"))),
-        Column(say("Outcome")),
+    fields: tuple[Field[InputEffect], ...] = (
+        (Column(say("Input")), lambda each: input_name(each.varied.number)),
+        (Column(say("Range")), lambda each: range_text(each.varied.number)),
+        (MECHANISM, lambda each: numbered_title(results, each.answer.mechanism)),
+        (Column(say("Answer")), lambda each: answer_name(each.answer)),
+        (Column(say("At low")), lambda each: answer_text(each.answer, "low")),
+        (Column(say("As assessed")), lambda each: answer_text(each.answer, "base")),
+        (Column(say("At high")), lambda each: answer_text(each.answer, "high")),
+        (Column(say("Outcome")), _outcomes_within_range),
     )
     caption = say("The inputs with the largest effects, each in the mechanism whose answer it moves most.")
-    rows = tuple(_effect_row(results, each) for each in one_for_each_input(found)[:MAX_ROWS])
-    return Table("influences", caption, columns, rows, small=True)
+    return tabulate("influences", caption, fields, one_for_each_input(found)[:MAX_ROWS], small=True)
 
 
-def _effect_row(results: Results, each: InputEffect) -> tuple[Cell, ...]:
-    row = each.answer
+def _outcomes_within_range(each: InputEffect) -> Text:
+    """Return the outcomes to which deciding checks change within the range of an input."""
     changed = dict.fromkeys(
-        verdict
-        for side in BOUNDS
-        for one in each.varied.decisive
-        if changes_outcome(one, side) and (verdict := outcome_at(one, side))
+        outcome
+        for bound in BOUNDS
+        for row in each.varied.decisive
+        if changes_outcome(row, bound) and (outcome := outcome_at(row, bound))
     )
-    outcome = listing((CHANGED_OUTCOMES[verdict.value] for verdict in changed), "or") if changed else say("unchanged")
-    answers = (answer_text(row, "low"), answer_text(row, "base"), answer_text(row, "high"))
-    number = each.varied.number
-    return (
-        input_name(number),
-        range_text(number),
-        numbered_title(results, row.mechanism),
-        answer_name(row),
-        *answers,
-        outcome,
-    )
+    return listing((CHANGED_OUTCOMES[each.value] for each in changed), "or") if changed else say("unchanged")
 
 
 def _figures(results: Results) -> Iterator[tuple[Figure, int]]:
@@ -231,8 +227,8 @@ def _limit(
         return 1.0, say("limit")
     if first.quantity == "index":
         return None if target is None else (target, say("target"))
-    beside = next((row for row in ranked[0].shown if row.level_pga_g), None)
-    level = None if beside is None else beside.level_pga_g
+    with_level = next((row for row in ranked[0].shown if row.level_pga_g), None)
+    level = None if with_level is None else with_level.level_pga_g
     return None if level is None else (level, quantity(level, "ground acceleration", 3))
 
 
@@ -244,7 +240,7 @@ def _changed_outcome(row: SensitivityResult, side: Bound) -> Text | None:
 
 def _inputs_not_varied(results: Results) -> list[Block]:
     """Return which inputs are not varied, and why."""
-    told = {
+    reasons = {
         (row.mechanism, row.remark): say(
             "{mechanism}, {input}: {remark}.",
             mechanism=Verbatim(mechanism_number(results, row.mechanism)),
@@ -254,10 +250,48 @@ def _inputs_not_varied(results: Results) -> list[Block]:
         for row in results.sensitivity
         if not row.quantity
     }
-    return [Prose(tuple(told.values()))] if told else []
+    return [Prose(tuple(reasons.values()))] if reasons else []
 
 
-FIGURES = 3
+QUANTITIES = {
+    "index": say("index"),
+    "capacity_pga_g": say("PGA at capacity [g]"),
+    "demand_capacity": say("demand / capacity"),
+}
+
+
+def sensitivity_table(results: Results) -> Table:
+    """Tabulate every answer of every mechanism with each value at its low and its high end."""
+    fields: tuple[Field[SensitivityResult], ...] = (
+        (MECHANISM, lambda row: numbered_title(results, row.mechanism)),
+        (Column(say("Parameter")), input_name),
+        (Column(say("Key")), lambda row: Verbatim(row.key)),
+        (Column(say("Unit")), lambda row: Verbatim(row.unit)),
+        (Column(say("Base")), lambda row: row.base),
+        (Column(say("Low")), lambda row: row.low),
+        (Column(say("High")), lambda row: row.high),
+        (PROCEDURE, lambda row: Verbatim(row.procedure)),
+        (LIMIT_STATE, lambda row: Verbatim(row.limit_state)),
+        (Column(say("Role")), lambda row: ROLES[row.role]),
+        (LEVEL, lambda row: row.level_pga_g),
+        (Column(say("Quantity")), lambda row: QUANTITIES.get(row.quantity)),
+        (Column(say("At base")), lambda row: row.at_base),
+        (Column(say("At low")), lambda row: row.at_low),
+        (Column(say("At high")), lambda row: row.at_high),
+        (Column(say("Outcome")), lambda row: _outcome_text(row.verdict_base)),
+        (Column(say("Outcome at low")), lambda row: _outcome_text(row.verdict_low)),
+        (Column(say("Outcome at high")), lambda row: _outcome_text(row.verdict_high)),
+        (Column(say("Remark")), lambda row: Listing(row.remarks or (Term(row.remark),), "")),
+    )
+    caption = say(
+        "Every check with each value at its low and its high end; there is no ratio where the body overturns."
+    )
+    return tabulate("sensitivity", caption, fields, results.sensitivity)
+
+
+def _outcome_text(outcome: Outcome | None) -> Text | None:
+    return None if outcome is None else OUTCOMES[outcome.value]
+
 
 PARAMETER_WORDS: Mapping[str, Phrase] = {
     "thickness": say("thickness"),
@@ -345,16 +379,14 @@ def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
             numbers.setdefault((row.parameter, row.key), []).append(row)
     if not numbers:
         return ()
-    wanted = [answer_key(row) for row in representative_answers(next(iter(numbers.values())))]
-    found = [_varied_input(each, wanted) for each in numbers.values()]
+    keys = [answer_key(row) for row in representative_answers(next(iter(numbers.values())))]
+    found = [_varied_input(each, keys) for each in numbers.values()]
     return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
 
 
-def _varied_input(
-    rows: Sequence[SensitivityResult], wanted: Sequence[tuple[str, str, str, float | None]]
-) -> VariedInput:
-    by_identity = {answer_key(row): row for row in reversed(rows)}
-    return VariedInput(tuple(rows), tuple(by_identity[each] for each in wanted))
+def _varied_input(rows: Sequence[SensitivityResult], keys: Sequence[tuple[str, str, str, float | None]]) -> VariedInput:
+    by_key = {answer_key(row): row for row in reversed(rows)}
+    return VariedInput(tuple(rows), tuple(by_key[each] for each in keys))
 
 
 def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
@@ -413,8 +445,3 @@ def is_negligible(row: SensitivityResult) -> bool:
 def changes_outcome(row: SensitivityResult, side: Bound) -> bool:
     """Return whether a verdict changes from pass to fail or back."""
     return {row.verdict_base, outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
-
-
-def fails(rows: Sequence[SensitivityResult], at: InputValue) -> bool:
-    """Return whether any check fails in a case."""
-    return any(outcome_at(row, at) == Outcome.FAIL for row in rows)

@@ -3,21 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from functools import partial
 from itertools import chain
 
 from scipy.constants import g
 
-from assess.messages.message import Quantity
 from assess.results import LoadResult, Results, SpectrumResult
 from reports.chapters import suite
 from reports.chapters.assumptions import stated_source
 from reports.chapters.verdict_texts import OWN_BASIS
-from reports.document import NOTHING, Block, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
+from reports.document import (
+    NOTHING,
+    Block,
+    Cell,
+    Column,
+    Field,
+    Figure,
+    FigureRow,
+    Prose,
+    Section,
+    Table,
+    nonempty,
+    tabulate,
+)
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import spectrum as suite_figure
-from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, names, quantity, say
+from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, names, quantity, say, with_figures
 from reports.language.value_names import PARAMETER_NAMES, parameter_rows
 from reports.project_values import project_text
 from reports.titles import mechanism_number
@@ -91,13 +102,13 @@ def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:
 
 def parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters of the spectrum that are given or defaults, with their sources."""
-    told = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
+    stated = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
     columns = (Column(say("Parameter")), Column(say("Value")), Column(say("Source")))
     return Table(
         "site",
         say("The elastic response spectrum of the site."),
         columns,
-        tuple(_without_repeated_sources(told)),
+        tuple(_without_repeated_sources(stated)),
         small=True,
     )
 
@@ -119,7 +130,7 @@ def hazard_table(results: Results) -> Table:
 def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
     """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
     found: list[tuple[Cell, ...]] = [
-        (name, _short(value))
+        (name, with_figures(value, 4))
         for name, value, source in _parameters(results, spectrum)
         if source == CALCULATED and name not in ON_PAGE_1
     ]
@@ -129,10 +140,6 @@ def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> T
     rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
     columns = (Column(say("Parameter")), Column(say("Value"), share=0.1)) * PAIRS_IN_ROW
     return Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
-
-
-def _short(value: Text) -> Text:
-    return replace(value, figures=4) if isinstance(value, Quantity) else value
 
 
 def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:
@@ -171,9 +178,9 @@ def _origin(results: Results, name: str) -> Text:
 
 def _record_blocks(results: Results) -> Iterator[Block]:
     yield from nonempty(suite.records_table(results))
-    told = tuple(suite.suite_sentences(results))
-    if told:
-        yield Prose((Paragraph(told),))
+    sentences = tuple(suite.suite_sentences(results))
+    if sentences:
+        yield Prose((Paragraph(sentences),))
     if not suite.meets_requirements(results):
         yield from nonempty(suite.basis_requirements_table(results))
 
@@ -245,22 +252,16 @@ def loads_table(results: Results) -> Table:
         for load in mechanism.loads:
             alike = (load.name, load.kind, load.bearing, load.mass_kg, load.force_n)
             groups.setdefault(alike, (load, []))[1].append(mechanism_number(results, mechanism.name))
-    rows = tuple(_load_row(load, of) for load, of in groups.values())
-    columns = (
-        Column(say("Load")),
-        Column(say("Mechanisms")),
-        Column(say("Acts as")),
-        Column(say("Mass"), "mass"),
-        Column(say("Force along"), "force"),
-        Column(say("Force up"), "force"),
+    fields: tuple[Field[tuple[LoadResult, list[str]]], ...] = (
+        (Column(say("Load")), lambda group: Verbatim(group[0].name)),
+        (Column(say("Mechanisms")), lambda group: names(group[1])),
+        (Column(say("Acts as")), lambda group: acts_as(group[0])),
+        (Column(say("Mass"), "mass"), lambda group: group[0].mass_kg),
+        (Column(say("Force along"), "force"), lambda group: group[0].force_n and group[0].force_n[0]),
+        (Column(say("Force up"), "force"), lambda group: group[0].force_n and group[0].force_n[1]),
     )
     caption = say("Loads besides the weight of the masonry, as given; forces along the direction of motion and up.")
-    return Table("actions", caption, columns, rows, small=True)
-
-
-def _load_row(load: LoadResult, of: list[str]) -> tuple[Cell, ...]:
-    along, up = load.force_n or (None, None)
-    return (Verbatim(load.name), names(of), acts_as(load), load.mass_kg, along, up)
+    return tabulate("actions", caption, fields, groups.values(), small=True)
 
 
 def acts_as(load: LoadResult) -> Text:

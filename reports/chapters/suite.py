@@ -7,7 +7,20 @@ from collections.abc import Iterable, Iterator, Mapping
 from assess.messages.message import DIMENSIONS
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
 from reports.chapters.cells import MECHANISM
-from reports.document import NOTHING, Block, Cell, Column, Outcome, OutcomeCell, Prose, Section, Table, nonempty
+from reports.document import (
+    NOTHING,
+    Block,
+    Cell,
+    Column,
+    Field,
+    Outcome,
+    OutcomeCell,
+    Prose,
+    Section,
+    Table,
+    nonempty,
+    tabulate,
+)
 from reports.figures.spectrum import SUITE_CODES_OF_BASES
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.titles import numbered_title
@@ -121,14 +134,14 @@ def lock_sentence(file: str) -> Text:
 
 def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
     code = Verbatim(rules[0].code)
-    missed, silent = (
+    not_met, not_answered = (
         listing(Term(rule.what) for rule in rules if rule.verdict == verdict) for verdict in ("not met", "not answered")
     )
-    if missed.texts:
-        yield say("The suite does not meet these requirements of {code}: {which}.", code=code, which=missed)
-    if silent.texts:
-        yield say("These requirements of {code} could not be checked: {which}.", code=code, which=silent)
-    if not missed.texts and not silent.texts:
+    if not_met.texts:
+        yield say("The suite does not meet these requirements of {code}: {which}.", code=code, which=not_met)
+    if not_answered.texts:
+        yield say("These requirements of {code} could not be checked: {which}.", code=code, which=not_answered)
+    if not not_met.texts and not not_answered.texts:
         yield say_count(
             "The suite meets the one requirement of {code} on suites.",
             "The suite meets all {number} requirements of {code} on suites.",
@@ -139,28 +152,25 @@ def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
 
 def basis_requirements_table(results: Results) -> Table:
     """Tabulate the requirements of the code that belongs to the basis."""
-    columns = (
-        Column(say("Requirement")),
-        Column(say("Clause")),
-        Column(say("Found")),
-        Column(say("Limit")),
-        Column(say("Outcome")),
+    fields: tuple[Field[RequirementResult], ...] = (
+        (Column(say("Requirement")), lambda rule: Term(rule.what)),
+        (Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (Column(say("Found")), _found_cell),
+        (Column(say("Limit")), _limit_text),
+        (Column(say("Outcome")), lambda rule: OutcomeCell(*REQUIREMENT_OUTCOMES[rule.verdict])),
     )
     rules = requirements_of_basis(results)
     caption = say("The suite against the rules of {code}.", code=Verbatim(rules[0].code if rules else ""))
-    return Table("suite-rules", caption, columns, tuple(map(_basis_requirement_row, rules)), small=True)
+    return tabulate("suite-rules", caption, fields, rules, small=True)
 
 
-def _basis_requirement_row(rule: RequirementResult) -> tuple[Cell, ...]:
-    colour, word = REQUIREMENT_OUTCOMES[rule.verdict]
-    return (Term(rule.what), Term(rule.clause), *found_and_limit(rule), OutcomeCell(colour, word))
+def _found_cell(rule: RequirementResult) -> Cell:
+    return None if rule.value is None else quantity(rule.value, DIMENSIONS.get(rule.unit, "ratio"))
 
 
-def found_and_limit(rule: RequirementResult) -> tuple[Cell, Cell]:
-    """Return what was found of a requirement, and its limit."""
-    dimension = DIMENSIONS.get(rule.unit, "ratio")
-    found = None if rule.value is None else quantity(rule.value, dimension)
-    return found, say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=quantity(rule.limit, dimension))
+def _limit_text(rule: RequirementResult) -> Text:
+    limit = quantity(rule.limit, DIMENSIONS.get(rule.unit, "ratio"))
+    return say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=limit)
 
 
 MARK = "D"
@@ -258,40 +268,33 @@ def amplification_table(results: Results) -> Table:
 
 def requirements_table(motion: GroundMotionResult) -> Table:
     """Tabulate the requirements of each code on the suite."""
-    columns = (
-        Column(say("Code")),
-        Column(say("Clause")),
-        Column(say("Requirement"), share=0.26),
-        Column(say("Found")),
-        Column(say("Limit")),
-        Column(say("Periods")),
-        Column(say("Outcome")),
-        Column(say("Remark"), share=0.2),
+    fields: tuple[Field[RequirementResult], ...] = (
+        (Column(say("Code")), lambda rule: Verbatim(rule.code)),
+        (Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (Column(say("Requirement"), share=0.26), lambda rule: Term(rule.what)),
+        (Column(say("Found")), _found_cell),
+        (Column(say("Limit")), _limit_text),
+        (Column(say("Periods")), _periods_text),
+        (Column(say("Outcome")), lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
+        (Column(say("Remark"), share=0.2), _remarks_text),
     )
     caption = say(
         "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only where their "
         "requirements are met; the others are for information. T₁ is replaced by the smallest and the largest "
         "equivalent period."
     )
-    rows = tuple(_requirement_row(one) for one in motion.requirements)
-    return Table("requirements", caption, columns, rows, small=True)
+    return tabulate("requirements", caption, fields, motion.requirements, small=True)
 
 
-def _requirement_row(one: RequirementResult) -> tuple[Cell, ...]:
-    over = (
-        None
-        if one.from_s is None or one.to_s is None
-        else say("{low} to {high}", low=quantity(one.from_s, "time", 3), high=quantity(one.to_s, "time", 3))
-    )
-    return (
-        Verbatim(one.code),
-        Term(one.clause),
-        Term(one.what),
-        *found_and_limit(one),
-        over,
-        REQUIREMENT_OUTCOMES[one.verdict][1],
-        Listing((*(one.remarks or map(Term, _nonempty((one.remark,)))), *map(Term, _nonempty((one.caveat,)))), ""),
-    )
+def _periods_text(rule: RequirementResult) -> Text | None:
+    if rule.from_s is None or rule.to_s is None:
+        return None
+    return say("{low} to {high}", low=quantity(rule.from_s, "time", 3), high=quantity(rule.to_s, "time", 3))
+
+
+def _remarks_text(rule: RequirementResult) -> Text:
+    remarks = rule.remarks or map(Term, _nonempty((rule.remark,)))
+    return Listing((*remarks, *map(Term, _nonempty((rule.caveat,)))), "")
 
 
 def _nonempty(texts: Iterable[str]) -> list[str]:
@@ -306,19 +309,10 @@ def _processing_steps(record: RecordResult) -> tuple[Text, ...]:
 
 def processing_table(results: Results) -> Table:
     """Tabulate the origin and the processing of each record."""
-    columns = (
-        Column(say("Record"), share=0.18),
-        Column(say("Station"), share=0.15),
-        Column(say("File"), share=0.22),
-        Column(say("Processing, in order")),
+    fields: tuple[Field[RecordResult], ...] = (
+        (Column(say("Record"), share=0.18), lambda record: Verbatim(record.id)),
+        (Column(say("Station"), share=0.15), lambda record: Verbatim(record.station)),
+        (Column(say("File"), share=0.22), lambda record: Verbatim(record.path)),
+        (Column(say("Processing, in order")), lambda record: Listing(_processing_steps(record), "")),
     )
-    rows = tuple(
-        (
-            Verbatim(record.id),
-            Verbatim(record.station),
-            Verbatim(record.path),
-            Listing(_processing_steps(record), ""),
-        )
-        for record in results.records
-    )
-    return Table("processing", say("Origin and processing of the records."), columns, rows, small=True)
+    return tabulate("processing", say("Origin and processing of the records."), fields, results.records, small=True)

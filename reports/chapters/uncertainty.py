@@ -95,18 +95,18 @@ def densities_without_effect(results: Results, found: UncertaintyResult) -> Iter
         known = [each for answer in found.answers if answer.mechanism == name for each in answer.influences]
         changing = {key for each in known if each.rank_correlation is not None for key in each.keys}
         keys = tuple(dict.fromkeys(key for each in known for key in each.keys if key.endswith(DENSITY)))
-        still = tuple(key for key in keys if key not in changing)
-        if still:
-            mechanisms.setdefault(still, []).append(name)
-    for still, named in mechanisms.items():
+        unchanging = tuple(key for key in keys if key not in changing)
+        if unchanging:
+            mechanisms.setdefault(unchanging, []).append(name)
+    for unchanging, named in mechanisms.items():
         yield say_count(
             "For {mechanisms}, {keys} changes nothing: the weight that holds a free wall and the inertia that "
             "overturns it grow alike.",
             "For {mechanisms}, {keys} change nothing: the weight that holds a free wall and the inertia that "
             "overturns it grow alike.",
-            len(still),
+            len(unchanging),
             mechanisms=listing(numbered_title(results, name) for name in named),
-            keys=listing(Verbatim(key) for key in still),
+            keys=listing(Verbatim(key) for key in unchanging),
         )
 
 

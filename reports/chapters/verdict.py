@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from assess.codes.check import Check, Outcome
 from assess.codes.histories import ratio_figures
@@ -11,20 +11,25 @@ from assess.codes.verdict import Decision, MechanismVerdict, Verdict, relevant_w
 from assess.messages.message import Message, Quantity
 from assess.results import MechanismResult, Results, SpectrumResult
 from reports import governing
-from reports.chapters import verdict_texts
 from reports.chapters.cells import outcome_cell
 from reports.chapters.front_matter import use_class_of
 from reports.chapters.key_plan import not_examined_text
 from reports.chapters.verdict_texts import (
     DEMAND_CAPACITY,
     OWN_BASIS,
+    blocks_to_paste,
     building_index_text,
+    fits_page_1,
     has_reduced_target,
     index_name,
     index_symbol,
+    knowledge_text,
     least_margin,
     margin_text,
+    missing_texts,
     outcome_text,
+    provisional_outcome,
+    stated_premises,
     target_text,
 )
 from reports.document import NOTHING, Banner, Block, BulletList, Cell, Column, Facts, OutcomeCell, Prose, Section, Table
@@ -40,6 +45,7 @@ from reports.language.texts import (
     quantity,
     say,
     say_count,
+    with_figures,
 )
 from reports.language.value_names import parameter_rows
 from reports.project_values import project_text, split_key
@@ -81,131 +87,133 @@ WORKS: Mapping[str, Phrase] = {
 
 def sections(results: Results) -> list[Section]:
     """Return the first page."""
-    found = results.verdict
-    if found is None:
+    verdict = results.verdict
+    if verdict is None:
         words = say("These results hold no verdict: they were made by an older version of the program.")
         return [Section(say("Verdict"), 0, (Prose((words,)),))]
     blocks: list[Block] = [
-        Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
-        Facts(tuple(basis_facts(results, found))),
-        *short_list(say("The verdict is subject to these conditions:"), conditions(results, found)),
-        *_missing(found, results),
+        Banner(
+            verdict.outcome.value, headline(verdict), verdict.at_the_limit and verdict.outcome != Decision.INCOMPLETE
+        ),
+        Facts(tuple(basis_facts(results, verdict))),
+        *short_list(say("The verdict is subject to these conditions:"), conditions(results, verdict)),
+        *_missing(verdict, results),
         *short_list(say("Warnings that bear on the verdict:"), warnings(results)),
-        matrix(results, found),
+        matrix(results, verdict),
     ]
     return [Section(say("Verdict"), 0, tuple(blocks))]
 
 
-def headline(found: Verdict) -> Text:
+def headline(verdict: Verdict) -> Text:
     """Return the meaning of the verdict in one sentence."""
-    pga = quantity(found.action.pga_g, "ground acceleration", 3)
-    if found.outcome == Decision.PASS:
-        return _all_hold(found, pga)
-    if found.outcome == Decision.FAIL:
-        return _some_fail(found, pga)
-    if not found.basis:
+    pga = quantity(verdict.action.pga_g, "ground acceleration", 3)
+    if verdict.outcome == Decision.PASS:
+        return _all_hold(verdict, pga)
+    if verdict.outcome == Decision.FAIL:
+        return _some_fail(verdict, pga)
+    if not verdict.basis:
         return say("No code is named that decides: the results of all methods are for comparison only.")
-    return _some_are_open(found, pga)
+    return _some_are_open(verdict, pga)
 
 
-def _all_hold(found: Verdict, pga: Quantity) -> Text:
+def _all_hold(verdict: Verdict, pga: Quantity) -> Text:
     """Return that the action is borne, or that share of it which is the target."""
-    target = target_text(found)
-    if has_reduced_target(found) and target is not None:
+    target = target_text(verdict)
+    if has_reduced_target(verdict) and target is not None:
         return say_count(
             "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
             "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
-            len(found.mechanisms),
+            len(verdict.mechanisms),
             pga=pga,
             target=target,
         )
     return say_count(
         "The one mechanism examined holds at the site’s own action, PGA {pga}.",
         "All {number} mechanisms examined hold at the site’s own action, PGA {pga}.",
-        len(found.mechanisms),
+        len(verdict.mechanisms),
         pga=pga,
     )
 
 
-def _some_fail(found: Verdict, pga: Quantity) -> Text:
-    every = len(found.mechanisms)
+def _some_fail(verdict: Verdict, pga: Quantity) -> Text:
+    every = len(verdict.mechanisms)
     if every == 1:
         return say("The one mechanism examined fails at the site’s own action, PGA {pga}.", pga=pga)
     return say_count(
         "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
         "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
-        sum(one.outcome == Decision.FAIL for one in found.mechanisms),
+        sum(one.outcome == Decision.FAIL for one in verdict.mechanisms),
         every=count(every),
         pga=pga,
     )
 
 
-def _some_are_open(found: Verdict, pga: Quantity) -> Text:
-    every = len(found.mechanisms)
+def _some_are_open(verdict: Verdict, pga: Quantity) -> Text:
+    every = len(verdict.mechanisms)
     if every == 1:
         return say("The one mechanism examined has no deciding answer at the site’s own action, PGA {pga}.", pga=pga)
     return say_count(
         "{number} of {every} mechanisms examined has no deciding answer at the site’s own action, PGA {pga}.",
         "{number} of {every} mechanisms examined have no deciding answer at the site’s own action, PGA {pga}.",
-        sum(one.outcome == Decision.INCOMPLETE for one in found.mechanisms),
+        sum(one.outcome == Decision.INCOMPLETE for one in verdict.mechanisms),
         every=count(every),
         pga=pga,
     )
 
 
-def conditions(results: Results, found: Verdict) -> list[Text]:
+def conditions(results: Results, verdict: Verdict) -> list[Text]:
     """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
-    return [*found.conditions, *(verdict_texts.stated_premises(results) if found.basis else ())]
+    return [*verdict.conditions, *(stated_premises(results) if verdict.basis else ())]
 
 
-def basis_facts(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
+def basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
-    yield say("Code"), _code(results, found)
-    if found.limit_states and found.basis != OWN_BASIS:
-        states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in found.limit_states)
+    yield say("Code"), _code(results, verdict)
+    if verdict.limit_states and verdict.basis != OWN_BASIS:
+        states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in verdict.limit_states)
         yield say("Limit state"), states
-    yield say("Site’s own action"), action_text(results, found)
+    yield say("Site’s own action"), action_text(results, verdict)
     if results.spectrum is not None:
         yield say("Spectrum"), spectrum_text(results.spectrum)
-    if found.methods:
-        yield say("Methods that may decide"), listing(map(procedure_title, found.methods))
-    known = verdict_texts.knowledge_text(results)
+    if verdict.methods:
+        yield say("Methods that may decide"), listing(map(procedure_title, verdict.methods))
+    known = knowledge_text(results)
     if known is not None:
         yield say("Knowledge level"), known
-    yield from _measures(results, found)
+    yield from _measures(results, verdict)
     left = not_examined_text(results)
     if left is not None:
         yield say("Possible, not examined"), left
 
 
-def _measures(results: Results, found: Verdict) -> Iterator[tuple[Text, Text]]:
+def _measures(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield target, index and least margin, as far as they are known."""
-    target, index, least = target_text(found), building_index_text(found), least_margin(found)
+    target, index, least = target_text(verdict), building_index_text(verdict), least_margin(verdict)
     if target is not None:
         yield say("Target"), _with_works(results, target)
     if index is not None:
         yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
     if least is not None:
-        margin = margin_text(least, found.action) or NOTHING
+        margin = margin_text(least, verdict.action) or NOTHING
         title = numbered_title(results, least.mechanism)
         yield say("Least margin"), say("{mechanism} holds up to a PGA of {margin}", mechanism=title, margin=margin)
 
 
-def _code(results: Results, found: Verdict) -> Text:
+def _code(results: Results, verdict: Verdict) -> Text:
     """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
-    if not found.basis:
+    if not verdict.basis:
         return say("none named")
-    if found.basis == OWN_BASIS:
-        return Verbatim(found.clauses[0][0])
-    annex, edition = results.report.national_annex, Term(found.edition)
+    if verdict.basis == OWN_BASIS:
+        return Verbatim(verdict.clauses[0][0])
+    annex, edition = results.report.national_annex, Term(verdict.edition)
     if not annex:
         return edition
     return say("{edition}, national annex: {annex}", edition=edition, annex=Verbatim(annex))
 
 
-def action_text(results: Results, found: Verdict) -> Text:
+def action_text(results: Results, verdict: Verdict) -> Text:
     """Return the site's own action: PGA, limit state, return period and class of use as far as they are known."""
-    action = found.action
+    action = verdict.action
     known: list[Text] = [say("PGA {pga}", pga=quantity(action.pga_g, "ground acceleration", 3))]
     if action.limit_state and action.over_periods:
         state = Verbatim(action.limit_state)
@@ -225,11 +233,9 @@ def spectrum_text(spectrum: SpectrumResult) -> Text:
     """Return the clause of the spectrum with the parameters that an authority looks for first."""
     rows = dict(zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True))
     known = [(phrase.english, rows[key][1]) for key, phrase in ESSENTIAL.items() if key in rows]
-    return listing([Term(spectrum.clause), *(Phrase(words, {"value": _short(value)}) for words, value in known)], "")
-
-
-def _short(value: Text) -> Text:
-    return replace(value, figures=3) if isinstance(value, Quantity) else value
+    return listing(
+        [Term(spectrum.clause), *(Phrase(words, {"value": with_figures(value, 3)}) for words, value in known)], ""
+    )
 
 
 def _with_works(results: Results, target: Text) -> Text:
@@ -237,16 +243,16 @@ def _with_works(results: Results, target: Text) -> Text:
     return target if works is None else say("{target} ({works})", target=target, works=works)
 
 
-def _missing(found: Verdict, results: Results) -> list[Block]:
+def _missing(verdict: Verdict, results: Results) -> list[Block]:
     """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
-    if found.outcome != Decision.INCOMPLETE or not found.missing:
+    if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
         return []
-    blocks = short_list(say("What is missing:"), verdict_texts.missing_texts(results, found))
-    if verdict_texts.fits_page_1(results, found):
-        blocks += verdict_texts.blocks_to_paste(results, found)
+    blocks = short_list(say("What is missing:"), missing_texts(results, verdict))
+    if fits_page_1(results, verdict):
+        blocks += blocks_to_paste(results, verdict)
     else:
         blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
-    return [*blocks, *verdict_texts.provisional_outcome(found)]
+    return [*blocks, *provisional_outcome(verdict)]
 
 
 def warnings(results: Results) -> list[Text]:
@@ -321,33 +327,33 @@ class MethodColumn:
         return say("{procedure}, {limit_state}", procedure=name, limit_state=Verbatim(self.limit_state))
 
 
-def matrix(results: Results, found: Verdict) -> Table:
+def matrix(results: Results, verdict: Verdict) -> Table:
     """Tabulate mechanism by answer: the deciding one in the colour of its outcome, the others in grey."""
-    has_index = found.index is not None and found.index.name != DEMAND_CAPACITY
-    shown, folded = split_methods(answering_methods(results), found, MAX_COLUMNS - 3 - has_index)
+    has_index = verdict.index is not None and verdict.index.name != DEMAND_CAPACITY
+    shown, folded = split_methods(answering_methods(results), verdict, MAX_COLUMNS - 3 - has_index)
     columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Holds up to PGA"))]
-    columns += [Column(index_symbol(found.index.name))] if has_index and found.index is not None else []
+    columns += [Column(index_symbol(verdict.index.name))] if has_index and verdict.index is not None else []
     columns += [Column(say("D/C, {method}", method=method.title)) for method in shown]
     columns += [Column(say("Largest D/C of the other methods"))] if folded else []
     rows = []
-    for one in found.mechanisms:
+    for one in verdict.mechanisms:
         mechanism = next(each for each in results.mechanisms if each.name == one.mechanism)
         rows.append(
             (
                 numbered_title(results, one.mechanism),
                 OutcomeCell(one.outcome.value, outcome_text(one.outcome, near=one.at_the_limit)),
-                margin_text(one, found.action),
+                margin_text(one, verdict.action),
                 *((_index_cell(one),) if has_index else ()),
                 *(method_cell(results, mechanism, one, method) for method in shown),
                 *((least_favourable_cell(results, mechanism, folded),) if folded else ()),
             )
         )
-    return Table("verdict", matrix_caption(found), tuple(columns), tuple(rows), small=True)
+    return Table("verdict", matrix_caption(verdict), tuple(columns), tuple(rows), small=True)
 
 
-def matrix_caption(found: Verdict) -> Text:
+def matrix_caption(verdict: Verdict) -> Text:
     """Return the caption of the matrix."""
-    if not found.basis:
+    if not verdict.basis:
         return say(
             "Demand over capacity (D/C) of each mechanism at the site’s own action, by each method, for comparison."
         )
@@ -355,7 +361,7 @@ def matrix_caption(found: Verdict) -> Text:
         "Each mechanism at the site’s own action: verdict, the PGA up to which it holds by the deciding method, and "
         "demand over capacity (D/C). The deciding answer is coloured; the others, in grey, are for comparison."
     )
-    return words if index_name(found) != ZETA else Paragraph((words, ZETA_DEFINITION))
+    return words if index_name(verdict) != ZETA else Paragraph((words, ZETA_DEFINITION))
 
 
 def answering_methods(results: Results) -> list[MethodColumn]:
@@ -373,32 +379,34 @@ def code_checks_at_site(results: Results, mechanism: MechanismResult) -> tuple[C
 
 
 def split_methods(
-    every: Sequence[MethodColumn], found: Verdict, most: int
+    every: Sequence[MethodColumn], verdict: Verdict, most: int
 ) -> tuple[list[MethodColumn], list[MethodColumn]]:
     """Return the methods with a column of their own, those that may decide first, and those that share one."""
-    ranked = sorted(every, key=lambda method: _method_rank(method, found))
+    ranked = sorted(every, key=lambda method: _method_rank(method, verdict))
     if len(ranked) <= most:
         return ranked, []
     return ranked[: most - 1], ranked[most - 1 :]
 
 
-def _method_rank(method: MethodColumn, found: Verdict) -> int:
-    decides = any(answer.procedure == method.procedure for one in found.mechanisms for answer in one.answers)
+def _method_rank(method: MethodColumn, verdict: Verdict) -> int:
+    decides = any(answer.procedure == method.procedure for one in verdict.mechanisms for answer in one.answers)
     if decides:
         return 0
-    if method.procedure in found.methods:
+    if method.procedure in verdict.methods:
         return 1
-    return 2 if method.procedure.startswith(f"{found.basis}-") else 3
+    return 2 if method.procedure.startswith(f"{verdict.basis}-") else 3
 
 
-def method_cell(results: Results, mechanism: MechanismResult, one: MechanismVerdict, method: MethodColumn) -> Cell:
+def method_cell(
+    results: Results, mechanism: MechanismResult, mechanism_verdict: MechanismVerdict, method: MethodColumn
+) -> Cell:
     """Return the answer of one method; None where the method does not apply to the mechanism."""
     checks = [check for check in code_checks_at_site(results, mechanism) if _is_by(check, method)]
     found = next((check for check in checks if check.role == "deciding"), None) or governing.worst_check(tuple(checks))
     if found is None or found.verdict == Outcome.NOT_APPLICABLE:
         return None
     if found.role == "deciding":
-        return OutcomeCell(outcome_cell(found, one.answers).outcome, ratio_text(found))
+        return OutcomeCell(outcome_cell(found, mechanism_verdict.answers).outcome, ratio_text(found))
     return OutcomeCell("comparison", ratio_text(found))
 
 
@@ -438,9 +446,9 @@ def least_favourable_cell(results: Results, mechanism: MechanismResult, folded: 
     return OutcomeCell("comparison", say("{ratio} ({method})", ratio=ratio_text(check), method=method.title))
 
 
-def _index_cell(one: MechanismVerdict) -> Cell:
+def _index_cell(mechanism_verdict: MechanismVerdict) -> Cell:
     """Return the least index of the deciding answers, with its grade if there are grades."""
-    found = [answer.index for answer in one.answers if answer.index is not None]
+    found = [answer.index for answer in mechanism_verdict.answers if answer.index is not None]
     if not found:
         return None
     least = min(found, key=lambda index: index.value)

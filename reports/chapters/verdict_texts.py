@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from assess.codes.bases import BASES
+from assess.codes.bases import BASES, IndexKind
 from assess.codes.check import Check
-from assess.codes.histories import margin_figures
+from assess.codes.histories import margin_figures, side_figures
 from assess.codes.question import Action, Missing, toml_lines
 from assess.codes.verdict import Decision, Index, MechanismVerdict, Verdict
 from assess.results import MechanismResult, Results
 from reports import governing
-from reports.chapters.cells import pga_interval
+from reports.chapters.cells import FIGURES, pga_interval
 from reports.document import Block, Cell, FileLines, Prose
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, names, quantity, say
 from reports.project_values import project_text, split_key
@@ -55,20 +55,20 @@ def index_symbol(name: str) -> Verbatim:
     return Verbatim(INDEX_SYMBOLS.get(name, name))
 
 
-def building_index_text(found: Verdict) -> Text | None:
+def building_index_text(verdict: Verdict) -> Text | None:
     """Return the index of the building, which local mechanisms can only bound; None where it is not known."""
-    if found.index is None:
+    if verdict.index is None:
         return None
-    if found.index.name == DEMAND_CAPACITY:
-        return say("at least {index}", index=index_text(found.index))
-    return say("at most {index}", index=index_text(found.index))
+    if verdict.index.name == DEMAND_CAPACITY:
+        return say("at least {index}", index=index_text(verdict.index))
+    return say("at most {index}", index=index_text(verdict.index))
 
 
-def target_text(found: Verdict) -> Text | None:
+def target_text(verdict: Verdict) -> Text | None:
     """Return what the index is compared with; None where that is not known."""
-    if found.target is None:
+    if verdict.target is None:
         return None
-    value, name = quantity(found.target, figures=3), index_name(found)
+    value, name = quantity(verdict.target, figures=3), index_name(verdict)
     if name == PERCENT_NBS:
         return say("at least {value} %NBS", value=value)
     if name == DEMAND_CAPACITY:
@@ -76,49 +76,89 @@ def target_text(found: Verdict) -> Text | None:
     return say("{index} of at least {value}", index=index_symbol(name), value=value) if name else value
 
 
-def has_reduced_target(found: Verdict) -> bool:
+def has_reduced_target(verdict: Verdict) -> bool:
     """Return whether the target is less than what is asked of a new building."""
-    return found.target is not None and found.target < (100.0 if index_name(found) == PERCENT_NBS else 1.0)
+    return verdict.target is not None and verdict.target < (100.0 if index_name(verdict) == PERCENT_NBS else 1.0)
 
 
-def index_name(found: Verdict) -> str:
+def index_name(verdict: Verdict) -> str:
     """Return the name of the index of a verdict, known from its code where no mechanism has a value; else empty."""
-    if found.index is not None:
-        return found.index.name
-    return BASES[found.basis].index.value if found.basis in BASES else ""
+    if verdict.index is not None:
+        return verdict.index.name
+    return BASES[verdict.basis].index.value if verdict.basis in BASES else ""
 
 
-def least_margin(found: Verdict) -> MechanismVerdict | None:
+def least_margin(verdict: Verdict) -> MechanismVerdict | None:
     """Return the mechanism that holds up to the lowest action; None where no margin is known."""
-    known = [one for one in found.mechanisms if one.margin is not None]
+    known = [one for one in verdict.mechanisms if one.margin is not None]
     return min(known, key=lambda one: one.margin or 0.0, default=None)
 
 
-def margin_text(one: MechanismVerdict, action: Action) -> Text | None:
+def margin_text(mechanism_verdict: MechanismVerdict, action: Action) -> Text | None:
     """Return up to which PGA a mechanism passes: "0.18 g, 2.7 × the site’s"; None where it is not known."""
-    if one.margin is None:
+    if mechanism_verdict.margin is None:
         return None
-    margin = quantity(one.margin, figures=margin_figures(one.margin, one.margin_most))
-    return say("{pga}, {margin} × the site’s", pga=capacity_pga_text(one, one.margin, action), margin=margin)
+    margin = quantity(
+        mechanism_verdict.margin, figures=margin_figures(mechanism_verdict.margin, mechanism_verdict.margin_most)
+    )
+    return say(
+        "{pga}, {margin} × the site’s",
+        pga=capacity_pga_text(mechanism_verdict, mechanism_verdict.margin, action),
+        margin=margin,
+    )
 
 
-def capacity_pga_text(one: MechanismVerdict, margin: float, action: Action) -> Text:
+def capacity_pga_text(mechanism_verdict: MechanismVerdict, margin: float, action: Action) -> Text:
     """Return the PGA up to which a mechanism holds; both ends of what the numerical spread of histories leaves.
 
     Parameters
     ----------
-    one : verdict of the mechanism
+    mechanism_verdict : verdict of the mechanism
     margin : its own, which is known
     action : of the site
     """
-    if one.margin_most is not None:
-        return pga_interval(margin * action.pga_g, one.margin_most * action.pga_g, limit=action.pga_g)
+    if mechanism_verdict.margin_most is not None:
+        return pga_interval(margin * action.pga_g, mechanism_verdict.margin_most * action.pga_g, limit=action.pga_g)
     return quantity(margin * action.pga_g, "ground acceleration", margin_figures(margin, None))
 
 
-def margin_cell(one: MechanismVerdict) -> Cell:
+def required_increase(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> float | None:
+    """Return by how much the resistance of a failing mechanism must grow; None where the numbers do not tell.
+
+    It is the target over the index of the basis, where it has one as a share of the action; else the inverse of the
+    margin; else the ratio of demand to capacity.
+    """
+    failing = [answer for answer in mechanism_verdict.answers if answer.outcome == Decision.FAIL]
+    shares = [a.index.value for a in failing if a.index is not None and a.index.name != IndexKind.DEMAND_CAPACITY]
+    if shares and verdict.target is not None and min(shares) > 0.0:
+        return verdict.target / min(shares)
+    if mechanism_verdict.margin is not None and 0.0 < mechanism_verdict.margin < 1.0:
+        return 1.0 / mechanism_verdict.margin
+    return max((answer.ratio for answer in failing if answer.ratio is not None), default=None)
+
+
+def required_increase_figures(mechanism_verdict: MechanismVerdict, factor: float) -> int:
+    """Return to how many figures that factor stands, as the indices and the margin that it comes from."""
+    stand = [
+        each.index.figures
+        for each in mechanism_verdict.answers
+        if each.outcome == Decision.FAIL and each.index is not None
+    ]
+    stand += (
+        [margin_figures(mechanism_verdict.margin, mechanism_verdict.margin_most)] if mechanism_verdict.margin else []
+    )
+    return side_figures(factor, min(FIGURES, *stand))
+
+
+def margin_cell(mechanism_verdict: MechanismVerdict) -> Cell:
     """Return the factor on the site's own action up to which a mechanism holds, to the figures that stand."""
-    return None if one.margin is None else quantity(one.margin, figures=margin_figures(one.margin, one.margin_most))
+    return (
+        None
+        if mechanism_verdict.margin is None
+        else quantity(
+            mechanism_verdict.margin, figures=margin_figures(mechanism_verdict.margin, mechanism_verdict.margin_most)
+        )
+    )
 
 
 CONFIDENCE_FACTOR = "FC"  # symbol of the step that states the confidence factor
@@ -204,10 +244,10 @@ def _with_lasting_load(results: Results, lasting: str) -> list[str]:
 MAX_LINES = 12  # lines to paste that page 1 holds
 
 
-def missing_texts(results: Results, found: Verdict) -> list[Text]:
+def missing_texts(results: Results, verdict: Verdict) -> list[Text]:
     """Return the keys that are missing and why; one that several mechanisms lack for one reason is said once."""
     groups: dict[tuple[str, str], list[Missing]] = {}
-    for each in found.missing:
+    for each in verdict.missing:
         _, key = split_key(results, each.key)
         groups.setdefault((key, each.text), []).append(each)
     return [_missing_text(results, key, group) for (key, _), group in groups.items()]
@@ -222,29 +262,29 @@ def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
     return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
 
 
-def lines_to_paste(results: Results, found: Verdict) -> tuple[str, ...]:
+def lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
     """Return the missing keys as lines of a project file."""
-    return toml_lines(found.missing, [key for key, each in results.project.items() if each.given])
+    return toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])
 
 
-def blocks_to_paste(results: Results, found: Verdict) -> list[Block]:
+def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
     """Return the lines to paste under their title; nothing where no line is known."""
-    lines = lines_to_paste(results, found)
+    lines = lines_to_paste(results, verdict)
     if not lines:
         return []
     title = say("To complete the verdict, add these lines to the project file with your own values:")
     return [Prose((title,)), FileLines(lines)]
 
 
-def fits_page_1(results: Results, found: Verdict) -> bool:
+def fits_page_1(results: Results, verdict: Verdict) -> bool:
     """Return whether the lines to paste are few enough for page 1; else they stand with the recommendations."""
-    return len(lines_to_paste(results, found)) <= MAX_LINES
+    return len(lines_to_paste(results, verdict)) <= MAX_LINES
 
 
-def provisional_outcome(found: Verdict) -> list[Block]:
+def provisional_outcome(verdict: Verdict) -> list[Block]:
     """Return what the verdict would be with the safe values."""
-    if found.provisional == Decision.PASS:
+    if verdict.provisional == Decision.PASS:
         return [Prose((say("With the safe value of all that is missing, the verdict would be: pass."),))]
-    if found.provisional == Decision.FAIL:
+    if verdict.provisional == Decision.FAIL:
         return [Prose((say("With the safe value of all that is missing, the verdict would be: fail."),))]
     return []

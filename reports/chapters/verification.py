@@ -13,9 +13,9 @@ from reports.document import (
     Banner,
     Block,
     BulletList,
-    Cell,
     Column,
     Facts,
+    Field,
     Figure,
     FileLines,
     OutcomeCell,
@@ -24,6 +24,7 @@ from reports.document import (
     Table,
     WritingBox,
     nonempty,
+    tabulate,
 )
 from reports.figures import verification as drawing
 from reports.figures.verification import STANDINGS
@@ -145,26 +146,18 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
 
 def cases_table(results: VerificationResults) -> Table:
     """Tabulate the cases: source, standing, number of values, largest difference, outcome."""
-    columns = (
-        Column(say("Case"), share=0.36),
-        Column(say("Source")),
-        Column(say("Standing"), share=0.12),
-        Column(say("Values"), "ratio"),
-        Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
-        Column(say("Outcome")),
-    )
-    rows = tuple(
+    fields: tuple[Field[CaseResult], ...] = (
+        (Column(say("Case"), share=0.36), lambda case: Verbatim(case.title)),
+        (Column(say("Source")), lambda case: Verbatim(author_and_year(case.source.citation))),
+        (Column(say("Standing"), share=0.12), lambda case: STANDINGS[case.source.standing]),
+        (Column(say("Values"), "ratio"), lambda case: len(case.values)),
         (
-            Verbatim(each.title),
-            Verbatim(author_and_year(each.source.citation)),
-            STANDINGS[each.source.standing],
-            len(each.values),
-            max(each.shares, default=None),
-            _outcome_cell(each),
-        )
-        for each in results.cases
+            Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
+            lambda case: max(case.shares, default=None),
+        ),
+        (Column(say("Outcome")), _outcome_cell),
     )
-    return Table("cases", say("Solved cases, in the order of their pages."), columns, rows, small=True)
+    return tabulate("cases", say("Solved cases, in the order of their pages."), fields, results.cases, small=True)
 
 
 def _outcome_cell(case: CaseResult) -> OutcomeCell:
@@ -313,34 +306,31 @@ def _case_blocks(case: CaseResult, place: int) -> Iterator[Block]:
     yield BulletList((*_departures(case), *_tolerances_and_misprints(case)))
 
 
+Compared = tuple[QuantityResult, ValueResult]
+
+
 def values_table(case: CaseResult, place: int) -> Table:
     """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
-    columns = (
-        Column(say("Quantity"), share=0.26),
-        Column(say("Row"), share=0.15),
-        Column(say("Unit")),
-        Column(say("Expected")),
-        Column(say("Program")),
-        Column(say("Difference")),
-        Column(say("Tolerance")),
-        Column(say("Outcome")),
+    fields: tuple[Field[Compared], ...] = (
+        (Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
+        (Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
+        (Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),
+        (Column(say("Expected")), lambda pair: _number(pair[1].expected, FIGURES)),
+        (Column(say("Program")), lambda pair: _number(pair[1].found, FIGURES)),
+        (Column(say("Difference")), lambda pair: _number(pair[1].difference, DIFFERENCE_FIGURES)),
+        (
+            Column(say("Tolerance")),
+            lambda pair: _number(pair[0].tolerance.around(pair[1].reference), DIFFERENCE_FIGURES),
+        ),
+        (Column(say("Outcome")), lambda pair: _value_outcome(pair[1])),
     )
-    rows = tuple(_value_row(each, value) for each in case.quantities for value in each.values)
     caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
-    return Table(f"case-{file_stem(case.key, place)}", caption, columns, rows, small=True)
+    pairs = [(each, value) for each in case.quantities for value in each.values]
+    return tabulate(f"case-{file_stem(case.key, place)}", caption, fields, pairs, small=True)
 
 
-def _value_row(each: QuantityResult, value: ValueResult) -> tuple[Cell, ...]:
-    return (
-        Verbatim(each.name),
-        Verbatim(value.row),
-        Verbatim(each.unit or "–"),
-        quantity(value.expected, figures=FIGURES),
-        None if value.found is None else quantity(value.found, figures=FIGURES),
-        None if value.difference is None else quantity(value.difference, figures=DIFFERENCE_FIGURES),
-        quantity(each.tolerance.around(value.reference), figures=DIFFERENCE_FIGURES),
-        _value_outcome(value),
-    )
+def _number(value: float | None, figures: int) -> Text | None:
+    return None if value is None else quantity(value, figures=figures)
 
 
 def _value_outcome(value: ValueResult) -> OutcomeCell:

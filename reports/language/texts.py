@@ -7,7 +7,7 @@ texts of the user letter for letter. `reports.language.locale` makes letters of 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from assess.messages.message import Message, Quantity
@@ -97,3 +97,8 @@ def names(texts: Iterable[str], join: Literal["and", "or", ""] = "and") -> Listi
 def quantity(value: float, dimension: str = "ratio", figures: int = 4) -> Quantity:
     """Return a number in SI with its dimension, a key of `reports.language.units.UNITS`, and significant figures."""
     return Quantity(value, dimension, figures)
+
+
+def with_figures(text: Text, figures: int) -> Text:
+    """Return a number to so many significant figures; another text as it is."""
+    return replace(text, figures=figures) if isinstance(text, Quantity) else text

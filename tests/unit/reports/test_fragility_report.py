@@ -13,7 +13,7 @@ from scipy.stats import norm
 from assess.messages.message import note
 from assess.results.fragility import FragilityResults, LognormalResult, MechanismFragility
 from reports.assessment import fragility_report
-from reports.chapters import fragility_tables, fragility_words
+from reports.chapters import fragility, fragility_tables
 from reports.document import Document, Figure, Table
 from reports.intensity_measures import main_curve, main_risk, measure_text
 from reports.language.locale import Locale
@@ -49,7 +49,7 @@ def plain(text: str) -> str:
 
 
 def summary(mechanism: MechanismFragility, locale: Locale | None = None) -> str:
-    return plain(" ".join(map((locale or Locale()).text, fragility_words.mechanism_summary(mechanism))))
+    return plain(" ".join(map((locale or Locale()).text, fragility.mechanism_summary(mechanism))))
 
 
 def first_page(results: FragilityResults) -> str:
@@ -255,12 +255,10 @@ def test_a_cloud_without_a_lognormal_says_why_there_is_no_rate(results: Fragilit
 
 def test_rates_and_their_probabilities_have_two_figures(results: FragilityResults) -> None:
     figures = {
-        column.figures for column in fragility_tables.RATE_COLUMNS if column.dimension in ("annual rate", "percent")
+        column.figures for column, _ in fragility_tables.RATE_FIELDS if column.dimension in ("annual rate", "percent")
     }
     assert figures == {2, 3}
     risk = main_risk(results.mechanisms[0])
-    said = Locale().text(
-        fragility_words.rate_sentence(replace(risk, annual_rate=1.26e-4, probability_50_years=0.00628))
-    )
+    said = Locale().text(fragility.rate_sentence(replace(risk, annual_rate=1.26e-4, probability_50_years=0.00628)))
     assert "0.00013" in said
     assert "0.63" in said

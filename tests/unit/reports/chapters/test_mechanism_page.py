@@ -12,8 +12,7 @@ from assess.codes.verdict import Decision, Index
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, ResolvedValue, Results
 from reports import governing
-from reports.chapters import mechanism_page
-from reports.chapters.cells import comparison_clause
+from reports.chapters import mechanism_page, mechanism_verdict, verdict_texts
 from reports.document import Figure, FigureRow, OutcomeCell
 from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
@@ -126,13 +125,13 @@ def test_methods_that_do_not_apply_are_named_and_have_no_row(results: Results) -
 def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judged_at: object) -> None:
     assert callable(judged_at)
     judged = judged_at(results, 0.45)
-    said = told(mechanism_page.verdict_sentences(judged, judged.mechanisms[1]))
+    said = told(mechanism_verdict.verdict_sentences(judged, judged.mechanisms[1]))
     assert (
         "ASCE 43-05, response history governs at DBE: overturns: no rotation balances this demand (ASCE/SEI 43-05"
         in said
     )
     judged = judged_at(results, 0.2)
-    said = told(mechanism_page.verdict_sentences(judged, judged.mechanisms[0]))
+    said = told(mechanism_verdict.verdict_sentences(judged, judged.mechanisms[0]))
     assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said
 
 
@@ -152,7 +151,7 @@ def test_a_target_below_full_safety_passes_a_ratio_above_one(results: Results, j
     ]
     assert (deciding.outcome, told([deciding.text])) == ("pass", "pass")
     assert "It passes, as the target is less than full safety: at least 34 %NBS." in told(
-        mechanism_page.verdict_sentences(lowered, wall)
+        mechanism_verdict.verdict_sentences(lowered, wall)
     )
 
 
@@ -164,7 +163,7 @@ def test_a_failure_with_a_ratio_within_one_says_why(results: Results) -> None:
     for ratio, outcome in ((0.4, Decision.FAIL), (1.4, Decision.FAIL), (0.4, Decision.PASS)):
         answers = (replace(one.answers[0], ratio=ratio, outcome=outcome, reason=reason),)
         judged = replace(verdict, mechanisms=(replace(one, answers=answers, outcome=outcome), *verdict.mechanisms[1:]))
-        said = told(mechanism_page.verdict_sentences(replace(results, verdict=judged), results.mechanisms[0]))
+        said = told(mechanism_verdict.verdict_sentences(replace(results, verdict=judged), results.mechanisms[0]))
         why = "It fails although this ratio is not above 1: the PGA scan already fails just above 0.1 g."
         assert (why in said) == (ratio < 1.0 and outcome == Decision.FAIL)
 
@@ -182,10 +181,10 @@ def test_joints_of_several_models_are_words_of_the_language(results: Results) ->
 def test_where_no_code_decides_nothing_governs(results: Results) -> None:
     assert results.verdict is not None
     nameless = replace(results, verdict=replace(results.verdict, basis=""))
-    assert told(mechanism_page.verdict_sentences(nameless, results.mechanisms[0])) == (
+    assert told(mechanism_verdict.verdict_sentences(nameless, results.mechanisms[0])) == (
         "No code is named that decides: the results of all methods are for comparison only."
     )
-    assert not tuple(mechanism_page.verdict_sentences(replace(results, verdict=None), results.mechanisms[0]))
+    assert not tuple(mechanism_verdict.verdict_sentences(replace(results, verdict=None), results.mechanisms[0]))
 
 
 def test_a_failure_says_what_it_lacks(results: Results) -> None:
@@ -193,19 +192,19 @@ def test_a_failure_says_what_it_lacks(results: Results) -> None:
     one = results.verdict.mechanisms[1]
     answer = replace(one.answers[0], outcome=Decision.FAIL, ratio=3.0, index=Index("zeta_E", 0.4))
     failing = replace(one, outcome=Decision.FAIL, answers=(answer,), margin=0.5)
-    assert mechanism_page.required_increase(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
+    assert verdict_texts.required_increase(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
     by_ratio = replace(failing, answers=(replace(answer, index=Index("D/C", 3.0)),))
-    assert mechanism_page.required_increase(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
+    assert verdict_texts.required_increase(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
     unknown = replace(by_ratio, margin=None)
-    assert mechanism_page.required_increase(unknown, results.verdict) == pytest.approx(3.0)
+    assert verdict_texts.required_increase(unknown, results.verdict) == pytest.approx(3.0)
 
 
 def test_the_clause_is_that_of_the_comparison(results: Results) -> None:
     check = results.mechanisms[0].checks[0]
     last, before = check.steps[-1], check.steps[-2]
     steps = (*check.steps[:-2], replace(before, value=check.ratio, unit="-", clause="A.2"), replace(last, value=7.0))
-    assert comparison_clause(replace(check, steps=steps)) == "A.2"
-    assert comparison_clause(replace(check, steps=())) == ""
+    assert mechanism_verdict.comparison_clause(replace(check, steps=steps)) == "A.2"
+    assert mechanism_verdict.comparison_clause(replace(check, steps=())) == ""
 
 
 def test_figures_stand_in_pairs_and_none_is_lost(results: Results) -> None:

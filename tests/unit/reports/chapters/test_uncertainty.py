@@ -42,7 +42,7 @@ def test_there_is_no_chapter_without_samples(results: Results) -> None:
 
 def test_the_main_part_has_the_answer_that_fails_most_often(sampled: Results) -> None:
     (section,) = uncertainty.sections(sampled)
-    assert [type(block).__name__ for block in section.blocks] == ["Prose", "Table", "Row"]
+    assert [type(block).__name__ for block in section.blocks] == ["Prose", "Table", "FigureRow"]
     assert sampled.uncertainty is not None
     worst = max(sampled.uncertainty.answers, key=lambda each: each.probability or 0.0)
     assert uncertainty.shown_answers(sampled.uncertainty)[0] == worst

@@ -1,0 +1,238 @@
+"""The verdict of one mechanism in sentences: the check that governs, its margin, and what would make it pass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isclose
+
+from assess.codes.check import NEEDED, Check, Outcome
+from assess.codes.histories import margin_figures, ratio_figures
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
+from assess.messages.message import DIMENSIONS
+from assess.results import MechanismResult, Results
+from reports import governing
+from reports.chapters.cells import FIGURES
+from reports.chapters.verdict_texts import (
+    capacity_pga_text,
+    factor_text,
+    has_reduced_target,
+    index_text,
+    mechanism_knowledge,
+    outcome_text,
+    required_increase,
+    required_increase_figures,
+    state_text,
+    target_text,
+)
+from reports.document import Facts
+from reports.language.texts import Term, Text, count, listing, names, quantity, say
+from reports.titles import procedure_title
+
+
+def verdict_summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
+    """Return the verdict of the mechanism with its indices; none without a verdict."""
+    mechanism_verdict = governing.verdict_of(results, mechanism)
+    if mechanism_verdict is None:
+        return []
+    outcome = outcome_text(mechanism_verdict.outcome, near=mechanism_verdict.at_the_limit)
+    found = [
+        (answer.limit_state, index_text(answer.index))
+        for answer in mechanism_verdict.answers
+        if answer.index is not None
+    ]
+    indices = [
+        say("{index} at {state}", index=index, state=state_text(state)) if len(found) > 1 else index
+        for state, index in found
+    ]
+    text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
+    known = mechanism_knowledge(results, mechanism)
+    if known is not None:
+        text = say("{verdict}; knowledge level: {knowledge}", verdict=text, knowledge=factor_text(*known))
+    return [Facts(((say("Verdict"), text),))]
+
+
+def verdict_sentences(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
+    """Yield what governs, up to which action the mechanism holds, and what would make it pass or complete."""
+    verdict, mechanism_verdict = results.verdict, governing.verdict_of(results, mechanism)
+    if verdict is None or mechanism_verdict is None:
+        return
+    if not verdict.basis:
+        yield say("No code is named that decides: the results of all methods are for comparison only.")
+        return
+    for answer in mechanism_verdict.answers:
+        check = governing_check(governing.checks_at_site(results, mechanism), answer)
+        yield _governing_sentence(check, answer)
+        yield from _floor_motion(check)
+        yield from _numerical_spread(check)
+    yield from _failing_within_ratio(mechanism_verdict)
+    yield from _passing_by_target(mechanism_verdict, verdict)
+    yield from _margin_or_lack(mechanism_verdict, verdict)
+    if mechanism_verdict.at_the_limit:
+        yield say(
+            "The answer is at the limit: within 5 % of it, or within what the tolerance of the survey or the numerical "
+            "spread of histories changes."
+        )
+    if mechanism_verdict.conditions:
+        yield say("The answer depends on the conditions listed with the verdict.")
+
+
+def governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
+    """Return the check behind an answer, of those at the site's own action; None where no method was asked."""
+    own = tuple(check for check in governing.code_checks(checks) if check.procedure == answer.procedure)
+    of_state = tuple(check for check in own if check.limit_state == answer.limit_state)
+    return governing.worst_check(of_state or own)
+
+
+def _governing_sentence(check: Check | None, answer: Answer) -> Text:
+    """Return the governing check with its numbers and clause, or why there is none."""
+    if check is None or answer.outcome == Decision.INCOMPLETE:
+        return _unanswered(answer)
+    method, state, by = (
+        procedure_title(check.procedure),
+        state_text(answer.limit_state),
+        Term(comparison_clause(check) or check.edition),
+    )
+    if not check.demand or check.capacity is None or check.ratio is None:
+        return say(
+            "{method} governs at {state}: {reason} ({clause}).",
+            method=method,
+            state=state,
+            reason=check.reason,
+            clause=by,
+        )
+    figures = ratio_figures(check, most=FIGURES)
+    return say(
+        "{method} governs at {state}: {quantity} {demand} against an allowable {allowable}, a ratio of {ratio} "
+        "({clause}).",
+        method=method,
+        state=state,
+        quantity=Term(check.quantity),
+        demand=quantity(check.demand, DIMENSIONS.get(check.unit, "ratio"), figures),
+        allowable=quantity(check.capacity, DIMENSIONS.get(check.unit, "ratio"), FIGURES),
+        ratio=quantity(check.ratio, "ratio", figures),
+        clause=by,
+    )
+
+
+def _unanswered(answer: Answer) -> Text:
+    """Return why a limit state has no answer, with what it would be."""
+    if answer.provisional is None:
+        return say(
+            "There is no answer for {state}: {reason}.", state=state_text(answer.limit_state), reason=answer.reason
+        )
+    if answer.provisional == Decision.PASS:
+        return say(
+            "There is no answer for {state}: {reason}. With the safe value of what is missing it would pass.",
+            state=state_text(answer.limit_state),
+            reason=answer.reason,
+        )
+    return say(
+        "There is no answer for {state}: {reason}. With the safe value of what is missing it would fail.",
+        state=state_text(answer.limit_state),
+        reason=answer.reason,
+    )
+
+
+def comparison_clause(check: Check) -> str:
+    """Return the clause by which a check compares demand and capacity; empty without steps."""
+    wanted = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
+    steps = check.steps[::-1]
+    found = (step for value in wanted for step in steps if step.value is not None and isclose(step.value, value))
+    return next((step.clause for step in found), steps[0].clause if steps else "")
+
+
+def _floor_motion(check: Check | None) -> Iterator[Text]:
+    """Yield which motion of the building a check takes, where it takes that of a floor."""
+    steps = {} if check is None else {step.symbol: step for step in check.steps}
+    share, period = steps.get("γψ"), steps.get("T1")
+    height = next((each.value for each in share.inputs if each.symbol == "Z"), None) if share else None
+    if share is None or share.value is None or period is None or period.value is None or height is None:
+        return
+    yield say(
+        "Its demand takes the motion of the building at {height} above the ground: first-mode factor γψ = {share} "
+        "({clause}), elastic first period {period}.",
+        height=quantity(height, "length", FIGURES),
+        share=quantity(share.value, figures=FIGURES),
+        clause=Term(share.clause),
+        period=quantity(period.value, "time", FIGURES),
+    )
+
+
+def _numerical_spread(check: Check | None) -> Iterator[Text]:
+    """Yield in how many draws among the runs of histories the rule holds; that is no scatter of earthquakes."""
+    if check is None or check.numerical is None or check.verdict not in (Outcome.PASS, Outcome.FAIL):
+        return
+    yield say(
+        "Numerical spread: the rule holds in {share} of {draws} draws among the {runs} runs of each record; a pass "
+        "needs {least}. The scatter from record to record is something else, and belongs to the suite.",
+        share=quantity(100.0 * check.numerical.holds, "percent", FIGURES),
+        draws=count(check.numerical.draws),
+        runs=count(check.numerical.runs),
+        least=quantity(100.0 * NEEDED, "percent", 2),
+    )
+
+
+def _failing_within_ratio(mechanism_verdict: MechanismVerdict) -> Iterator[Text]:
+    """Yield why an answer fails whose ratio is within 1, as by histories."""
+    for answer in mechanism_verdict.answers:
+        if answer.outcome == Decision.FAIL and answer.ratio is not None and answer.ratio <= 1.0:
+            yield say("It fails although this ratio is not above 1: {reason}.", reason=answer.reason)
+
+
+def _passing_by_target(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> Iterator[Text]:
+    """Yield why a ratio above 1 passes, where the target is less than full safety."""
+    above = any(answer.ratio is not None and answer.ratio > 1.0 for answer in mechanism_verdict.answers)
+    target = target_text(verdict)
+    if mechanism_verdict.outcome == Decision.PASS and has_reduced_target(verdict) and above and target is not None:
+        yield say("It passes, as the target is less than full safety: {target}.", target=target)
+
+
+def _margin_or_lack(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> Iterator[Text]:
+    """Yield the margin of a pass, the factor that a failure lacks, or what is missing."""
+    outcome, margin, most = mechanism_verdict.outcome, mechanism_verdict.margin, mechanism_verdict.margin_most
+    pga = None if margin is None else capacity_pga_text(mechanism_verdict, margin, verdict.action)
+    if outcome == Decision.INCOMPLETE:
+        if mechanism_verdict.missing:
+            yield say("An answer needs {keys}.", keys=names(each.key for each in mechanism_verdict.missing))
+    elif outcome == Decision.FAIL:
+        yield from _lacking(mechanism_verdict, verdict, pga)
+    elif margin is not None and pga is not None and most is not None:
+        yield say(
+            "It holds up to a peak ground acceleration of {pga}, the numerical spread of the histories; the lower end "
+            "counts, {margin} times the site’s own.",
+            pga=pga,
+            margin=quantity(margin, "ratio", margin_figures(margin, most)),
+        )
+    elif margin is not None and pga is not None:
+        yield say(
+            "It holds up to a peak ground acceleration of {pga}, {margin} times the site’s own.",
+            pga=pga,
+            margin=quantity(margin, "ratio", margin_figures(margin, most)),
+        )
+
+
+def _lacking(mechanism_verdict: MechanismVerdict, verdict: Verdict, pga: Text | None) -> Iterator[Text]:
+    """Yield by how much a mechanism that fails would have to resist more. pga : up to which it holds, if known."""
+    factor = required_increase(mechanism_verdict, verdict)
+    if factor is None:
+        return
+    shown = quantity(factor, "ratio", required_increase_figures(mechanism_verdict, factor))
+    if pga is None:
+        yield say("To pass, its resistance must be {factor} times as large.", factor=shown)
+    else:
+        yield say(
+            "It holds up to a peak ground acceleration of {pga}; to pass, this must be {factor} times as large.",
+            pga=pga,
+            factor=shown,
+        )
+
+
+def unanswered_methods(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
+    """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
+    mechanism_verdict = governing.verdict_of(results, mechanism)
+    governs = () if mechanism_verdict is None else tuple(answer.procedure for answer in mechanism_verdict.answers)
+    checks = governing.worst_per_procedure(governing.code_checks(governing.checks_at_site(results, mechanism)))
+    unanswered = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
+    for reason in {check.reason.text: check.reason for check in unanswered}.values():
+        same = dict.fromkeys(check.procedure for check in unanswered if check.reason.text == reason.text)
+        yield say("No answer by {methods}: {reason}.", methods=listing(map(procedure_title, same)), reason=reason)

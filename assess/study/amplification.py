@@ -96,7 +96,7 @@ FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | 
 class AmplificationChoice:
     """The method by which the ground motion is amplified up to a mechanism, and its given values.
 
-    method : of FLOORS or FIRST_MODES, or "ec8-printed"; height : of the mechanism's base above the ground [m]
+    method : of FLOOR_FACTORS or FIRST_MODES, or "ec8-printed"; height : of the mechanism's base above the ground [m]
     natural_frequency [Hz], effective_height [m] : of the first mode; soil_factor : S [-], of "ec8-printed"
     """
 
@@ -142,19 +142,19 @@ class MechanismInPlace:
         return f"mechanisms.{self.name}.amplification"
 
 
-def amplify(asked: AmplificationChoice | None, standing: MechanismInPlace) -> MechanismAmplification:
+def amplify(choice: AmplificationChoice | None, in_place: MechanismInPlace) -> MechanismAmplification:
     """Find how the ground motion reaches the base of a mechanism.
 
     Parameters
     ----------
-    asked : AmplificationChoice, optional
+    choice : AmplificationChoice, optional
         The method; None for the ground motion as it is.
-    standing : MechanismInPlace
+    in_place : MechanismInPlace
         The mechanism in its place.
 
     Returns
     -------
-    Amplified
+    MechanismAmplification
         The amplification, with its description.
 
     Raises
@@ -162,74 +162,81 @@ def amplify(asked: AmplificationChoice | None, standing: MechanismInPlace) -> Me
     ProjectError
         If a value is missing, or a height is outside the clause.
     """
-    if asked is None:
+    if choice is None:
         return NOT_AMPLIFIED
-    height = support_height(asked, standing)
-    if asked.method in FIRST_MODES:
-        return by_first_mode(asked, standing, height=height)
-    return by_floor_factor(asked, standing, height=height)
+    height = support_height(choice, in_place)
+    if choice.method in FIRST_MODES:
+        return by_first_mode(choice, in_place, height=height)
+    return by_floor_factor(choice, in_place, height=height)
 
 
-def support_height(asked: AmplificationChoice, standing: MechanismInPlace) -> float:
+def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> float:
     """Return the height of the support above the ground [m]: given, the base, or the mean of base and far support."""
-    if asked.height is not None:
-        return asked.height
-    mechanism = standing.built.mechanism
-    base = standing.ground.below(mechanism, standing.base_elevation)
+    if choice.height is not None:
+        return choice.height
+    mechanism = in_place.built.mechanism
+    base = in_place.ground.below(mechanism, in_place.base_elevation)
     if base < -NEAR_GROUND:
         raise ProjectError(
-            f"{standing.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
+            f"{in_place.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
             "building.ground_elevation"
         )
     return max(base, 0.0) + height_of_support(mechanism) / 2.0
 
 
-def by_floor_factor(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> MechanismAmplification:
+def by_floor_factor(
+    choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
+) -> MechanismAmplification:
     """Return the amplification by the factor of a code for the height [m]."""
-    building = standing.structure.height
+    building = in_place.structure.height
     if building is None:
         raise ProjectError(
-            f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
+            f'{in_place.where}: "{choice.method}" needs the height of the building; add a table [building] with height'
         )
     try:
-        if asked.method == EC8_AS_PRINTED:
-            factor = ec8_resonant_part_factor_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
-            said_clause: Term | Message = message("clause-3-49", {"soil": Quantity(asked.soil_factor)})
+        if choice.method == EC8_AS_PRINTED:
+            factor = ec8_resonant_part_factor_with_soil(
+                height, building_height=building, soil_factor=choice.soil_factor
+            )
+            clause_text: Term | Message = message("clause-3-49", {"soil": Quantity(choice.soil_factor)})
         else:
-            rule, clause = FLOOR_FACTORS[asked.method]
-            said_clause = Term(clause)
+            rule, clause = FLOOR_FACTORS[choice.method]
+            clause_text = Term(clause)
             factor = rule(height, building_height=building)
     except SpectrumError as error:
-        raise ProjectError(f"{standing.where}.height: {error}") from None
-    said = note(
+        raise ProjectError(f"{in_place.where}.height: {error}") from None
+    description = note(
         "by-floor-factor",
-        standing.where,
+        in_place.where,
         factor=Quantity(factor),
         height=Quantity(height, "length"),
         building=Quantity(building, "length"),
-        clause=said_clause,
+        clause=clause_text,
     )
     return MechanismAmplification(
-        asked.method, height, FloorFactor(factor, str(said_clause)), (said, "not checked against the printed standard")
+        choice.method,
+        height,
+        FloorFactor(factor, str(clause_text)),
+        (description, "not checked against the printed standard"),
     )
 
 
-def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, height: float) -> MechanismAmplification:
+def by_first_mode(choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float) -> MechanismAmplification:
     """Return the amplification by the first mode, with values given or by Rayleigh's method."""
-    structure = standing.structure
-    frequency, effective = given_frequency(asked, structure), given_effective_height(asked, structure)
+    structure = in_place.structure
+    frequency, effective = given_frequency(choice, structure), given_effective_height(choice, structure)
     assumed: tuple[Message, ...] = ()
     if frequency is None or effective is None:
-        found = rayleigh_mode_of(standing)
-        frequency = frequency or (found.frequency, RAYLEIGH)
-        effective = effective or (found.effective_height, RAYLEIGH)
+        rayleigh = rayleigh_mode_of(in_place)
+        frequency = frequency or (rayleigh.frequency, RAYLEIGH)
+        effective = effective or (rayleigh.effective_height, RAYLEIGH)
         values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
-        assumed = (warning("by-rayleigh", standing.where, **values),)
+        assumed = (warning("by-rayleigh", in_place.where, **values),)
     damping = structure.damping
     mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
-    said = note(
+    description = note(
         "by-first-mode",
-        standing.where,
+        in_place.where,
         frequency=Quantity(frequency[0], "frequency"),
         frequency_from=Term(frequency[1]),
         effective=Quantity(effective[0], "length"),
@@ -238,16 +245,16 @@ def by_first_mode(asked: AmplificationChoice, standing: MechanismInPlace, *, hei
         height=Quantity(height, "length"),
         shape=Quantity(mode.shape(height)),
     )
-    make, how = FIRST_MODES[asked.method]
+    make, how = FIRST_MODES[choice.method]
     return MechanismAmplification(
-        asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed)
+        choice.method, height, make(mode, height), (how, description), assumed, by_stiffness=bool(assumed)
     )
 
 
-def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
+def given_frequency(choice: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
     """Return the first natural frequency [Hz] that is given, and its source; None if none is."""
-    if asked.natural_frequency is not None:
-        return asked.natural_frequency, "given"
+    if choice.natural_frequency is not None:
+        return choice.natural_frequency, "given"
     if structure.natural_frequency is not None:
         return structure.natural_frequency, "given for the building"
     if structure.period is not None:
@@ -255,49 +262,49 @@ def given_frequency(asked: AmplificationChoice, structure: Structure) -> tuple[f
     return None
 
 
-def given_effective_height(asked: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
+def given_effective_height(choice: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
     """Return the effective height [m] that is given, and its source; None if none is."""
-    if asked.effective_height is not None:
-        return asked.effective_height, "given"
+    if choice.effective_height is not None:
+        return choice.effective_height, "given"
     if structure.effective_height is not None:
         return structure.effective_height, "given for the building"
     return None
 
 
-def rayleigh_mode_of(standing: MechanismInPlace) -> RayleighMode:
+def rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
     """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
-    definition, scene = standing.definition, standing.built.scene
+    definition, scene = in_place.definition, in_place.built.scene
     if not isinstance(definition, SingleBlock) or scene is None:
         raise _missing_mode(
-            standing, "only a single-block of bodies that stand on the ground has a first mode of its own"
+            in_place, "only a single-block of bodies that stand on the ground has a first mode of its own"
         )
     names = definition.blocks[0]
-    moduli = [young_modulus(name, standing) for name in names]
-    solids = [solid for name in names if (solid := standing.bodies[name].solid) is not None]
+    moduli = [young_modulus(name, in_place) for name in names]
+    solids = [solid for name in names if (solid := in_place.bodies[name].solid) is not None]
     foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
-    ground = standing.ground.elevation or 0.0
+    ground = in_place.ground.elevation or 0.0
     if abs(foot - ground) > NEAR_GROUND:
-        raise _missing_mode(standing, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
+        raise _missing_mode(in_place, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
     try:
         return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
     except GeometryError as error:
-        raise ProjectError(f"{standing.where}: {error}") from None
+        raise ProjectError(f"{in_place.where}: {error}") from None
 
 
-def young_modulus(name: str, standing: MechanismInPlace) -> float:
+def young_modulus(name: str, in_place: MechanismInPlace) -> float:
     """Return Young's modulus of a body [Pa]; raise ProjectError if it is not given."""
-    material = standing.bodies[name].material
+    material = in_place.bodies[name].material
     if material is None:
-        raise _missing_mode(standing, f'body "{name}" has no geometry')
+        raise _missing_mode(in_place, f'body "{name}" has no geometry')
     modulus = material.young_modulus
     if modulus is None:
-        raise _missing_mode(standing, f"materials.{material.name} has no young_modulus for Rayleigh's method")
+        raise _missing_mode(in_place, f"materials.{material.name} has no young_modulus for Rayleigh's method")
     return modulus
 
 
-def _missing_mode(standing: MechanismInPlace, why: str) -> ProjectError:
+def _missing_mode(in_place: MechanismInPlace, why: str) -> ProjectError:
     return ProjectError(
-        f"{standing.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
+        f"{in_place.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
         "[building]"
     )
 
@@ -361,7 +368,7 @@ def find_height(
 
     Returns
     -------
-    Grounded
+    HeightAboveGround
         With the source of the level of the ground.
     """
     base = ground.below(mechanism, base_elevation)
@@ -379,17 +386,19 @@ def find_height(
 
 
 def _contradicted_level(
-    base: float, drawn: float, lowest: float, mechanism: Mechanism, ground: GroundLevel
+    base: float, drawn_base: float, lowest: float, mechanism: Mechanism, ground: GroundLevel
 ) -> tuple[Message, ...]:
     """Return why a base_elevation below the drawn base cannot be right: the project defines the level of the ground.
 
     It does so by ground_elevation, or by bodies under the mechanism, which is then not drawn alone.
     """
-    alone = lowest > mechanism.elevation - NEAR_ZERO
-    if base >= drawn - NEAR_ZERO or (alone and ground.elevation is None):
+    nothing_below = lowest > mechanism.elevation - NEAR_ZERO
+    if base >= drawn_base - NEAR_ZERO or (nothing_below and ground.elevation is None):
         return ()
     return (
-        reason_message(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),
+        reason_message(
+            Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn_base, "length")
+        ),
     )
 
 
@@ -410,8 +419,8 @@ def lowest_body(definitions: Mapping[str, Definition], solids: Solids) -> float 
     definitions : the mechanisms by name
     solids : of the building's bodies by name
     """
-    chained = [each for each in definitions.values() if isinstance(each, BlockMechanism)]
-    used = {body for each in chained for body in each.bodies}
-    loads = {body for each in chained for load in each.loads for body in bodies_of(load)}
-    bodies = [solid for name, solid in solids.items() if solid is not None and (name in used or name not in loads)]
+    mechanisms = [each for each in definitions.values() if isinstance(each, BlockMechanism)]
+    moving = {body for each in mechanisms for body in each.bodies}
+    loads = {body for each in mechanisms for load in each.loads for body in bodies_of(load)}
+    bodies = [solid for name, solid in solids.items() if solid is not None and (name in moving or name not in loads)]
     return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

@@ -76,7 +76,7 @@ class RockingParameters:
     mass: float
 
     @classmethod
-    def of(cls, result: OscillatorResult) -> RockingParameters:
+    def from_result(cls, result: OscillatorResult) -> RockingParameters:
         """Return the parameters of a branch of the results."""
         return cls(
             p=result.p_eq_per_s,
@@ -103,19 +103,20 @@ class Block:
     scene: Scene | None
 
     def __repr__(self) -> str:
-        one = self.oscillator
-        multiplier = "none" if one.multiplier is None else f"{one.multiplier:.4g}"
+        parameters = self.oscillator
+        multiplier = "none" if parameters.multiplier is None else f"{parameters.multiplier:.4g}"
         return (
-            f"Block({self.name!r}, {self.mechanism.kind}, p={one.p:.4g} 1/s, slenderness={one.slenderness:.4g} rad, "
-            f"multiplier={multiplier}, overturning={one.overturning:.4g} rad, {one.mass:.4g} kg)"
+            f"Block({self.name!r}, {self.mechanism.kind}, p={parameters.p:.4g} 1/s, "
+            f"slenderness={parameters.slenderness:.4g} rad, multiplier={multiplier}, "
+            f"overturning={parameters.overturning:.4g} rad, {parameters.mass:.4g} kg)"
         )
 
     @cached_property
     def oscillator(self) -> RockingParameters:
         """The parameters of positive rotation, which topples towards the direction."""
-        found = self._parameters[0]
-        assert found is not None
-        return found
+        positive = self._parameters[0]
+        assert positive is not None
+        return positive
 
     @cached_property
     def oscillator_negative(self) -> RockingParameters | None:
@@ -130,14 +131,14 @@ class Block:
         ------
         MechanismError : the mechanism stands only by ties or forces that are not shown to last
         """
-        found = self.mechanism.variants.collapse
-        if found is None:
+        collapse = self.mechanism.variants.collapse
+        if collapse is None:
             names = ", ".join(self.mechanism.variants.depends_on)
             raise MechanismError(
                 f'mechanism "{self.name}": it stands only by {names}, not shown to last up to collapse; give until and '
                 "evidence"
             )
-        return found
+        return collapse
 
     @property
     def equation(self) -> Equation:
@@ -166,11 +167,11 @@ class Block:
         rigid, mass = rigid_branches(self.mechanism, starting), starting.mass
         front = oscillator_result(starting.positive, mass=mass, rigid=rigid[0], equilibrium=starting.equilibrium)
         if starting.negative is None:
-            return RockingParameters.of(front), None
+            return RockingParameters.from_result(front), None
         back = oscillator_result(
             starting.negative, mass=mass, rigid=rigid[-1], equilibrium=starting.equilibrium_negative
         )
-        return RockingParameters.of(front), RockingParameters.of(back)
+        return RockingParameters.from_result(front), RockingParameters.from_result(back)
 
 
 def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
@@ -230,15 +231,15 @@ def single_block(
     ------
     MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
     """
-    moving = _one_or_several(body)
+    bodies = _one_or_several(body)
     definition = SingleBlock(
-        blocks=(tuple(each.name for each in moving),),
+        blocks=(tuple(each.name for each in bodies),),
         cut=cut,
         hinges=None if hinge is None else (hinge,),
         hinges_negative=None if hinge_negative is None else (hinge_negative,),
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*moving, *_bodies("around", around)))
+    return make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def two_block(
@@ -271,9 +272,9 @@ def two_block(
     ------
     MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
     """
-    moving = _one_or_several(body)
+    bodies = _one_or_several(body)
     definition = TwoBlock(
-        blocks=tuple((each.name,) for each in moving),
+        blocks=tuple((each.name,) for each in bodies),
         crack=crack,
         cut=cut,
         hinges=hinges,
@@ -281,7 +282,7 @@ def two_block(
         interfaces={} if interfaces is None else interfaces,
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*moving, *_bodies("around", around)))
+    return make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def four_hinge(
@@ -314,16 +315,16 @@ def four_hinge(
     ------
     MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
     """
-    moving = _one_or_several(body)
+    bodies = _one_or_several(body)
     definition = FourHinge(
-        blocks=tuple((each.name,) for each in moving),
+        blocks=tuple((each.name,) for each in bodies),
         hinges=hinges,
         hinges_negative=hinges_negative,
         interfaces={} if interfaces is None else interfaces,
         joints=joints,
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*moving, *_bodies("around", around)))
+    return make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def equivalent_block(
@@ -370,11 +371,11 @@ def _one_or_several(body: BodyOrBodies) -> tuple[Body, ...]:
     return several
 
 
-def _bodies(key: str, given: Any) -> tuple[Body, ...]:
+def _bodies(key: str, bodies: Any) -> tuple[Body, ...]:
     """Return a row of bodies; raise MechanismError for anything else."""
-    if not isinstance(given, tuple | list) or not all(isinstance(each, Body) for each in given):
-        raise MechanismError(f"{key} = {given!r:.60}: give a list of bodies, as box, profile and mesh return them")
-    return tuple(given)
+    if not isinstance(bodies, tuple | list) or not all(isinstance(each, Body) for each in bodies):
+        raise MechanismError(f"{key} = {bodies!r:.60}: give a list of bodies, as box, profile and mesh return them")
+    return tuple(bodies)
 
 
 def _shared_fields(
@@ -394,29 +395,29 @@ def _shared_fields(
     }
 
 
-def _loads(given: Any) -> tuple[LoadDefinition, ...]:
+def _loads(loads: Any) -> tuple[LoadDefinition, ...]:
     """Return a row of loads, whose kinds are checked with the mechanism; raise MechanismError for what is no row."""
-    if not isinstance(given, tuple | list):
-        raise MechanismError(f"loads = {given!r:.60}: give a list of loads")
-    return tuple(given)
+    if not isinstance(loads, tuple | list):
+        raise MechanismError(f"loads = {loads!r:.60}: give a list of loads")
+    return tuple(loads)
 
 
-def _direction(given: Any) -> Any:
+def _direction(direction: Any) -> Any:
     """The direction as definitions have it: a tuple of floats, a word, or None for the weakest."""
-    if given is None or isinstance(given, str):
-        return None if given == "weakest" else given
+    if direction is None or isinstance(direction, str):
+        return None if direction == "weakest" else direction
     try:
-        return tuple(map(float, given))
+        return tuple(map(float, direction))
     except (TypeError, ValueError):
-        raise MechanismError(f'direction = {given!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
+        raise MechanismError(f'direction = {direction!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
 
 
-def _restitution(given: Any) -> Restitution:
+def _restitution(restitution: Any) -> Restitution:
     """One choice for both impacts, or one for each."""
-    pair = isinstance(given, tuple | list)
-    if pair and len(given) != 2:
-        raise MechanismError(f"restitution = {given}: give one value, or one for each of two impacts")
-    return Restitution(*given) if pair else Restitution(given, given)
+    pair = isinstance(restitution, tuple | list)
+    if pair and len(restitution) != 2:
+        raise MechanismError(f"restitution = {restitution}: give one value, or one for each of two impacts")
+    return Restitution(*restitution) if pair else Restitution(restitution, restitution)
 
 
 EVERY_PERIOD = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))

@@ -84,23 +84,23 @@ def assess_mechanisms(
     tuple of MechanismResult
         In the order of the study.
     """
-    cases = {m.name: rocking_case(study, m, motions) for m in study.mechanisms}
+    cases = {mechanism.name: rocking_case(study, mechanism, motions) for mechanism in study.mechanisms}
     workers = jobs or available_cores()
     threads = max(1, workers // max(1, len(cases)))
 
     def assess(mechanism: Mechanism) -> MechanismResult:
         case = cases[mechanism.name]
-        rocked = mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
-        return assess_mechanism(study, spectrum, motions, mechanism, case, rocked)
+        histories = mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
+        return assess_mechanism(study, spectrum, motions, mechanism, case, histories)
 
-    longest = sorted(study.mechanisms, key=lambda m: not vibrates(cases[m.name].oscillator))
+    longest = sorted(study.mechanisms, key=lambda mechanism: not vibrates(cases[mechanism.name].oscillator))
     done: dict[str, MechanismResult] = {}
     progress("rocking histories", 0, len(longest))
     with ThreadPoolExecutor(workers) as pool:
-        for found in pool.map(assess, longest):
-            done[found.name] = found
+        for result in pool.map(assess, longest):
+            done[result.name] = result
             progress("rocking histories", len(done), len(longest))
-    return tuple(done[m.name] for m in study.mechanisms)
+    return tuple(done[mechanism.name] for mechanism in study.mechanisms)
 
 
 def assess_mechanism(
@@ -109,19 +109,19 @@ def assess_mechanism(
     motions: tuple[ScaledRecord, ...],
     mechanism: Mechanism,
     case: RockingCase,
-    rocked: RockingHistories,
+    histories: RockingHistories,
 ) -> MechanismResult:
     """Return one mechanism with the checks of every procedure and its histories."""
-    context = context_of(study, spectrum, mechanism, rocked, case.base, motions)
+    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
     return mechanism_result(
         mechanism,
         mechanism.variants.starting,
         equation=case.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, case.oscillator, context),
-        histories=() if context.not_lasting else with_governing_trace(case, rocked.histories, motions),
+        histories=() if context.not_lasting else with_governing_trace(case, histories.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, case.base),
-        grounded=study.grounded[mechanism.name],
+        height=study.grounded[mechanism.name],
     )
 
 
@@ -161,19 +161,19 @@ def checks_without_scan(
     (mechanism,) = study.mechanisms
     case = rocking_case(study, mechanism, motions)
     levels = study.levels if any(map(uses_histories, study.procedures)) else ()
-    rocked = RockingHistories((), ())
+    histories = RockingHistories((), ())
     if levels and motions:
         further = further_levels(study, spectrum, mechanism)
-        rocked = run_levels(
+        histories = run_levels(
             case,
             motions,
             levels=levels,
-            besides=further,
+            further=further,
             site_pga=spectrum.pga,
             threads=jobs,
             with_twins=False,
         )
-    context = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, case.base, motions)
+    context = context_of(replace(study, levels=levels), spectrum, mechanism, histories, case.base, motions)
     return checks_of(study, case.oscillator, replace(context, levels=study.levels))
 
 
@@ -191,17 +191,23 @@ class WithChecks(Protocol):
 
 def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[str, float] | None = None) -> Verdict:
     """Decide on the checks of the mechanisms; tolerance: loss of index by the survey, by name."""
-    near = tolerance or {}
-    judged = [
-        MechanismChecks(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms
+    losses = tolerance or {}
+    checked = [
+        MechanismChecks(
+            mechanism.name,
+            mechanism.checks,
+            *study.facts.get(mechanism.name, ((), ())),
+            losses.get(mechanism.name, 0.0),
+        )
+        for mechanism in mechanisms
     ]
-    return verdict(study.question, judged)
+    return verdict(study.question, checked)
 
 
-def mark_result(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
+def mark_result(decided: Verdict, question: Question, result: MechanismResult) -> MechanismResult:
     """Return the mechanism with the checks that decide marked as such."""
-    one = next(each for each in found.mechanisms if each.mechanism == mechanism.name)
-    return replace(mechanism, checks=mark_deciding(mechanism.checks, one, question.basis, question.action))
+    mechanism_verdict = next(each for each in decided.mechanisms if each.mechanism == result.name)
+    return replace(result, checks=mark_deciding(result.checks, mechanism_verdict, question.basis, question.action))
 
 
 ASCE43 = "asce43-05"  # whose rules for suites apply to a floor spectrum made of one
@@ -212,7 +218,7 @@ def context_of(
     study: Study,
     spectrum: Spectrum,
     mechanism: Mechanism,
-    rocked: RockingHistories,
+    histories: RockingHistories,
     base: tuple[BaseMotion, ...],
     motions: tuple[ScaledRecord, ...],
 ) -> Context:
@@ -226,7 +232,7 @@ def context_of(
         The site's elastic spectrum.
     mechanism : Mechanism
         The mechanism to be assessed.
-    rocked : RockingHistories
+    histories : RockingHistories
         Its time histories; empty where no procedure needs them.
     base : tuple of BaseMotion
         Every motion as it acts at the base of the mechanism.
@@ -238,7 +244,7 @@ def context_of(
     Context
         With a floor spectrum where the mechanism is above the ground.
     """
-    context = _context_without_floor_spectrum(study, spectrum, mechanism, rocked, base)
+    context = _context_without_floor_spectrum(study, spectrum, mechanism, histories, base)
     if not context.above_ground:
         return context
     amplification = study.amplified[mechanism.name].amplification
@@ -255,9 +261,9 @@ def context_of(
 
 
 def _context_without_floor_spectrum(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, histories: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
-    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
+    height, rise, variants = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
     amplified = study.amplified[mechanism.name]
     return Context(
         spectrum=spectrum,
@@ -267,28 +273,30 @@ def _context_without_floor_spectrum(
         carries_floors=carries_floors(mechanism),
         actions=tuple(load.name for load in mechanism.positive.loads if not isinstance(load, PointMass)),
         wall=wall_of(mechanism),
-        elevation=grounded.base,
+        elevation=height.base,
         rise=rise,
         building=study.building,
-        suites=rocked.suites,
+        suites=histories.suites,
         histories_at="ground" if amplified.height is None else "mechanism base",
-        transfer=transfer_to_support(amplified, support=grounded.support),
+        transfer=transfer_to_support(amplified, support=height.support),
         crushing=mechanism.crushing,
-        starting=ways.starting,
-        breaking=ways.breaking,
+        starting=variants.starting,
+        breaking=variants.breaking,
         limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
         open_seats=tuple(OpenSeat(**vars(each)) for each in open_seats(mechanism)),
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
-        impossible=grounded.unknown,
+        impossible=height.unknown,
         not_lasting=unsupported_messages(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
-        extra_suites=rocked.besides,
+        extra_suites=histories.further_suites,
         hinges=hinge_forces(mechanism),
-        incremental=tuple(sorted((*rocked.scan, *rocked.suites), key=lambda suite: suite.pga)) if rocked.scan else (),
+        incremental=tuple(sorted((*histories.scan, *histories.suites), key=lambda suite: suite.pga))
+        if histories.scan
+        else (),
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )
@@ -339,11 +347,13 @@ def carries_floors(mechanism: Mechanism) -> bool:
 
 def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
     """Return the gravity moments of a wall and of the loads that press on it, by branch."""
-    rocker = mechanism.variants.deciding
-    found: dict[BranchName, Gravity] = {"positive": _gravity_of_branch(mechanism.positive, rocker.positive.unstable)}
-    if mechanism.negative is not None and rocker.negative is not None:
-        found["negative"] = _gravity_of_branch(mechanism.negative, rocker.negative.unstable)
-    return found
+    oscillator = mechanism.variants.deciding
+    gravity: dict[BranchName, Gravity] = {
+        "positive": _gravity_of_branch(mechanism.positive, oscillator.positive.unstable)
+    }
+    if mechanism.negative is not None and oscillator.negative is not None:
+        gravity["negative"] = _gravity_of_branch(mechanism.negative, oscillator.negative.unstable)
+    return gravity
 
 
 def _gravity_of_branch(chain: Chain, instability: float) -> Gravity:
@@ -442,7 +452,9 @@ def floor_spectrum(
         None if neither the suite nor the building gives one.
     """
     if filtered is not None and len(motions) >= LEAST_RECORDS:
-        records = [scale(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
+        records = [
+            scale(base_motion.record, motion.scaling.factor) for base_motion, motion in zip(base, motions, strict=True)
+        ]
         return suite_spectrum(ground, records, mode=filtered.mode)
     if building is not None and building.storeys is not None and height <= building.height:
         return circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
@@ -458,8 +470,10 @@ def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMo
 
     @lru_cache(maxsize=8)
     def broadened(damping: float) -> FloatArray:
-        at = min(damping, MOST_DAMPING)
-        return broaden(periods, np.max([response_spectrum(record, periods, damping=at) for record in records], axis=0))
+        used_damping = min(damping, MOST_DAMPING)
+        return broaden(
+            periods, np.max([response_spectrum(record, periods, damping=used_damping) for record in records], axis=0)
+        )
 
     def ordinates(period: FloatArray, damping: float) -> FloatArray:
         T = np.asarray(period, dtype=np.float64)

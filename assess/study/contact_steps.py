@@ -81,8 +81,8 @@ def _opening_steps(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
     if before:
         given = {**given, "A": (A, "m2"), "x_c": (x_c, "m")}
         return (step("φ_o", OPENS, BALANCE, "N / (k A (b − x_c))", opening, "rad", given=given),)
-    found = step("φ_o", OPENS, BALANCE, BY_BALANCE, opening, "rad")
-    return (found, *_opening_checks(joint, N, opening))
+    opens = step("φ_o", OPENS, BALANCE, BY_BALANCE, opening, "rad")
+    return (opens, *_opening_checks(joint, N, opening))
 
 
 def _opening_checks(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
@@ -168,18 +168,18 @@ class RotatedJoint:
     """A joint at one rotation of its mechanism.
 
     mark : behind each symbol; rotation : of the joint [rad]; slope : its sine, that of one face on the other
-    place : number of the rotation in `contact`
+    place : number of the rotation in the contact
     """
 
     mark: str
     joint: Joint
     slope: float
-    found: Contact
+    contact: Contact
     place: int
 
     def value(self, name: str) -> float:
         """Return an attribute of the contact at this rotation."""
-        return float(getattr(self.found, name)[self.place])
+        return float(getattr(self.contact, name)[self.place])
 
     @property
     def force(self) -> NamedValue:
@@ -212,32 +212,32 @@ class RotatedJoint:
         return {"k": (self.joint.law.stiffness, "Pa/m"), f"s_{self.mark}": (self.slope, "-")}
 
 
-def state_steps(turned: RotatedJoint) -> tuple[Step, ...]:
+def state_steps(rotated: RotatedJoint) -> tuple[Step, ...]:
     """Write the stresses on a joint that has rotated, their two integrals, and the place of the resultant.
 
     Parameters
     ----------
-    turned : the joint, in partial or full contact, crushed or not
+    rotated : the joint, in partial or full contact, crushed or not
 
     Returns
     -------
     tuple of Step
     """
-    if turned.is_block:
-        lines, zones = _crushed_throughout(turned)
-    elif turned.is_crushed:
-        lines, zones = _crushed_full_contact(turned) if turned.is_full else _crushed_partial_contact(turned)
+    if rotated.is_block:
+        lines, zones = _crushed_throughout(rotated)
+    elif rotated.is_crushed:
+        lines, zones = _crushed_full_contact(rotated) if rotated.is_full else _crushed_partial_contact(rotated)
     else:
-        lines, zones = _full_contact(turned) if turned.is_full else _partial_contact(turned)
-    checks, arm = resultant_steps(StressState(turned.joint.section, turned.mark, zones, turned.force))
-    named = replace(arm, symbol=f"a_f{turned.mark}", description=PLACE, value=turned.value("resultant"))
+        lines, zones = _full_contact(rotated) if rotated.is_full else _partial_contact(rotated)
+    checks, arm = resultant_steps(StressState(rotated.joint.section, rotated.mark, zones, rotated.force))
+    named = replace(arm, symbol=f"a_f{rotated.mark}", description=PLACE, value=rotated.value("resultant"))
     return (*lines, *checks, named)
 
 
-def _crushed_throughout(turned: RotatedJoint) -> StressLines:
+def _crushed_throughout(rotated: RotatedJoint) -> StressLines:
     """A block at the strength and nothing else: N = f l a for a rectangle."""
-    (N, force), width, f = turned.force, turned.width, turned.joint.law.strength
-    name, depth = f"a_2{turned.mark}", turned.value("crushed_depth")
+    (N, force), width, f = rotated.force, rotated.width, rotated.joint.law.strength
+    name, depth = f"a_2{rotated.mark}", rotated.value("crushed_depth")
     given: Given = {N: (force, "N"), "f": (f, "Pa")}
     line = (
         step(name, CRUSHED, BALANCE, BY_AREA, depth, "m")
@@ -247,14 +247,14 @@ def _crushed_throughout(turned: RotatedJoint) -> StressLines:
     return (line,), (Zone(START, (name, depth), (("f", f), ("f", f))),)
 
 
-def _full_contact(turned: RotatedJoint) -> StressLines:
+def _full_contact(rotated: RotatedJoint) -> StressLines:
     """Full contact, elastic (thesis 6.5 for a rectangle)."""
-    section, m, (N, force) = turned.joint.section, turned.mark, turned.force
-    b, A, x_c, slope = section.depth, section.area, section.centroid, turned.slope
-    rise = turned.joint.law.stiffness * slope
-    given: Given = {N: (force, "N"), "A": (A, "m2"), **turned.gradient}
+    section, m, (N, force) = rotated.joint.section, rotated.mark, rotated.force
+    b, A, x_c, slope = section.depth, section.area, section.centroid, rotated.slope
+    rise = rotated.joint.law.stiffness * slope
+    given: Given = {N: (force, "N"), "A": (A, "m2"), **rotated.gradient}
     near, far = force / A + rise * x_c, force / A - rise * (b - x_c)
-    width = turned.width
+    width = rotated.width
     half: Given = {"b": (b, "m")} if width is not None else {"x_c": (x_c, "m")}
     both: Given = {"b": (b, "m"), **half}
     inner, outer = ("b / 2", "b / 2") if width is not None else ("x_c", "(b − x_c)")
@@ -265,10 +265,10 @@ def _full_contact(turned: RotatedJoint) -> StressLines:
     return lines, (Zone(START, ("b", b), ((f"σ_1{m}", near), (f"σ_2{m}", far))),)
 
 
-def _partial_contact(turned: RotatedJoint) -> StressLines:
+def _partial_contact(rotated: RotatedJoint) -> StressLines:
     """A triangle of stress over a part of the contact (thesis 6.6 for a rectangle)."""
-    m, (N, force), width, a = turned.mark, turned.force, turned.width, turned.value("depth")
-    near, given = turned.joint.law.stiffness * turned.slope * a, turned.gradient
+    m, (N, force), width, a = rotated.mark, rotated.force, rotated.width, rotated.value("depth")
+    near, given = rotated.joint.law.stiffness * rotated.slope * a, rotated.gradient
     depth = (
         step(f"a_{m}", DEPTH, BALANCE, BY_BALANCE, a, "m")
         if width is None
@@ -279,12 +279,12 @@ def _partial_contact(turned: RotatedJoint) -> StressLines:
     return (depth, edge), (Zone(START, (f"a_{m}", a), ((f"σ_1{m}", near), (f"σ_2{m}", 0.0))),)
 
 
-def _crushed_partial_contact(turned: RotatedJoint) -> StressLines:
+def _crushed_partial_contact(rotated: RotatedJoint) -> StressLines:
     """A block at the strength and a triangle behind it (thesis 6.7 for a rectangle)."""
-    m, (N, force), width, f = turned.mark, turned.force, turned.width, turned.joint.law.strength
-    a_2, c = turned.value("crushed_depth"), f / (turned.joint.law.stiffness * turned.slope)
+    m, (N, force), width, f = rotated.mark, rotated.force, rotated.width, rotated.joint.law.strength
+    a_2, c = rotated.value("crushed_depth"), f / (rotated.joint.law.stiffness * rotated.slope)
     behind: Given = {f"c_{m}": (c, "m")}
-    elastic = step(f"c_{m}", ELASTIC, BALANCE, f"f / (k s_{m})", c, "m", given={"f": (f, "Pa"), **turned.gradient})
+    elastic = step(f"c_{m}", ELASTIC, BALANCE, f"f / (k s_{m})", c, "m", given={"f": (f, "Pa"), **rotated.gradient})
     given: Given = {N: (force, "N"), "f": (f, "Pa"), **behind}
     block = (
         step(f"a_2{m}", CRUSHED, BALANCE, BY_BALANCE, a_2, "m")
@@ -294,15 +294,15 @@ def _crushed_partial_contact(turned: RotatedJoint) -> StressLines:
     )  # fmt: skip
     sizes: Given = {f"a_2{m}": (a_2, "m"), **behind}
     whole = step(f"a_{m}", DEPTH, BALANCE, f"a_2{m} + c_{m}", a_2 + c, "m", given=sizes)
-    return (elastic, block, whole), _two_zones(turned, a_2, c, 0.0)
+    return (elastic, block, whole), _two_zones(rotated, a_2, c, 0.0)
 
 
-def _crushed_full_contact(turned: RotatedJoint) -> StressLines:
+def _crushed_full_contact(rotated: RotatedJoint) -> StressLines:
     """A block at the strength, and behind it a trapezium that reaches the far edge."""
-    m, (N, force), width = turned.mark, turned.force, turned.width
-    b, f, a_2 = turned.joint.section.depth, turned.joint.law.strength, turned.value("crushed_depth")
-    c, given = b - a_2, turned.gradient
-    far = f - turned.joint.law.stiffness * turned.slope * c
+    m, (N, force), width = rotated.mark, rotated.force, rotated.width
+    b, f, a_2 = rotated.joint.section.depth, rotated.joint.law.strength, rotated.value("crushed_depth")
+    c, given = b - a_2, rotated.gradient
+    far = f - rotated.joint.law.stiffness * rotated.slope * c
     depth: Given = {"b": (b, "m")}
     if width is None:
         sizes = (
@@ -317,11 +317,11 @@ def _crushed_full_contact(turned: RotatedJoint) -> StressLines:
         )
     last: Given = {"f": (f, "Pa"), **given, f"c_{m}": (c, "m")}
     edge = step(f"σ_2{m}", FAR, BALANCE, f"f − k s_{m} c_{m}", far, "Pa", given=last)
-    return (*sizes, edge), _two_zones(turned, a_2, c, far)
+    return (*sizes, edge), _two_zones(rotated, a_2, c, far)
 
 
-def _two_zones(turned: RotatedJoint, a_2: float, c: float, far: float) -> tuple[Zone, ...]:
-    m, f = turned.mark, turned.joint.law.strength
+def _two_zones(rotated: RotatedJoint, a_2: float, c: float, far: float) -> tuple[Zone, ...]:
+    m, f = rotated.mark, rotated.joint.law.strength
     block = Zone(START, (f"a_2{m}", a_2), (("f", f), ("f", f)))
     return block, Zone((f"a_2{m}", a_2), (f"c_{m}", c), (("f", f), (f"σ_2{m}", far)))
 

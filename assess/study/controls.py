@@ -54,11 +54,11 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
     forces = hinge_forces(mechanism)
     if not forces:
         return tuple(
-            control_not_made("equilibrium", mechanism.name, each, dimension="force", why="control-without-hinges")
-            for each in (VERTICAL, HORIZONTAL)
+            control_not_made("equilibrium", mechanism.name, pair, dimension="force", why="control-without-hinges")
+            for pair in (VERTICAL, HORIZONTAL)
         )
-    found = [
-        branch_controls(mechanism, chain, [each for each in forces if each.branch == branch], multiplier)
+    of_branches = [
+        branch_controls(mechanism, chain, [pair for pair in forces if pair.branch == branch], multiplier)
         for chain, branch, multiplier in zip(
             (mechanism.positive, mechanism.negative),
             ("positive", "negative"),
@@ -67,7 +67,7 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
         )
         if chain is not None
     ]
-    return tuple(max(each, key=lambda one: one.difference or 0.0) for each in zip(*found, strict=True))
+    return tuple(max(pair, key=lambda control: control.difference or 0.0) for pair in zip(*of_branches, strict=True))
 
 
 def branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[float, float | None]:
@@ -85,10 +85,10 @@ def branch_controls(
 ) -> tuple[Control, Control]:
     """Return the controls of one branch, in its own sign: vertical and horizontal."""
     acting = forces_at_rest(chain_at_start(chain, name=mechanism.name))
-    weight = sum(each.shaken for each in acting)
+    weight = sum(each.inertia_per_g for each in acting)
     inertia = (multiplier or 0.0) * weight
     horizontal, vertical = sum_of_reactions(forces, blocks=len(chain.blocks))
-    said = note(
+    how = note(
         "control-reactions",
         mechanism.name,
         hinge=forces[0].hinge,
@@ -105,7 +105,7 @@ def branch_controls(
             reference=reference,
             scale=weight,
             dimension="force",
-            note=said,
+            note=how,
         )
         for quantity, value, reference in pairs
     )
@@ -140,9 +140,11 @@ def moment_multiplier(chain: Chain) -> float:
     far_x, far_z = chain.hinges[-1]
     rows, right = np.zeros((count, count)), np.zeros(count)
     for number, (x, z) in enumerate(chain.hinges[:count]):
-        beyond = [each for each in acting if each.block >= number]
-        rows[number] = [sum(each.shaken * (each.at[1] - z) for each in beyond), far_z - z, x - far_x][:count]
-        right[number] = -sum(each.force[0] * (each.at[1] - z) - each.force[1] * (each.at[0] - x) for each in beyond)
+        beyond = [force for force in acting if force.block >= number]
+        rows[number] = [sum(force.inertia_per_g * (force.at[1] - z) for force in beyond), far_z - z, x - far_x][:count]
+        right[number] = -sum(
+            force.force[0] * (force.at[1] - z) - force.force[1] * (force.at[0] - x) for force in beyond
+        )
     return float(np.linalg.solve(rows, right)[0])
 
 
@@ -164,7 +166,7 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     if mechanism.flexible:
         return _multiplier_on_joints(mechanism, chains[0], oscillator.positive)
-    found = [
+    of_branches = [
         make_control(
             "hand-multiplier",
             mechanism.name,
@@ -178,16 +180,16 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
         for chain, side, hinge in zip(chains, oscillator.branches, ("A", "A'"), strict=False)
         if (by_hand := moment_multiplier(chain))
     ]
-    return max(found, key=lambda one: one.difference or 0.0)
+    return max(of_branches, key=lambda control: control.difference or 0.0)
 
 
 def _multiplier_on_joints(mechanism: Mechanism, chain: Chain, side: Branch) -> Control:
     """Return the largest multiplier on joints beside that of rigid hinges, which need not be equal."""
     value, rigid = linear_multiplier(side), moment_multiplier(chain)
-    said = note("control-rigid-moments", mechanism.name, lower=Quantity(100.0 * (1.0 - value / rigid), "percent", 2))
+    how = note("control-rigid-moments", mechanism.name, lower=Quantity(100.0 * (1.0 - value / rigid), "percent", 2))
     difference = abs(value - rigid) / abs(rigid)
     return Control(
-        "hand-multiplier", mechanism.name, UPLIFT_MULTIPLIER, value, rigid, "ratio", difference, 0.0, None, said
+        "hand-multiplier", mechanism.name, UPLIFT_MULTIPLIER, value, rigid, "ratio", difference, 0.0, None, how
     )
 
 
@@ -196,13 +198,13 @@ class ForceAtRest:
     """One mass or load at rest.
 
     block : number of the block it acts on, from 0 at the base; at : its place (x, z) [m]
-    force : (x, z) at rest [N]; shaken : its mass times g, the horizontal force of a multiplier of one [N]
+    force : (x, z) at rest [N]; inertia_per_g : its mass times g, the horizontal force of a multiplier of one [N]
     """
 
     block: int
     at: Point
     force: Point
-    shaken: float
+    inertia_per_g: float
 
 
 def forces_at_rest(chain: Chain) -> list[ForceAtRest]:
@@ -211,16 +213,19 @@ def forces_at_rest(chain: Chain) -> list[ForceAtRest]:
     A mass that is not bearing has horizontal inertia and no weight here; a tie that shortens as rocking starts is
     slack, unless it acts both ways.
     """
-    found = [ForceAtRest(n, b.centroid, (0.0, -b.mass * g), b.mass * g) for n, b in enumerate(chain.blocks)]
+    forces = [
+        ForceAtRest(number, block.centroid, (0.0, -block.mass * g), block.mass * g)
+        for number, block in enumerate(chain.blocks)
+    ]
     for load in chain.loads:
         if isinstance(load, PointMass):
             weight = load.mass * g
-            found.append(ForceAtRest(load.block, load.at, (0.0, -weight if load.bearing else 0.0), weight))
+            forces.append(ForceAtRest(load.block, load.at, (0.0, -weight if load.bearing else 0.0), weight))
         elif isinstance(load, Force):
-            found.append(ForceAtRest(load.block, load.at, load.force, 0.0))
+            forces.append(ForceAtRest(load.block, load.at, load.force, 0.0))
         elif load.both or not _shortens(load, chain):
-            found.append(ForceAtRest(load.block, load.at, pull_at_rest(load), 0.0))
-    return found
+            forces.append(ForceAtRest(load.block, load.at, pull_at_rest(load), 0.0))
+    return forces
 
 
 def _shortens(tie: Tie, chain: Chain) -> bool:

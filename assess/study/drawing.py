@@ -77,12 +77,12 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
     outlines = [
         tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
     ]
-    seen = draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
+    turned = draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
     return DisplacedDrawing(
-        rotation_rad=seen.rotation_rad,
-        blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in seen.blocks),
-        block_of=seen.block_of,
-        hinges=tuple(NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in seen.hinges),
+        rotation_rad=turned.rotation_rad,
+        blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in turned.blocks),
+        block_of=turned.block_of,
+        hinges=tuple(NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in turned.hinges),
         loads=tuple(
             DrawnLoad(
                 load.name,
@@ -90,9 +90,9 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
                 load.kind,
                 None if load.towards is None else mirror_point(load.towards),
             )
-            for load in seen.loads
+            for load in turned.loads
         ),
-        centroids=tuple(mirror_point(point) for point in seen.centroids),
+        centroids=tuple(mirror_point(point) for point in turned.centroids),
     )
 
 
@@ -129,17 +129,17 @@ def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark
 
 
 def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) -> float:
-    """Return the rotation [rad] that moves the farthest point by SEEN, or overturning; rounded down to two figures."""
+    """Return the rotation [rad] that moves the farthest point by LARGEST_MOVE, or overturning; rounded down to two figures."""
     sets = [(np.array(ring), block) for ring, block in pieces]
     sets += [(np.array([block.centroid]), number) for number, block in enumerate(chain.blocks)]
     size = float(np.ptp(np.concatenate([*(points for points, _ in sets), chain.hinges]), axis=0).max())
-    way = max(
+    farthest_move = max(
         float(np.linalg.norm(move_points(chain, points, block=block, rotation=overturning) - points, axis=1).max())
         for points, block in sets
     )
-    wanted = overturning * min(1.0, LARGEST_MOVE * size / way)
-    step = 10.0 ** (floor(log10(wanted)) - 1)
-    return round(floor(wanted / step + 1e-9) * step, 12)
+    largest = overturning * min(1.0, LARGEST_MOVE * size / farthest_move)
+    step = 10.0 ** (floor(log10(largest)) - 1)
+    return round(floor(largest / step + 1e-9) * step, 12)
 
 
 def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float) -> FloatArray:
@@ -187,16 +187,16 @@ def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
     corners = np.concatenate([vertices for vertices, _, _ in surfaces])
     size = np.ptp(corners, axis=0)
     decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
-    drawn = simplify_surfaces(surfaces)
-    starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in drawn)])
+    simplified = simplify_surfaces(surfaces)
+    starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in simplified)])
     return View(
-        vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in drawn]), decimals),
+        vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in simplified]), decimals),
         triangles=tuple(
             (a, b, c)
-            for start, (_, triangles, _) in zip(starts, drawn, strict=False)
+            for start, (_, triangles, _) in zip(starts, simplified, strict=False)
             for a, b, c in (triangles + start).tolist()
         ),
-        block_of=tuple(owner for _, triangles, owner in drawn for _ in range(len(triangles))),
+        block_of=tuple(owner for _, triangles, owner in simplified for _ in range(len(triangles))),
         axes=hinge_axes(mechanism, scene, decimals),
         sections=tuple(rounded_points(thin_ring(ring), decimals) for ring in scene.sections),
         direction=as_point(scene.direction),
@@ -213,7 +213,7 @@ def join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
 
 
 def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
-    """Simplify surfaces to no more than LIMIT triangles in all, shared by area."""
+    """Simplify surfaces to no more than VIEW_TRIANGLES triangles in all, shared by area."""
     if sum(len(triangles) for _, triangles, _ in surfaces) <= VIEW_TRIANGLES:
         return list(surfaces)
     areas = np.array([surface_area(vertices[triangles]) for vertices, triangles, _ in surfaces])
@@ -235,16 +235,16 @@ def hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Hinge
     along, up = scene.direction, np.array([0.0, 0.0, 1.0])
     across = np.array([-along[1], along[0], 0.0])
     reach = np.concatenate([solid.vertices for member in scene.members for solid in member]) @ across
-    made = []
+    found = []
     for hinge in hinges_of(mechanism):
         middle = hinge.at[0] * along + hinge.at[1] * up
         first, last = rounded_points(np.array([middle + reach.min() * across, middle + reach.max() * across]), decimals)
-        made.append(HingeAxis(hinge.name, (first, last)))
-    return tuple(made)
+        found.append(HingeAxis(hinge.name, (first, last)))
+    return tuple(found)
 
 
 def thin_ring(ring: FloatArray) -> FloatArray:
-    """Thin a closed ring [k, 3] evenly to no more than CORNERS corners."""
+    """Thin a closed ring [k, 3] evenly to no more than RING_CORNERS corners."""
     step = -(-(len(ring) - 1) // RING_CORNERS)
     return np.concatenate([ring[:-1:step], ring[:1]])
 

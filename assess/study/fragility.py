@@ -186,16 +186,18 @@ def run_records(
 
     Returns
     -------
-    Shaken
+    MechanismRuns
     """
     amplification = study.amplified[mechanism.name].amplification
     base = tuple(base_motion(amplification, record) for record in records)
     oscillator = mechanism.variants.deciding
     case = RockingCase(mechanism.name, oscillator, study.equations[mechanism.name], base, mechanism.rebounds)
     rocker = Rocker(oscillator.slenderness, oscillator.p)
-    above = any(one.record is not record for one, record in zip(base, records, strict=True))
+    above = any(at_base.record is not record for at_base, record in zip(base, records, strict=True))
     places = [(each, tuple(records)) for each in question.measures]
-    places += [(each, tuple(one.record for one in base)) for each in measures_at_base(question.measures) if above]
+    places += [
+        (each, tuple(at_base.record for at_base in base)) for each in measures_at_base(question.measures) if above
+    ]
     units = [intensities(each, where, rocker) for each, where in places]
     by = tuple(
         Intensities(each, unit, primary=factor_between(units[0], unit) is not None)
@@ -209,32 +211,37 @@ def run_records(
 
 
 def mechanism_fragility(
-    study: Study, shaken: MechanismRuns, records: Sequence[Record], origins: Origins, question: FragilityQuestion
+    study: Study,
+    mechanism_runs: MechanismRuns,
+    records: Sequence[Record],
+    origins: Origins,
+    question: FragilityQuestion,
 ) -> MechanismFragility:
     """Return the curves, comparison and risk of a mechanism that has been run."""
-    mechanism, runs = shaken.mechanism, shaken.runs
-    by = shaken.by[:1] if question.method == "stripes" else shaken.by
+    mechanism, runs = mechanism_runs.mechanism, mechanism_runs.runs
+    by = mechanism_runs.by[:1] if question.method == "stripes" else mechanism_runs.by
     curves = [
         each
-        for state in applicable_states(shaken.case, question)
+        for state in applicable_states(mechanism_runs.case, question)
         for each in curves_of_state(runs, by, state, origins.event, question)
     ]
     epistemic = hypot(*question.epistemic.values()) if question.epistemic else None
     return MechanismFragility(
         name=mechanism.name,
         label=mechanism.label,
-        slenderness_rad=shaken.rocker.slenderness,
-        p_eq_per_s=shaken.rocker.p,
+        slenderness_rad=mechanism_runs.rocker.slenderness,
+        p_eq_per_s=mechanism_runs.rocker.p,
         above_ground=study.grounded[mechanism.name].above,
-        runs=tuple(record_runs(shaken, place, record, origins) for place, record in enumerate(records)),
+        runs=tuple(record_runs(mechanism_runs, place, record, origins) for place, record in enumerate(records)),
         curves=tuple(curves),
         comparison=tuple(
-            compare_measure(runs, one, curve, origins) for one, curve in zip(cycle(by), curves, strict=False)
+            compare_measure(runs, intensities, curve, origins)
+            for intensities, curve in zip(cycle(by), curves, strict=False)
         ),
         risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=base_motion_known(study, mechanism))),
         epistemic=epistemic,
         epistemic_sources=dict(question.epistemic) or None,
-        measures=tuple(one.measure for one in shaken.by),
+        measures=tuple(intensities.measure for intensities in mechanism_runs.by),
         notes=mechanism_notes(study, mechanism, runs, question),
     )
 
@@ -250,7 +257,7 @@ def curves_of_state(
 
     Parameters
     ----------
-    runs : Runs
+    runs : FragilityRuns
         Of all records.
     by : sequence of Intensities
         The measures.
@@ -263,7 +270,7 @@ def curves_of_state(
     """
     found: list[FragilityCurve] = []
     for place, one in enumerate(by):
-        factors = ((at, factor_between(known.unit, one.unit)) for at, known in enumerate(by[:place]))
+        factors = ((at, factor_between(earlier.unit, one.unit)) for at, earlier in enumerate(by[:place]))
         same = next(((at, factor) for at, factor in factors if factor is not None), None)
         if same is None:
             found.append(fragility_curve(runs, one, state, events, question))
@@ -277,12 +284,12 @@ def applicable_states(case: RockingCase, question: FragilityQuestion) -> tuple[S
     return tuple(state for state in question.states if state.name != "rocking" or not vibrates(case.oscillator))
 
 
-def record_runs(shaken: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRunsResult:
+def record_runs(mechanism_runs: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRunsResult:
     """Return the runs of one record.
 
     Parameters
     ----------
-    shaken : Shaken
+    mechanism_runs : MechanismRuns
         The mechanism with all runs.
     place : int
         Of the record among them.
@@ -291,14 +298,14 @@ def record_runs(shaken: MechanismRuns, place: int, record: Record, origins: Orig
     origins : Origins
         The earthquake of each record.
     """
-    run = shaken.runs.run[place]
-    scale, ratio = shaken.runs.scale[place][run], shaken.runs.ratio[place][run]
+    run = mechanism_runs.runs.run[place]
+    scale, ratio = mechanism_runs.runs.scale[place][run], mechanism_runs.runs.ratio[place][run]
     return RecordRunsResult(
         record=record.id,
         event=origins.event[place],
         magnitude=record.earthquake.magnitude,
         distance_km=None if record.distance is None else record.distance / 1000.0,
-        intensity=tuple(float(one.unit[place]) for one in shaken.by),
+        intensity=tuple(float(intensities.unit[place]) for intensities in mechanism_runs.by),
         scale=tuple(scale.tolist()),
         ratio=tuple(None if np.isinf(each) else each for each in ratio.tolist()),
         islands=islands(scale, np.isinf(ratio)),
@@ -376,7 +383,7 @@ def mechanism_notes(
         Height above the ground, and amplification.
     mechanism : Mechanism
         What rocks.
-    runs : Runs
+    runs : FragilityRuns
         Of all records.
     question : FragilityQuestion
         States that are asked.
@@ -389,8 +396,8 @@ def _mechanism_messages(
 ) -> Iterator[Message]:
     where = f"mechanisms.{mechanism.name}"
     if not base_motion_known(study, mechanism):
-        alone = study.amplified[mechanism.name].method == "none"
-        yield warning("fragility-ground-motion" if alone else "fragility-scalar-motion", where)
+        unamplified = study.amplified[mechanism.name].method == "none"
+        yield warning("fragility-ground-motion" if unamplified else "fragility-scalar-motion", where)
     if vibrates(mechanism.variants.deciding) and any(state.name == "rocking" for state in question.states):
         yield note("fragility-no-threshold", where)
     large = runs.scale[runs.run & (np.nan_to_num(runs.scale) > LARGE_SCALE)]
@@ -431,7 +438,7 @@ def export_curves(results: FragilityResults, formats: Sequence[str]) -> tuple[di
     Parameters
     ----------
     results : of `assess fragility`
-    formats : of `FORMATS`
+    formats : of `EXPORT_FORMATS`
     """
     curves = [each for mechanism in results.mechanisms for each in exported_curves(mechanism)]
     made = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}

@@ -42,7 +42,7 @@ SEARCH_STEP = 1.25
 MOST_SEARCHED = 80
 
 SeveritySolver = Callable[[FloatArray], FloatArray]
-"""Takes scale factors [records, levels], nan for no run; returns ratios [records, levels] as `Runs` has them."""
+"""Takes scale factors [records, levels], nan for no run; returns ratios [records, levels] as `FragilityRuns` has them."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -145,21 +145,21 @@ def severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
     run = make_solver(oscillators, [each.record for each in case.base], equation=case.equation, threads=threads)
     branches = case.oscillator.branches
     signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
-    ways = np.tile(signs, len(oscillators))
-    which = np.repeat(np.arange(len(oscillators)), signs.size)
+    polarity = np.tile(signs, len(oscillators))
+    oscillator_number = np.repeat(np.arange(len(oscillators)), signs.size)
     first, last = (branch.overturning / branch.unstable for branch in (branches[0], branches[-1]))
 
     def solve(scale: FloatArray) -> FloatArray:
         ratio = np.full(scale.shape, np.nan)
         motion, level = np.nonzero(~np.isnan(scale))
-        size = max(1, CHUNK // ways.size)
+        size = max(1, CHUNK // polarity.size)
         for start in range(0, motion.size, size):
             m, k = motion[start : start + size], level[start : start + size]
-            factors = (scale[m, k][:, None] * ways).ravel()
-            found = run(Jobs(np.tile(which, m.size), np.repeat(m, ways.size), factors))
+            factors = (scale[m, k][:, None] * polarity).ravel()
+            found = run(Jobs(np.tile(oscillator_number, m.size), np.repeat(m, polarity.size), factors))
             ratios = found.max_ratio * np.where(found.max_rotation < 0.0, last, first)
             severity = np.where(found.overturned, inf, ratios)
-            ratio[m, k] = severity.reshape(-1, ways.size).max(axis=1)
+            ratio[m, k] = severity.reshape(-1, polarity.size).max(axis=1)
         return ratio
 
     return solve
@@ -312,16 +312,16 @@ def measures_at_base(measures: Sequence[MeasureResult]) -> tuple[MeasureResult, 
     return tuple(replace(each, at="base") for each in measures)
 
 
-def intensities(wanted: MeasureResult, records: Sequence[Record], rocker: Rocker) -> FloatArray:
+def intensities(measure: MeasureResult, records: Sequence[Record], rocker: Rocker) -> FloatArray:
     """Return the intensity of each record at scale 1, in the unit of the measure [records].
 
     Parameters
     ----------
-    wanted : the measure
+    measure : the measure
     records : at the place that it measures
     rocker : the mechanism, for measures that depend on it
     """
-    return np.array([_INTENSITY_OF[wanted.key](record, wanted, rocker) for record in records])
+    return np.array([_INTENSITY_OF[measure.key](record, measure, rocker) for record in records])
 
 
 def _pga(record: Record, _: MeasureResult, __: Rocker) -> float:
@@ -332,12 +332,12 @@ def _pgv(record: Record, _: MeasureResult, __: Rocker) -> float:
     return pgv(record)
 
 
-def _mean_spectral(record: Record, wanted: MeasureResult, _: Rocker) -> float:
+def _mean_spectral(record: Record, measure: MeasureResult, _: Rocker) -> float:
     """Return the geometric mean of the 5 % pseudo-acceleration over the periods [g].
 
     Source: Eads, Miranda & Lignos (2015), Earthquake Eng. Struct. Dyn. 44, 2057-2073, eq. 3.
     """
-    S_a = response_spectrum(record, np.array(wanted.periods_s), damping=MEASURE_DAMPING)
+    S_a = response_spectrum(record, np.array(measure.periods_s), damping=MEASURE_DAMPING)
     return float(np.exp(np.mean(np.log(S_a)))) / g
 
 

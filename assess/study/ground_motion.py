@@ -100,11 +100,13 @@ def ground_motion_result(
     GroundMotionResult
         With the requirements of every code.
     """
-    given = fitting.given
+    factors = fitting.given
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
     shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = display_periods(spectrum)
-    spectra = np.array([m.scaling.factor * response_spectrum(m.record, period, damping=DAMPING) for m in motions])
+    spectra = np.array(
+        [motion.scaling.factor * response_spectrum(motion.record, period, damping=DAMPING) for motion in motions]
+    )
     return GroundMotionResult(
         from_s=low,
         to_s=high,
@@ -117,8 +119,8 @@ def ground_motion_result(
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
         selection=None if fitting.selection is None else selection_result(fitting.selection),
         requirements=requirements_of(motions, spectrum, shortest, longest, own),
-        lock="" if given is None else given.lock,
-        made_for=SELECTION_RULES[given.code].code if given is not None and given.code else "",
+        lock="" if factors is None else factors.lock,
+        made_for=SELECTION_RULES[factors.code].code if factors is not None and factors.code else "",
     )
 
 
@@ -128,8 +130,8 @@ def source_of(study: Study) -> str:
         return "as the suite was locked"
     if study.fitting.selection is None:
         return "default of the scaling by least squares"
-    given = study.resolved.get("records.select.periods")
-    if given is not None and given.given:
+    periods = study.resolved.get("records.select.periods")
+    if periods is not None and periods.given:
         return "given"
     if study.fitting.given is not None:
         return "the range of the code whose rules the suite was made to meet"
@@ -138,11 +140,13 @@ def source_of(study: Study) -> str:
 
 def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Band) -> float:
     """Return the mean squared natural-log difference between the mean spectrum and the target over the band [-]."""
-    over = truncate_band(band, spectrum.longest_period)
+    used_band = truncate_band(band, spectrum.longest_period)
     ratios = [
-        m.scaling.factor * np.exp(-log_ratio(m.record, spectrum, period=over.period, nodes=over.nodes)) for m in motions
+        motion.scaling.factor
+        * np.exp(-log_ratio(motion.record, spectrum, period=used_band.period, nodes=used_band.nodes))
+        for motion in motions
     ]
-    return float(mean_square(np.log(np.mean(ratios, axis=0)), weight=over.weight))
+    return float(mean_square(np.log(np.mean(ratios, axis=0)), weight=used_band.weight))
 
 
 def requirements_of(
@@ -153,54 +157,54 @@ def requirements_of(
     own: Mapping[str, tuple[float, float]],
 ) -> tuple[RequirementResult, ...]:
     """Return the requirements of every code; shortest, longest: equivalent periods [s]; own: those of some codes."""
-    suite = suite_of([m.record for m in motions], [m.scaling.factor for m in motions], spectrum)
-    found = all_requirements(suite, shortest=shortest, longest=longest, own=own)
-    return tuple(requirement_result(one) for one in found)
+    suite = suite_of([motion.record for motion in motions], [motion.scaling.factor for motion in motions], spectrum)
+    requirements = all_requirements(suite, shortest=shortest, longest=longest, own=own)
+    return tuple(requirement_result(requirement) for requirement in requirements)
 
 
-def requirement_result(one: Requirement) -> RequirementResult:
+def requirement_result(requirement: Requirement) -> RequirementResult:
     """Return a requirement as a result."""
-    low, high = one.periods or (None, None)
+    low, high = requirement.periods or (None, None)
     return RequirementResult(
-        code=one.code,
-        clause=one.clause,
-        what=one.what,
-        value=one.value,
-        sense=one.sense,
-        limit=one.limit,
-        unit=one.unit,
-        verdict=one.verdict,
+        code=requirement.code,
+        clause=requirement.clause,
+        what=requirement.what,
+        value=requirement.value,
+        sense=requirement.sense,
+        limit=requirement.limit,
+        unit=requirement.unit,
+        verdict=requirement.verdict,
         from_s=low,
         to_s=high,
-        remark=one.remark,
-        caveat=one.caveat,
-        remarks=tuple(_remarks(one)),
+        remark=requirement.remark,
+        caveat=requirement.caveat,
+        remarks=tuple(_remarks(requirement)),
     )
 
 
-def _remarks(one: Requirement) -> Iterator[Term | Message]:
+def _remarks(requirement: Requirement) -> Iterator[Term | Message]:
     """Yield the factor that would do, the range of the target, and the note of a requirement."""
-    if one.factor is not None:
-        yield message("further-factor", {"factor": Quantity(one.factor)})
-    if one.known is not None:
-        low, high = one.known
+    if requirement.factor is not None:
+        yield message("further-factor", {"factor": Quantity(requirement.factor)})
+    if requirement.known is not None:
+        low, high = requirement.known
         yield message("target-known", {"low": Quantity(low, "time", 3), "high": Quantity(high, "time")})
-    if one.note:
-        yield Term(one.note)
+    if requirement.note:
+        yield Term(requirement.note)
 
 
-def selection_result(found: Selection) -> SelectionResult:
+def selection_result(selection: Selection) -> SelectionResult:
     """Return how a suite was chosen as a result."""
-    of = found.criteria
+    criteria = selection.criteria
     return SelectionResult(
-        fit=of.fit,
-        components=of.components,
-        one_per_event=of.one_per_event,
-        least_factor=of.scale_limits[0],
-        largest_factor=of.scale_limits[1],
-        remaining=tuple(RemainingCandidates(step, number) for step, number in found.counted),
-        misfit=found.misfit,
-        greedy_misfit=found.greedy,
+        fit=criteria.fit,
+        components=criteria.components,
+        one_per_event=criteria.one_per_event,
+        least_factor=criteria.scale_limits[0],
+        largest_factor=criteria.scale_limits[1],
+        remaining=tuple(RemainingCandidates(step, number) for step, number in selection.counted),
+        misfit=selection.misfit,
+        greedy_misfit=selection.greedy,
     )
 
 
@@ -314,7 +318,7 @@ def with_primary_pulses(
 
 def pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulseResult, ...]:
     """Return the pulses that match one motion best, each as the motion is scaled."""
-    found = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
+    pulses = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
     return tuple(
         PrimaryPulseResult(
             shape=pulse.shape.name,
@@ -324,6 +328,6 @@ def pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulseResult
             polarity=pulse.polarity,
             energy_share=pulse.energy_share,
         )
-        for pulse in found
-        if pulse.energy_share >= LEAST_ENERGY_SHARE * found[0].energy_share
+        for pulse in pulses
+        if pulse.energy_share >= LEAST_ENERGY_SHARE * pulses[0].energy_share
     )

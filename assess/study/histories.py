@@ -63,7 +63,7 @@ def mechanism_histories(
         case,
         motions,
         levels=study.levels,
-        besides=further_levels(study, spectrum, mechanism),
+        further=further_levels(study, spectrum, mechanism),
         site_pga=spectrum.pga,
         with_scan=study.scan and any(map(uses_histories, study.procedures)),
         threads=threads,
@@ -78,20 +78,20 @@ def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """Return the PGA [m/s2] of suites needed besides the levels of the study: limit states of their own, FC."""
-    wanted = rule_levels(study, spectrum, mechanism)
-    return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in study.levels))
+    required = rule_levels(study, spectrum, mechanism)
+    return tuple(pga for pga in required if not any(isclose(pga, level, rel_tol=1e-9) for level in study.levels))
 
 
 def rule_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """Return the PGA [m/s2] at which procedures with a rule of their own need suites, each once."""
-    wanted: list[float] = []
-    known = study.knowledge.get(mechanism.name, {})
+    levels: list[float] = []
+    knowledge = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
-            level = known.get(rule.edition.code)
+            level = knowledge.get(rule.edition.code)
             factors = [each.factor for each in confidence_factors(options, crushing=mechanism.crushing, level=level)]
-            wanted += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
-    return tuple(dict.fromkeys(wanted))
+            levels += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
+    return tuple(dict.fromkeys(levels))
 
 
 def motions_at_base(amplified: MechanismAmplification, motions: tuple[ScaledRecord, ...]) -> tuple[BaseMotion, ...]:
@@ -104,7 +104,7 @@ def run_histories(
     motions: Sequence[ScaledRecord],
     *,
     levels: Sequence[float],
-    besides: Sequence[float],
+    further: Sequence[float],
     site_pga: float,
     with_scan: bool,
     threads: int,
@@ -117,7 +117,7 @@ def run_histories(
         The oscillator and the motions at its base.
     motions : sequence of ScaledRecord
         The records with their factors, in the order of `case.base`.
-    levels, besides : sequence of float
+    levels, further : sequence of float
         PGA of the levels of the study, and of further suites [m/s2].
     site_pga : float
         PGA of the target that the factors refer to [m/s2].
@@ -131,9 +131,9 @@ def run_histories(
     RockingHistories
         Histories at `levels`, and suites at all levels.
     """
-    found = run_levels(case, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
+    histories = run_levels(case, motions, levels=levels, further=further, site_pga=site_pga, threads=threads)
     scan = scan_levels(case, motions, site_pga=site_pga, threads=threads) if with_scan else ()
-    return replace(found, scan=scan)
+    return replace(histories, scan=scan)
 
 
 def run_levels(
@@ -141,53 +141,56 @@ def run_levels(
     motions: Sequence[ScaledRecord],
     *,
     levels: Sequence[float],
-    besides: Sequence[float],
+    further: Sequence[float],
     site_pga: float,
     threads: int,
     with_twins: bool = True,
 ) -> RockingHistories:
     """Run one mechanism as `run_histories` does, without the scan, and if so asked each record alone."""
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
-    peaks = solve((*levels, *besides), "all" if with_twins else "none")
+    level_peaks = solve((*levels, *further), "all" if with_twins else "none")
     histories = tuple(
-        tuple(_history(peaks, jobs, carried, level) for jobs, carried in zip(peaks.worse[i], case.base, strict=True))
+        tuple(
+            _history(level_peaks, jobs, at_base, level)
+            for jobs, at_base in zip(level_peaks.worse[i], case.base, strict=True)
+        )
         for i, level in enumerate(levels)
     )
-    suites = suites_of(peaks)
+    suites = suites_of(level_peaks)
     return RockingHistories(histories, suites[: len(levels)], suites[len(levels) :])
 
 
-def _history(peaks: LevelPeaks, runs: IntArray, carried: BaseMotion, level: float) -> HistoryResult:
+def _history(level_peaks: LevelPeaks, runs: IntArray, at_base: BaseMotion, level: float) -> HistoryResult:
     """Return the result of the runs of a record at a level [m/s2], of which the first is the record as it is."""
-    job, found = int(runs[0]), peaks.found
-    scale = float(peaks.scale[job])
-    overturned = bool(found.overturned[job])
+    job, peaks = int(runs[0]), level_peaks.peaks
+    scale = float(level_peaks.scale[job])
+    overturned = bool(peaks.overturned[job])
     return HistoryResult(
-        record=carried.record.id,
+        record=at_base.record.id,
         polarity=1 if scale >= 0 else -1,
         level_pga_g=level / g,
         scale_factor=abs(scale),
-        amplification=carried.factor,
-        max_rotation_rad=None if overturned else float(found.max_rotation[job]),
-        max_rotation_ratio=None if overturned else float(found.max_ratio[job]),
-        time_of_max_s=None if overturned else float(found.time_of_max[job]),
-        impacts=int(found.impacts[job]),
+        amplification=at_base.factor,
+        max_rotation_rad=None if overturned else float(peaks.max_rotation[job]),
+        max_rotation_ratio=None if overturned else float(peaks.max_ratio[job]),
+        time_of_max_s=None if overturned else float(peaks.time_of_max[job]),
+        impacts=int(peaks.impacts[job]),
         overturned=overturned,
-        overturning_time_s=float(found.overturning_time[job]) if overturned else None,
+        overturning_time_s=float(peaks.overturning_time[job]) if overturned else None,
         trace=None,
-        branch=branch_of(float(found.max_rotation[job])),
-        rebound=float(peaks.rebound[job]),
-        twin_ratios=_values_of_runs(found.max_ratio, found, runs),
-        twin_times_s=_values_of_runs(found.time_of_max, found, runs),
-        twin_impacts=tuple(found.impacts[runs].tolist()) if runs.size > 1 else (),
+        branch=branch_of(float(peaks.max_rotation[job])),
+        rebound=float(level_peaks.rebound[job]),
+        twin_ratios=_values_of_runs(peaks.max_ratio, peaks, runs),
+        twin_times_s=_values_of_runs(peaks.time_of_max, peaks, runs),
+        twin_impacts=tuple(peaks.impacts[runs].tolist()) if runs.size > 1 else (),
     )
 
 
-def _values_of_runs(values: FloatArray, found: Peaks, runs: IntArray) -> tuple[float | None, ...]:
+def _values_of_runs(values: FloatArray, peaks: Peaks, runs: IntArray) -> tuple[float | None, ...]:
     """Return values of the runs of a record, None where the body overturned; none where it was run alone."""
     if runs.size == 1:
         return ()
-    pairs = zip(values[runs].tolist(), found.overturned[runs].tolist(), strict=True)
+    pairs = zip(values[runs].tolist(), peaks.overturned[runs].tolist(), strict=True)
     return tuple(None if over else value for value, over in pairs)
 
 
@@ -196,9 +199,12 @@ def with_governing_trace(
 ) -> tuple[tuple[HistoryResult, ...], ...]:
     """Return the histories, the worst record of the highest level with its trace."""
     *lower, highest = [tuple(level) for level in histories]
-    worst = max(highest, key=lambda one: inf if one.max_rotation_ratio is None else one.max_rotation_ratio)
-    drawn = _trace(case, worst, motions)
-    return (*lower, tuple(replace(history, trace=drawn) if history is worst else history for history in highest))
+    worst = max(highest, key=lambda history: inf if history.max_rotation_ratio is None else history.max_rotation_ratio)
+    governing_trace = _trace(case, worst, motions)
+    return (
+        *lower,
+        tuple(replace(history, trace=governing_trace) if history is worst else history for history in highest),
+    )
 
 
 def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRecord]) -> HistoryTrace:
@@ -236,12 +242,12 @@ class RockingHistories(ShortRepr):
     """The histories of one mechanism.
 
     histories : in the worse polarity [level][record]; suites : their maxima, by level
-    besides : suites at further levels; scan : suites at rising PGA, up to overturning
+    further_suites : at further levels; scan : suites at rising PGA, up to overturning
     """
 
     histories: tuple[tuple[HistoryResult, ...], ...]
     suites: tuple[SuiteResponse, ...]
-    besides: tuple[SuiteResponse, ...] = ()
+    further_suites: tuple[SuiteResponse, ...] = ()
     scan: tuple[SuiteResponse, ...] = ()
 
 
@@ -259,14 +265,14 @@ class LevelPeaks(ShortRepr):
     """Largest responses of one mechanism under every record and its twins, in both polarities and with every rebound.
 
     levels : PGA of the target [levels] [m/s2]
-    found : the largest response of every job
+    peaks : the largest response of every job
     scale, rebound : factors of each job on the motion and on the restitution [-]
     worse : the job that counts, of a record as it is and of its twins; of several that overturn or stay at rest, the
         first [levels, records, runs]
     """
 
     levels: tuple[float, ...]
-    found: Peaks
+    peaks: Peaks
     scale: FloatArray
     rebound: FloatArray
     worse: IntArray
@@ -278,47 +284,49 @@ def level_solver(
     """Return a solver for the histories of one mechanism; call it with levels of PGA [m/s2] and which twins to run.
 
     "where they matter" is of histories that rock, and the inner twins of those only which the outer ones do not follow
-    to CALM; a history stands for its twins that are not run. A symmetric body is run in one polarity only: the other
+    to AGREEMENT; a history stands for its twins that are not run. A symmetric body is run in one polarity only: the other
     one mirrors it.
     """
     factors = np.array([motion.scaling.factor for motion in motions])
-    records = [carried.record for carried in case.base]
+    records = [at_base.record for at_base in case.base]
     oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
     run = make_solver(oscillators, records, equation=case.equation, threads=threads)
     signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
-    ways = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
-    which = np.repeat(np.arange(len(oscillators)), signs.size)
+    polarity = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
+    oscillator_number = np.repeat(np.arange(len(oscillators)), signs.size)
 
-    def jobs(levels: FloatArray, records: IntArray, way: IntArray, runs: FloatArray) -> Jobs:
+    def jobs(levels: FloatArray, records: IntArray, variant: IntArray, runs: FloatArray) -> Jobs:
         """Return the jobs of records at levels in one way each [n], in every run [n, runs]."""
-        scale = (levels / site_pga * factors[records] * ways[way])[:, None] * runs
-        motion, oscillator = (np.repeat(each, runs.size) for each in (records, which[way]))
+        scale = (levels / site_pga * factors[records] * polarity[variant])[:, None] * runs
+        motion, oscillator = (np.repeat(each, runs.size) for each in (records, oscillator_number[variant]))
         return Jobs(oscillator, motion, scale.ravel())
 
     def solve(levels: Sequence[float], twins: Twins) -> LevelPeaks:
-        shape = (len(levels), len(motions), ways.size)
-        level, record, way = (each.ravel() for each in np.indices(shape))
+        shape = (len(levels), len(motions), polarity.size)
+        level, record, variant = (each.ravel() for each in np.indices(shape))
         pga = np.asarray(levels)[level]
-        own = jobs(pga, record, way, TWIN_FACTORS[:1])
-        found = run(own)
-        job = np.repeat(np.arange(way.size), 1 if twins == "none" else TWIN_FACTORS.size).reshape(way.size, -1)
+        jobs_run = jobs(pga, record, variant, TWIN_FACTORS[:1])
+        peaks = run(jobs_run)
+        job = np.repeat(np.arange(variant.size), 1 if twins == "none" else TWIN_FACTORS.size).reshape(variant.size, -1)
 
         def add(here: IntArray, runs: slice) -> None:
-            nonlocal own, found
-            more = jobs(pga[here], record[here], way[here], TWIN_FACTORS[runs])
-            job[here, runs] = own.scale.size + np.arange(more.scale.size).reshape(here.size, TWIN_FACTORS[runs].size)
-            own, found = _join_columns(own, more), _join_columns(found, run(more))
+            nonlocal jobs_run, peaks
+            more = jobs(pga[here], record[here], variant[here], TWIN_FACTORS[runs])
+            job[here, runs] = jobs_run.scale.size + np.arange(more.scale.size).reshape(
+                here.size, TWIN_FACTORS[runs].size
+            )
+            jobs_run, peaks = _join_columns(jobs_run, more), _join_columns(peaks, run(more))
 
         if twins == "all":
-            add(np.arange(way.size), ALL_TWINS)
+            add(np.arange(variant.size), ALL_TWINS)
         elif twins == "where they matter":
-            rocking = np.flatnonzero(_severity(found) > 0.0)
+            rocking = np.flatnonzero(_severity(peaks) > 0.0)
             add(rocking, OUTER_TWINS)
-            add(rocking[~_twins_agree(_severity(found)[job[rocking, : OUTER_TWINS.stop]])], INNER_TWINS)
+            add(rocking[~_twins_agree(_severity(peaks)[job[rocking, : OUTER_TWINS.stop]])], INNER_TWINS)
         each = np.moveaxis(job.reshape(*shape, -1), 2, 3)  # [levels, records, runs, ways]
-        worst = _severity(found)[each].argmax(axis=3)
+        worst = _severity(peaks)[each].argmax(axis=3)
         worse = np.take_along_axis(each, worst[..., None], axis=3)[..., 0]
-        return LevelPeaks(tuple(levels), found, own.scale, np.array(case.rebounds)[own.oscillator], worse)
+        return LevelPeaks(tuple(levels), peaks, jobs_run.scale, np.array(case.rebounds)[jobs_run.oscillator], worse)
 
     return solve
 
@@ -344,12 +352,15 @@ def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator
     return replace(oscillator, positive=replace(oscillator.positive, restitution=restitution))
 
 
-def suites_of(peaks: LevelPeaks) -> tuple[SuiteResponse, ...]:
+def suites_of(level_peaks: LevelPeaks) -> tuple[SuiteResponse, ...]:
     """Return the maxima of all records at each level; the branch is that of the worst record as it is."""
-    ratio, negative = _severity(peaks.found)[peaks.worse], peaks.found.max_rotation[peaks.worse] < 0.0
-    worst, with_twins = ratio[:, :, 0].argmax(axis=1).tolist(), peaks.worse.shape[2] > 1
+    ratio, negative = (
+        _severity(level_peaks.peaks)[level_peaks.worse],
+        level_peaks.peaks.max_rotation[level_peaks.worse] < 0.0,
+    )
+    worst, with_twins = ratio[:, :, 0].argmax(axis=1).tolist(), level_peaks.worse.shape[2] > 1
     suites = []
-    for level, own, below, place in zip(peaks.levels, ratio, negative, worst, strict=True):
+    for level, own, below, place in zip(level_peaks.levels, ratio, negative, worst, strict=True):
         standing = tuple(None if isinf(each) else each for each in own[:, 0].tolist())
         branches = tuple(branch_of(-1.0 if each else 1.0) for each in below[:, 0].tolist())
         twins = RecordRuns(own.T.copy(), below.T.copy()) if with_twins else None
@@ -393,7 +404,10 @@ def scan_levels(
     tuple of Suite
         At rising PGA, the last one that which ends the scan.
     """
-    strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, case.base, strict=True)) / site_pga
+    strongest = (
+        max(motion.scaling.factor * at_base.record.pga for motion, at_base in zip(motions, case.base, strict=True))
+        / site_pga
+    )
     uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
     step, most = (SCAN_STEP_ON_JOINTS, MOST_LEVELS_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)
@@ -486,8 +500,8 @@ def respond(
         raise RecordError(f'record "{record.id}": scale = {scale}: give a finite number')
     if abs(scale) * record.pga > STRONGEST:
         raise RecordError(f'record "{record.id}": scale = {scale:g}: its peak is over {STRONGEST:g} m/s2; check it')
-    one = np.zeros(1, dtype=np.int64)
-    found = peaks([oscillator], [record], Jobs(one, one, np.array([scale])), equation=equation, threads=1)
+    first = np.zeros(1, dtype=np.int64)
+    found = peaks([oscillator], [record], Jobs(first, first, np.array([scale])), equation=equation, threads=1)
     path = trace(oscillator, record, scale=scale, equation=equation)
     overturned = bool(found.overturned[0])
     return RockingResponse(
@@ -580,12 +594,12 @@ def find_envelope(
         If a branch cannot rock.
         If frequencies or amplitudes are not finite, positive and rising.
     """
-    made = pulse_shape(pulse) if isinstance(pulse, str) else pulse
-    if not isinstance(made, PulseShape):
+    chosen = pulse_shape(pulse) if isinstance(pulse, str) else pulse
+    if not isinstance(chosen, PulseShape):
         raise RecordError(f'pulse = {pulse!r:.60}: give the name of a pulse, such as "sine"')
     return pulses.envelope(
         oscillator,
-        made,
+        chosen,
         _rising_axis("frequency", frequency, least=LEAST_ABOVE_ZERO),
         _rising_axis("amplitude", amplitude, least=0.0),
         equation=equation,
@@ -593,12 +607,12 @@ def find_envelope(
     )
 
 
-def _rising_axis(name: str, given: Sequence[float] | FloatArray, *, least: float) -> FloatArray:
+def _rising_axis(name: str, numbers: Sequence[float] | FloatArray, *, least: float) -> FloatArray:
     """Return an axis of the grid; raise RecordError where it is not finite, rising, or within its bounds."""
     try:
-        values = np.atleast_1d(np.array(given, dtype=np.float64))
+        values = np.atleast_1d(np.array(numbers, dtype=np.float64))
     except (TypeError, ValueError):
-        raise RecordError(f"{name} = {given!r:.60}: give rising numbers above 0") from None
+        raise RecordError(f"{name} = {numbers!r:.60}: give rising numbers above 0") from None
     if values.ndim != 1 or not values.size or not np.isfinite(values).all():
         raise RecordError(f"{name}: give one finite number or more")
     if values[0] < least or values[-1] <= 0.0 or (np.diff(values) <= 0.0).any():

@@ -49,11 +49,11 @@ from spectra.arrays import BoolArray, FloatArray
 class GoverningHistory(ShortRepr):
     """One history of a mechanism, with what it takes to run it again.
 
-    found : as it is in the results; oscillator : with the restitution of that history
+    history : as it is in the results; oscillator : with the restitution of that history
     motion : at the base of the mechanism; scale : on it, negative for the reversed polarity [-]
     """
 
-    found: HistoryResult
+    history: HistoryResult
     oscillator: Oscillator
     motion: Record
     scale: float
@@ -79,7 +79,7 @@ def governing_history(
         All its histories.
     motions : mapping
         The records with their factors, by id.
-    amplified : Amplified
+    amplified : MechanismAmplification
         How the ground's motion reaches its base.
     equation : {"exact", "linearised"}
         The equation of its histories.
@@ -88,8 +88,8 @@ def governing_history(
     """
     if not histories:
         return None
-    level = min((each.level_pga_g for each in histories), key=lambda pga: abs(pga - site_pga / g))
-    worst = max((each for each in histories if each.level_pga_g == level), key=_severity)
+    level = min((history.level_pga_g for history in histories), key=lambda pga: abs(pga - site_pga / g))
+    worst = max((history for history in histories if history.level_pga_g == level), key=_severity)
     if worst.max_rotation_rad == 0.0:
         return None
     return GoverningHistory(
@@ -109,9 +109,7 @@ ENERGY_BALANCE = "energy balance"
 RELEASE_SHARE = 0.5  # of the overturning rotation: where free rocking is released
 PHASE = 0.25  # rad: of a vibration on joints, from one sample to the next
 MOST_PARTS = 64  # of a step of the record
-LONGEST_SWING = (
-    20.0  # of the time at the velocity of the first impact: a body released at HALF is back after 2.3 of them
-)
+LONGEST_SWING = 20.0  # of the time at the velocity of the first impact: a body released there is back after 2.3 of them
 
 
 @dataclass(frozen=True)
@@ -152,9 +150,9 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         return _free_rocking_control(mechanism, equation=equation)
     motion = sampled_finely(governing.motion, governing.oscillator)
     path, events = trace_with_events(governing.oscillator, motion, scale=governing.scale, equation=governing.equation)
-    if governing.found.overturned:  # its last sample is where it overturned, between two samples of the record
+    if governing.history.overturned:  # its last sample is where it overturned, between two samples of the record
         path = Trace(path.time[:-1], path.rotation[:-1], path.velocity[:-1])
-    found = energy_balance(
+    energies = energy_balance(
         path,
         events,
         governing.oscillator,
@@ -162,15 +160,15 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         motion,
         scale=governing.scale,
     )
-    worst, largest = found.worst, float(found.energy.max())
+    worst, largest = energies.worst, float(energies.energy.max())
     if largest <= 0.0:
         return _free_rocking_control(mechanism, equation=equation)
     return make_control(
         "energy",
         mechanism.name,
         ENERGY_BALANCE,
-        value=float(found.energy[worst] + found.lost[worst]),
-        reference=float(found.work[worst]),
+        value=float(energies.energy[worst] + energies.lost[worst]),
+        reference=float(energies.work[worst]),
         scale=largest,
         dimension="energy",
         note=_energy_note(mechanism, governing, impacts=int(events.impact.sum())),
@@ -216,20 +214,22 @@ def energy_balance(
         Its uplifts and impacts.
     oscillator : Oscillator
         Whose restitution each impact has.
-    sides : tuple of StoresAt
+    sides : tuple of EnergiesAt
         Energies of the positive and, if there is one, the negative branch, in its own sign.
     motion : Record
         At the base.
     scale : float
         On the motion [-].
     """
-    kinetic, stored, push, slope = _at_samples(path, sides)
+    kinetic, potential, excitation_integral, excitation_rate = _at_samples(path, sides)
     within = events.time <= path.time[-1]
     times, impact, before = events.time[within], events.impact[within], events.velocity[within]
     on = events.side[within]
     partner = 1 - on if len(sides) == 2 else on
-    at_rest = [each(np.zeros(1)) for each in sides]
-    inertia, leap = (np.array([getattr(each, key)[0] for each in at_rest]) for key in ("inertia", "slope"))
+    at_rest = [energies_at(np.zeros(1)) for energies_at in sides]
+    inertia, excitation = (
+        np.array([getattr(energies_at, key)[0] for energies_at in at_rest]) for key in ("inertia", "excitation")
+    )
     bounce = np.array([branch.restitution for branch in oscillator.branches])[on]
     after = np.where(_comes_to_rest(times, impact, path), 0.0, before * bounce * (1.0 if len(sides) == 2 else -1.0))
     lost = np.where(impact, 0.5 * (inertia[on] * before**2 - inertia[partner] * after**2), 0.0)
@@ -237,17 +237,17 @@ def energy_balance(
     order = np.argsort(time, kind="stable")
     sampled = order < path.time.size
     none = np.zeros(times.size)
-    S = np.concatenate([push, none])[order]
-    arriving = np.concatenate([slope, leap[on] * before])[order]
-    leaving = np.concatenate([slope, np.where(impact, leap[partner] * after, 0.0)])[order]
+    S = np.concatenate([excitation_integral, none])[order]
+    arriving = np.concatenate([excitation_rate, excitation[on] * before])[order]
+    leaving = np.concatenate([excitation_rate, np.where(impact, excitation[partner] * after, 0.0)])[order]
     ground = scale * np.interp(time[order], motion.time, motion.acceleration)
     so_far = np.concatenate([np.zeros(path.time.size), lost])[order].cumsum()
     work = work_of_ground(time[order], ground, S, arriving, leaving)
-    return EnergyBalance(kinetic + stored, so_far[sampled], work[sampled])
+    return EnergyBalance(kinetic + potential, so_far[sampled], work[sampled])
 
 
 def work_of_ground(
-    time: FloatArray, ground: FloatArray, push: FloatArray, arriving: FloatArray, leaving: FloatArray
+    time: FloatArray, ground: FloatArray, excitation_integral: FloatArray, arriving: FloatArray, leaving: FloatArray
 ) -> FloatArray:
     """Return the work of a ground acceleration that is linear between instants, up to each of them [n] [J].
 
@@ -255,27 +255,33 @@ def work_of_ground(
     ----------
     time, ground : array
         Instants, and the acceleration there [n] [s], [m/s2].
-    push : array
+    excitation_integral : array
         S, the sum of mass times horizontal displacement, 0 at first [n] [kg m].
     arriving, leaving : array
         Rate of S before and after each instant, which an impact changes [n] [kg m/s].
     """
     step = np.diff(time)
-    area = step * (push[:-1] + push[1:]) / 2.0 + step**2 * (leaving[:-1] - arriving[1:]) / 12.0
+    area = (
+        step * (excitation_integral[:-1] + excitation_integral[1:]) / 2.0
+        + step**2 * (leaving[:-1] - arriving[1:]) / 12.0
+    )
     rate = np.divide(np.diff(ground), step, out=np.zeros_like(step), where=step > 0.0)
-    return np.asarray(np.concatenate([[0.0], np.cumsum(rate * area)]) - ground * push)
+    return np.asarray(np.concatenate([[0.0], np.cumsum(rate * area)]) - ground * excitation_integral)
 
 
 def _at_samples(path: Trace, sides: tuple[EnergiesAt, ...]) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return kinetic and potential energy, S and its rate at the samples of a history [n]."""
-    kinetic, stored, push, slope = np.zeros((4, path.time.size))
+    kinetic, potential, excitation_integral, excitation_rate = np.zeros((4, path.time.size))
     moving = (path.rotation != 0.0) | (path.velocity != 0.0)
     for sign, store in zip((1.0, -1.0), sides, strict=False):
         here = np.flatnonzero(moving & ((path.rotation < 0.0) == (sign < 0.0)))
-        at = store(sign * path.rotation[here])
-        kinetic[here], stored[here] = 0.5 * at.inertia * path.velocity[here] ** 2, at.stored
-        push[here], slope[here] = sign * at.push, at.slope * path.velocity[here]
-    return kinetic, stored, push, slope
+        energies = store(sign * path.rotation[here])
+        kinetic[here], potential[here] = 0.5 * energies.inertia * path.velocity[here] ** 2, energies.potential
+        excitation_integral[here], excitation_rate[here] = (
+            sign * energies.excitation_integral,
+            energies.excitation * path.velocity[here],
+        )
+    return kinetic, potential, excitation_integral, excitation_rate
 
 
 def _comes_to_rest(times: FloatArray, impact: BoolArray, path: Trace) -> BoolArray:
@@ -291,8 +297,8 @@ def _free_rocking_control(mechanism: Mechanism, *, equation: Equation) -> Contro
     oscillator = mechanism.variants.deciding
     branch = oscillator.positive
     release = RELEASE_SHARE * (branch.linearised.overturning if equation == "linearised" else branch.unstable)
-    at = branch_energies(mechanism, oscillator, equation)[0](np.array([0.0, release]))
-    potential, inertia = float(at.stored[1] - at.stored[0]), float(at.inertia[0])
+    energies = branch_energies(mechanism, oscillator, equation)[0](np.array([0.0, release]))
+    potential, inertia = float(energies.potential[1] - energies.potential[0]), float(energies.inertia[0])
     missing = partial(
         control_not_made, "energy", mechanism.name, ENERGY_BALANCE, dimension="energy", why="control-no-impact"
     )
@@ -321,8 +327,8 @@ def _energy_note(mechanism: Mechanism, governing: GoverningHistory, *, impacts: 
     return note(
         "control-energy-of-masses" if exact_masses else "control-energy-of-table",
         mechanism.name,
-        record=governing.found.record,
-        level=Quantity(governing.found.level_pga_g, "ground acceleration", 3),
+        record=governing.history.record,
+        level=Quantity(governing.history.level_pga_g, "ground acceleration", 3),
         impacts=whole_number(impacts),
     )
 
@@ -332,14 +338,14 @@ class Energies:
     """A branch at n rotations, in its own sign.
 
     inertia : twice the kinetic energy at a rate of one [kg m2]
-    stored : potential energy of weights, forces and joints, from rest [J]
-    push : sum of mass times horizontal displacement [kg m]; slope : its derivative [kg m]
+    potential : energy of weights, forces and joints, from rest [J]
+    excitation_integral : sum of mass times horizontal displacement [kg m]; excitation : its derivative [kg m]
     """
 
     inertia: FloatArray
-    stored: FloatArray
-    push: FloatArray
-    slope: FloatArray
+    potential: FloatArray
+    excitation_integral: FloatArray
+    excitation: FloatArray
 
 
 EnergiesAt = Callable[[FloatArray], Energies]
@@ -350,7 +356,7 @@ def energies_of_masses(chain: Chain) -> EnergiesAt:
 
     def at(rotation: FloatArray) -> Energies:
         motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: heights count from it
-        inertia, stored, push, slope = np.zeros((4, rotation.size + 1))
+        inertia, potential, excitation_integral, excitation = np.zeros((4, rotation.size + 1))
         for rate, block in zip(motion.rate, chain.blocks, strict=True):
             inertia += block.inertia * rate**2
         masses = [(block.mass, block.centroid, True, number) for number, block in enumerate(chain.blocks)]
@@ -360,13 +366,13 @@ def energies_of_masses(chain: Chain) -> EnergiesAt:
         for mass, place, bearing, number in masses:
             moved = trace_point(motion, block=number, at=place)
             inertia += mass * (moved.dx**2 + bearing * moved.dz**2)
-            stored += mass * g * bearing * (moved.z - moved.z[0])
-            push += mass * (moved.x - moved.x[0])
-            slope += mass * moved.dx
+            potential += mass * g * bearing * (moved.z - moved.z[0])
+            excitation_integral += mass * (moved.x - moved.x[0])
+            excitation += mass * moved.dx
         for load in chain.loads:
             if not isinstance(load, PointMass):
-                stored -= _work_of_load(load, trace_point(motion, block=load.block, at=load.at))
-        return Energies(inertia[1:], stored[1:], push[1:], slope[1:])
+                potential -= _work_of_load(load, trace_point(motion, block=load.block, at=load.at))
+        return Energies(inertia[1:], potential[1:], excitation_integral[1:], excitation[1:])
 
     return at
 
@@ -446,12 +452,12 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
         threads=1,
         tolerance=LOOSER_TOLERANCE * TOLERANCE,
     )
-    found = governing.found
+    history = governing.history
     quantity, dimension = LARGEST_ROTATION, "ratio"
-    value, reference = found.max_rotation_ratio, float(coarse.max_ratio[0])
-    if found.overturned and coarse.overturned[0]:
+    value, reference = history.max_rotation_ratio, float(coarse.max_ratio[0])
+    if history.overturned and coarse.overturned[0]:
         quantity, dimension = OVERTURNING_TIME, "time"
-        value, reference = found.overturning_time_s, float(coarse.overturning_time[0])
+        value, reference = history.overturning_time_s, float(coarse.overturning_time[0])
     if value is None:  # it overturns here, and not with less exact steps
         value = 1.0
     return make_control(
@@ -465,8 +471,8 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
         note=note(
             "control-coarser",
             mechanism.name,
-            record=found.record,
-            level=Quantity(found.level_pga_g, "ground acceleration", 3),
+            record=history.record,
+            level=Quantity(history.level_pga_g, "ground acceleration", 3),
             factor=Quantity(LOOSER_TOLERANCE, "ratio", 3),
         ),
     )
@@ -497,8 +503,8 @@ def _overturning_control(mechanism: Mechanism) -> Control:
     """Compare the overturning rotation with that at which a table half as fine falls to zero."""
     branch = mechanism.variants.deciding.positive
     roots = coarser_branch(branch).restoring_spline.roots(extrapolate=False)
-    known = roots[np.isfinite(roots)]  # an interval of no width has none
-    near = known[np.argmin(np.abs(known - branch.unstable))] if known.size else 0.0
+    finite = roots[np.isfinite(roots)]  # an interval of no width has none
+    near = finite[np.argmin(np.abs(finite - branch.unstable))] if finite.size else 0.0
     return make_control(
         "convergence",
         mechanism.name,

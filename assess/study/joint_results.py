@@ -80,14 +80,14 @@ def _flexible_joints(chain: Chain, side: Branch, names: Sequence[str], name: str
 
     mechanism_rotation_rad is that of the chain from its geometry; the branch counts from phi_e.
     """
-    step = -(-side.rotation.size // MOST_CURVE_POINTS)
-    rotation = np.unique(side.rotation)[::step]
+    stride = -(-side.rotation.size // MOST_CURVE_POINTS)
+    rotation = np.unique(side.rotation)[::stride]
     flexible = FlexibleChain(chain, name)
-    held, rest = flexible.solve_equilibrium(rotation), flexible.solve_joints(np.zeros(1)).normal_force[:, 0]
+    equilibrium, rest = flexible.solve_equilibrium(rotation), flexible.solve_joints(np.zeros(1)).normal_force[:, 0]
     found = []
     for number, joint in enumerate(chain.joints):
         force = float(rest[number])
-        contact = held.contacts[number]
+        contact = equilibrium.contacts[number]
         if joint is None or contact is None:
             found.append(_rigid_joint(names[number], hinge_compressions(chain)[number]))
             continue
@@ -103,7 +103,7 @@ def _flexible_joints(chain: Chain, side: Branch, names: Sequence[str], name: str
             "opening_rad": _finite(opening),
             "crushing_rad": _finite(crushing),
             "curve": {
-                "rotation_rad": tuple((held.relative[number] + 0.0).tolist()),
+                "rotation_rad": tuple((equilibrium.relative[number] + 0.0).tolist()),
                 "mechanism_rotation_rad": tuple(rotation.tolist()),
                 "resultant_m": tuple(contact.resultant.tolist()),
                 "peak_stress_pa": tuple(contact.peak_stress.tolist()),
@@ -150,12 +150,12 @@ class RotatedJoints:
     """The joints of a chain at the rotations of two states.
 
     marks : of the states, behind each symbol; rotation : of the mechanism [2] [rad]
-    found : their equilibrium; relative : rotation of each joint [hinges, 2] [rad]
+    equilibrium : of all joints; relative : rotation of each joint [hinges, 2] [rad]
     """
 
     marks: tuple[str, ...]
     rotation: FloatArray
-    found: JointEquilibrium
+    equilibrium: JointEquilibrium
     relative: FloatArray
 
 
@@ -172,13 +172,13 @@ def contact_sheets(
     equilibrium : rotation at rest from which the branch counts [rad]
     """
     rest = flexible.solve_joints(np.zeros(1))
-    reactions, rotated = _reactions(flexible, rest), _rotated_joints(flexible, branch, equilibrium)
+    reactions, joints = _reactions(flexible, rest), _rotated_joints(flexible, branch, equilibrium)
     for number, (name, joint) in enumerate(zip(names, flexible.jointed.joints, strict=False)):
         if joint is None or rest.contacts[number] is None:
             continue
         N = float(rest.normal_force[number, 0])
         steps = (*_force_steps(flexible, number, rest, reactions), *rest_steps(joint, N))
-        yield ContactSheet(name, (*steps, *_contact_steps(joint, N), *_state_steps(joint, number, N, rotated)))
+        yield ContactSheet(name, (*steps, *_contact_steps(joint, N), *_state_steps(joint, number, N, joints)))
 
 
 def _contact_steps(joint: Joint, N: float) -> tuple[Step, ...]:
@@ -191,30 +191,32 @@ def _rotated_joints(flexible: FlexibleChain, branch: Branch, equilibrium: float)
     largest = float(branch.rotation[int(np.argmax(standing))])
     rotation = np.array([largest, min(branch.unstable, float(branch.rotation[-1]))]) + equilibrium
     rotation = np.maximum(rotation, 0.0)
-    found = flexible.solve_joints(rotation)
-    return RotatedJoints(("m", "u"), rotation, found, flexible.jointed.relative(found.configuration))
+    equilibrium_there = flexible.solve_joints(rotation)
+    return RotatedJoints(
+        ("m", "u"), rotation, equilibrium_there, flexible.jointed.relative(equilibrium_there.configuration)
+    )
 
 
-def _state_steps(joint: Joint, number: int, N: float, rotated: RotatedJoints) -> Iterator[Step]:
+def _state_steps(joint: Joint, number: int, N: float, joints: RotatedJoints) -> Iterator[Step]:
     """Yield the lines of a joint in each state in which it has rotated."""
-    contact = rotated.found.contacts[number]
-    for place, mark in enumerate(rotated.marks):
+    contact = joints.equilibrium.contacts[number]
+    for place, mark in enumerate(joints.marks):
         if contact is None or not contact.rotation[place] > LEAST_SLOPE:
             continue
-        turned = RotatedJoint(mark, joint, float(contact.rotation[place]), contact, place)
-        if joint.law.stiffness == inf and isclose(turned.force[1], N, rel_tol=SAME_FORCE):
+        rotated = RotatedJoint(mark, joint, float(contact.rotation[place]), contact, place)
+        if joint.law.stiffness == inf and isclose(rotated.force[1], N, rel_tol=SAME_FORCE):
             continue  # the block at rest
-        yield from _rotation_steps(turned, float(rotated.rotation[place]), float(rotated.relative[number, place]))
-        yield from state_steps(turned)
+        yield from _rotation_steps(rotated, float(joints.rotation[place]), float(joints.relative[number, place]))
+        yield from state_steps(rotated)
 
 
-def _rotation_steps(turned: RotatedJoint, rotation: float, relative: float) -> tuple[Step, ...]:
-    mark, (N, force) = turned.mark, turned.force
+def _rotation_steps(rotated: RotatedJoint, rotation: float, relative: float) -> tuple[Step, ...]:
+    mark, (N, force) = rotated.mark, rotated.force
     return (
         step(f"φ_{mark}", STATES[mark], "capacity curve", "from the geometry", rotation, "rad"),
         step(N, "normal force then", BALANCE, AT_ROTATION, force, "N"),
         step(f"ψ_{mark}", "rotation of the joint then", BALANCE, OF_BLOCKS, relative, "rad"),
-        step(f"s_{mark}", "slope of its faces to each other", BALANCE, f"sin(ψ_{mark})", turned.slope,
+        step(f"s_{mark}", "slope of its faces to each other", BALANCE, f"sin(ψ_{mark})", rotated.slope,
              given={f"ψ_{mark}": (relative, "rad")}),
     )  # fmt: skip
 

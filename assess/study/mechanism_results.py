@@ -71,7 +71,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),
-            grounded=study.grounded[mechanism.name],
+            height=study.grounded[mechanism.name],
         )
         for mechanism in study.mechanisms
     )
@@ -79,13 +79,15 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
 
 def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
     """Return the parameters of every case of every sweep; each mechanism is named with its case."""
-    found = []
+    named = []
     for sweep in study.sweeps:
         for case in sweep.cases:
             with locate_errors(case.name):
-                each = parameters(case.study)
-            found += [replace(one, name=f"{one.name}, {case_text(sweep, case, one.name)}") for one in each]
-    return tuple(found)
+                results = parameters(case.study)
+            named += [
+                replace(result, name=f"{result.name}, {case_text(sweep, case, result.name)}") for result in results
+            ]
+    return tuple(named)
 
 
 UNAMPLIFIED_RESULT = AmplificationResult("none", ())
@@ -100,7 +102,7 @@ def mechanism_result(
     checks: Sequence[Check] = (),
     histories: Sequence[Sequence[HistoryResult]] = (),
     amplification: AmplificationResult = UNAMPLIFIED_RESULT,
-    grounded: HeightAboveGround | None = None,
+    height: HeightAboveGround | None = None,
 ) -> MechanismResult:
     """Return one mechanism as results.
 
@@ -120,7 +122,7 @@ def mechanism_result(
         By level and record.
     amplification : AmplificationResult
         The motion at its base.
-    grounded : Grounded, optional
+    height : HeightAboveGround, optional
         Where it is above the ground.
 
     Returns
@@ -131,7 +133,7 @@ def mechanism_result(
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     deciding = mechanism.variants.deciding
     same = deciding is oscillator
-    drawn = draw(mechanism, oscillator, scene)
+    drawing = draw(mechanism, oscillator, scene)
     rigid = rigid_branches(mechanism, oscillator)
     return MechanismResult(
         name=mechanism.name,
@@ -142,15 +144,15 @@ def mechanism_result(
         restitution_source=mechanism.restitution_source,
         restitution_said=mechanism.restitution_said,
         direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
-        drawing=drawn,
+        drawing=drawing,
         view=None if scene is None else view_in_space(mechanism, scene),
         oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
         oscillator_negative=None
         if negative is None
         else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=oscillator.equilibrium_negative),
         curve=curve_of(oscillator),
-        interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
-        contact_sheets=tuple(sheets_of_joints(mechanism, oscillator, [hinge.name for hinge in drawn.hinges])),
+        interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawing.hinges]),
+        contact_sheets=tuple(sheets_of_joints(mechanism, oscillator, [hinge.name for hinge in drawing.hinges])),
         interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,
         amplification=amplification,
         checks=tuple(checks),
@@ -166,10 +168,10 @@ def mechanism_result(
             DirectionCandidate(each.angle, each.multiplier, each.displacement, each.touching)
             for each in mechanism.candidates
         ),
-        base_elevation_m=None if grounded is None else grounded.base,
-        input_height_m=None if grounded is None else grounded.support,
-        above_ground=None if grounded is None else grounded.above,
-        ground_known_from="" if grounded is None else grounded.source,
+        base_elevation_m=None if height is None else height.base,
+        input_height_m=None if height is None else height.support,
+        above_ground=None if height is None else height.above,
+        ground_known_from="" if height is None else height.source,
     )
 
 
@@ -192,16 +194,16 @@ def hinge_force_result(forces: HingeForces) -> HingeForceResult:
     )
 
 
-def direction_sweep(found: Directions) -> DirectionSweep:
+def direction_sweep(directions: Directions) -> DirectionSweep:
     """Return the search for the weakest direction as results."""
     return DirectionSweep(
-        angle_deg=found.angle,
-        uplift_multiplier=found.multiplier,
-        p_eq_per_s=found.p,
-        overturning_rad=found.overturning,
-        weakest_deg=found.weakest,
-        variation=found.variation,
-        flat_deg=found.flat,
+        angle_deg=directions.angle,
+        uplift_multiplier=directions.multiplier,
+        p_eq_per_s=directions.p,
+        overturning_rad=directions.overturning,
+        weakest_deg=directions.weakest,
+        variation=directions.variation,
+        flat_deg=directions.flat,
     )
 
 
@@ -233,19 +235,19 @@ def _statistics(ratios: Sequence[float | None]) -> tuple[float | None, float | N
     return mean, max(standing, default=None), ranked[ceil(0.5 * len(ranked)) - 1], ranked[ceil(0.84 * len(ranked)) - 1]
 
 
-def comparison_rows(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
+def comparison_rows(results: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
     """Return one row for every check of every mechanism."""
     return tuple(
         ComparisonRow(
-            mechanism=mechanism.name,
+            mechanism=result.name,
             level_pga_g=check.level_pga_g,
             procedure=check.procedure,
             rotation_ratio=check.rotation_ratio,
             allowable_ratio=check.capacity_rotation_ratio,
             demand_capacity=check.ratio,
         )
-        for mechanism in mechanisms
-        for check in mechanism.checks
+        for result in results
+        for check in result.checks
     )
 
 
@@ -345,11 +347,11 @@ def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
     """Return every load as used, with its source."""
     number, found = 0, []
     for load in mechanism.positive.loads:
-        one = load_result(load)
+        result = load_result(load)
         if not isinstance(load, PointMass):
-            one = with_duration(mechanism, number, one)
+            result = with_duration(mechanism, number, result)
             number += 1
-        found.append(one)
+        found.append(result)
     return tuple(found)
 
 
@@ -359,8 +361,8 @@ def load_result(load: Load) -> LoadResult:
     source = source_phrase(found)
     if isinstance(load, PointMass):
         seat, mass = load.seat if load.bearing else None, load.mass
-        made = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
-        return replace(made, found=found)
+        result = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
+        return replace(result, found=found)
     at, missing = load.at, load.missing
     kind: Literal["force", "tie"] = "force" if isinstance(load, Force) else "tie"
     force = load.force if isinstance(load, Force) else pull_at_rest(load)
@@ -370,10 +372,10 @@ def load_result(load: Load) -> LoadResult:
 def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
     """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
     sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
-    resisting = [(one, kept[number]) for one, kept in sides if one.ever_resists(number)]
+    resisting = [(actions, kept[number]) for actions, kept in sides if actions.ever_resists(number)]
     if not resisting:
         return replace(load, missing=())
-    first = min((one for one, _ in resisting), key=lambda one: one.ends[number])
+    first = min((actions for actions, _ in resisting), key=lambda actions: actions.ends[number])
     end, lasts = first.ends[number], all(kept > 0.0 for _, kept in resisting)
     broken = 0.0 < end < inf
     return replace(

@@ -111,17 +111,23 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = report_nothin
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
     sweeps = run_sweeps(study, motions, jobs=jobs, progress=progress)
     controlling = controlling_cases(sweeps)
-    unswept = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in controlling))
-    own = {one.name: one for one in assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress)}
-    mechanisms = tuple(own.get(m.name) or controlling[m.name].worst for m in study.mechanisms)
+    unswept = replace(
+        study, mechanisms=tuple(mechanism for mechanism in study.mechanisms if mechanism.name not in controlling)
+    )
+    unswept_results = {
+        result.name: result for result in assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress)
+    }
+    results = tuple(
+        unswept_results.get(mechanism.name) or controlling[mechanism.name].worst for mechanism in study.mechanisms
+    )
     question = deciding_question(study, controlling)
-    verdict = decide_with_tolerance(study, question, spectrum, mechanisms)
-    mechanisms = tuple(mark_result(verdict, question, each) for each in mechanisms)
+    verdict = decide_with_tolerance(study, question, spectrum, results)
+    results = tuple(mark_result(verdict, question, result) for result in results)
     cases = envelope_cases(study, controlling)
     envelopes = map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
-    numbers = dict(study.fitting.nga)
-    records = tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
-    controls = controls_of(study, controlling, motions, mechanisms, jobs=jobs)
+    nga_numbers = dict(study.fitting.nga)
+    records = tuple(record_result(motion, spectrum, nga=nga_numbers.get(motion.record.id)) for motion in motions)
+    controls = controls_of(study, controlling, motions, results, jobs=jobs)
     program = describe_program()
     return Results(
         schema_version=SCHEMA_VERSION,
@@ -136,42 +142,43 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = report_nothin
         project=study.resolved,
         spectrum=spectrum_result(spectrum),
         records=with_primary_pulses(records, motions, study.pulses),
-        mechanisms=tuple(replace(each, envelope=envelopes.get(each.name)) for each in mechanisms),
+        mechanisms=tuple(replace(result, envelope=envelopes.get(result.name)) for result in results),
         critical=critical_result(envelopes),
-        comparison=comparison_rows(mechanisms),
+        comparison=comparison_rows(results),
         sweeps=sweep_results(sweeps, controlling),
         verdict=verdict,
         ground_motion=ground_motion(study, spectrum, motions),
-        sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
+        sensitivity=sensitivities(study, spectrum, motions, results, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),
         controls=controls,
         report=study.report,
         verification=study.annex,
-        uncertainty=uncertainty(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
+        uncertainty=uncertainty(study, spectrum, motions, results, jobs=jobs, progress=progress),
     )
 
 
 def deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
     """Return what decides in the controlling cases if they agree (a sweep may change the site), else in the study."""
     questions = [
-        controlling[m.name].case.study.question if m.name in controlling else study.question for m in study.mechanisms
+        controlling[mechanism.name].case.study.question if mechanism.name in controlling else study.question
+        for mechanism in study.mechanisms
     ]
-    return questions[0] if questions and all(each == questions[0] for each in questions) else study.question
+    return questions[0] if questions and all(question == questions[0] for question in questions) else study.question
 
 
 def decide_with_tolerance(
-    study: Study, question: Question, spectrum: Spectrum, mechanisms: Sequence[MechanismResult]
+    study: Study, question: Question, spectrum: Spectrum, results: Sequence[MechanismResult]
 ) -> Verdict:
     """Decide on the mechanisms, with the survey's tolerance on the index of those near their threshold.
 
     The tolerance applies at the site of the project file only, not at that of a sweep.
     """
-    asked = replace(study, question=question)
-    found = decide(asked, mechanisms)
+    with_question = replace(study, question=question)
+    decided = decide(with_question, results)
     if question != study.question:
-        return found
-    near = survey_tolerances(study.survey, spectrum, question, found, mechanisms)
-    return decide(asked, mechanisms, near) if near else found
+        return decided
+    losses = survey_tolerances(study.survey, spectrum, question, decided, results)
+    return decide(with_question, results, losses) if losses else decided
 
 
 OF_MOTION = (Family.HISTORY, Family.ENERGY)
@@ -207,23 +214,23 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
         If a record, mechanism or procedure cannot be evaluated.
     """
     if study.sweeps:
-        found = run_study(study, jobs=jobs).verdict
-        assert found is not None
-        return found
+        decided = run_study(study, jobs=jobs).verdict
+        assert decided is not None
+        return decided
     spectrum = require_spectrum(study)
     methods = methods_of(study.question)
-    study = replace(study, procedures=tuple(name for name in study.procedures if name in methods))
+    study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
     motions: tuple[ScaledRecord, ...] = ()
     if _needs_motions(study):
         motions = motions_of(study, spectrum, jobs=jobs)
         study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
-    checked = [_check_what_decides(study, spectrum, motions, each, jobs=jobs) for each in study.mechanisms]
+    checked = [_check_what_decides(study, spectrum, motions, mechanism, jobs=jobs) for mechanism in study.mechanisms]
     return decide(study, checked)
 
 
 def _needs_motions(study: Study) -> bool:
     """Return whether an answer of a study depends on its ground motions."""
-    above = any(study.amplified[each.name].height is not None for each in study.mechanisms)
+    above = any(study.amplified[mechanism.name].height is not None for mechanism in study.mechanisms)
     return above or any(FAMILIES[name] in OF_MOTION for name in study.procedures)
 
 
@@ -232,8 +239,8 @@ def _check_what_decides(
 ) -> CheckedMechanism:
     """Return the checks of a mechanism, with time histories where one of them asks for these."""
     case = rocking_case(study, mechanism, motions)
-    rocked = _histories_that_decide(study, spectrum, motions, mechanism, case, jobs=jobs)
-    context = context_of(study, spectrum, mechanism, rocked, case.base, motions)
+    histories = _histories_that_decide(study, spectrum, motions, mechanism, case, jobs=jobs)
+    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
     return CheckedMechanism(mechanism.name, checks_of(study, case.oscillator, context))
 
 
@@ -247,13 +254,13 @@ def _histories_that_decide(
     jobs: int,
 ) -> RockingHistories:
     """Run the time histories that decide; without a scan only those at the PGA that the rules of procedures ask for."""
-    asking = set(filter(uses_histories, study.procedures))
-    if not asking:
+    by_histories = set(filter(uses_histories, study.procedures))
+    if not by_histories:
         return NO_HISTORIES
-    if study.scan or not asking <= set(history_rules(study.options)):
+    if study.scan or not by_histories <= set(history_rules(study.options)):
         return mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
-    wanted = rule_levels(study, spectrum, mechanism)
-    return run_levels(case, motions, levels=(), besides=wanted, site_pga=spectrum.pga, threads=jobs)
+    levels = rule_levels(study, spectrum, mechanism)
+    return run_levels(case, motions, levels=(), further=levels, site_pga=spectrum.pga, threads=jobs)
 
 
 @dataclass(frozen=True, repr=False)
@@ -294,13 +301,13 @@ def controls_of(
     tuple of Control
         In the order of the mechanisms, of each in the order of equilibrium, energy, multiplier, convergence.
     """
-    found = {each.name: each for each in results}
+    by_name = {mechanism.name: mechanism for mechanism in results}
     cases = [
-        _as_assessed(study, controlling.get(each.name), motions, found[each.name], jobs=jobs)
-        for each in study.mechanisms
+        _as_assessed(study, controlling.get(mechanism.name), motions, by_name[mechanism.name], jobs=jobs)
+        for mechanism in study.mechanisms
     ]
     with ThreadPoolExecutor(jobs or available_cores()) as pool:
-        return tuple(control for made in pool.map(mechanism_controls, cases) for control in made)
+        return tuple(control for of_mechanism in pool.map(mechanism_controls, cases) for control in of_mechanism)
 
 
 def mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
@@ -341,7 +348,7 @@ def _as_assessed(
 def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
     """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
     swept = [mechanism for mechanism in study.mechanisms if mechanism.name in controlling]
-    replaced = [each for one in swept for each in locate(one.warnings, f"mechanisms.{one.name}")]
+    replaced = [warned for mechanism in swept for warned in locate(mechanism.warnings, f"mechanisms.{mechanism.name}")]
     kept = [message for message in study.messages if message not in replaced]
     return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
 
@@ -416,8 +423,8 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = report_no
     envelopes = map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
     progress("primary pulses", 0, 1)
     recorded = tuple(record for record in study.records if not record.artificial)
-    given = replace(study, artificial=None, records=recorded)
-    motions = () if study.spectrum is None else motions_of(given, study.spectrum)
+    recorded_only = replace(study, artificial=None, records=recorded)
+    motions = () if study.spectrum is None else motions_of(recorded_only, study.spectrum)
     records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
     program = describe_program()
     return Results(
@@ -479,10 +486,10 @@ def map_envelopes(
     """Return the envelope of every mechanism by name; empty without a grid of pulses."""
     if grid is None:
         return {}
-    found = {}
+    results = {}
     for count, case in enumerate(cases):
         progress("overturning envelopes", count, len(cases))
-        made = envelope(
+        computed = envelope(
             case.oscillator,
             grid.shape,
             grid.frequency,
@@ -491,41 +498,41 @@ def map_envelopes(
             factor=case.factor(grid.frequency),
             threads=jobs,
         )
-        found[case.name] = replace(envelope_result(made, case.oscillator), case=case.case)
+        results[case.name] = replace(envelope_result(computed, case.oscillator), case=case.case)
     progress("overturning envelopes", len(cases), len(cases))
-    return found
+    return results
 
 
-def envelope_result(made: Envelope, oscillator: Oscillator) -> EnvelopeResult:
+def envelope_result(computed: Envelope, oscillator: Oscillator) -> EnvelopeResult:
     """Return the envelope in the units of results."""
     form = min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
-    bound = made.lower_bound / g
-    above = made.amplitude[None, :] > made.lower_bound[:, None]  # nowhere, if nothing overturns
+    bound = computed.lower_bound / g
+    above = computed.amplitude[None, :] > computed.lower_bound[:, None]  # nowhere, if nothing overturns
     return EnvelopeResult(
-        shape=made.shape.name,
-        gamma=made.shape.gamma,
-        nu_rad=made.shape.nu,
-        equation=made.equation,
-        frequency_hz=tuple(made.frequency.tolist()),
-        amplitude_g=tuple((made.amplitude / g).tolist()),
-        overturned=tuple(tuple(row) for row in made.overturned.tolist()),
+        shape=computed.shape.name,
+        gamma=computed.shape.gamma,
+        nu_rad=computed.shape.nu,
+        equation=computed.equation,
+        frequency_hz=tuple(computed.frequency.tolist()),
+        amplitude_g=tuple((computed.amplitude / g).tolist()),
+        overturned=tuple(tuple(row) for row in computed.overturned.tolist()),
         lower_bound_g=none_for_nan(bound),
-        polarity=tuple(made.polarity.tolist()),
-        islands=tuple((above & ~made.overturned).sum(axis=1).tolist()),
-        uplift_g=tuple((made.uplift / g).tolist()),
-        factor=tuple(made.factor.tolist()),
-        omega=tuple((2 * np.pi * made.frequency / form.p).tolist()),
-        lower_bound_ratio=none_for_nan(bound * made.factor / form.multiplier),
+        polarity=tuple(computed.polarity.tolist()),
+        islands=tuple((above & ~computed.overturned).sum(axis=1).tolist()),
+        uplift_g=tuple((computed.uplift / g).tolist()),
+        factor=tuple(computed.factor.tolist()),
+        omega=tuple((2 * np.pi * computed.frequency / form.p).tolist()),
+        lower_bound_ratio=none_for_nan(bound * computed.factor / form.multiplier),
     )
 
 
-def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
+def critical_result(envelopes: dict[str, EnvelopeResult]) -> CriticalResult | None:
     """Return which mechanism is critical at each frequency; None without mechanisms."""
-    if not found:
+    if not envelopes:
         return None
-    names = list(found)
-    frequency = np.array(next(iter(found.values())).frequency_hz)
-    bounds = np.array([[np.nan if b is None else b for b in each.lower_bound_g] for each in found.values()])
+    names = list(envelopes)
+    frequency = np.array(next(iter(envelopes.values())).frequency_hz)
+    bounds = np.array([[np.nan if b is None else b for b in each.lower_bound_g] for each in envelopes.values()])
     order = find_critical(frequency, bounds)
     return CriticalResult(
         frequency_hz=tuple(frequency.tolist()),

@@ -238,11 +238,11 @@ class Variable:
 class SampledNumber:
     """An uncertain number of the project.
 
-    given : its mean, scatter and group; least, most : physical limits of its values over the mean [-]
+    input : its mean, scatter and group; least, most : physical limits of its values over the mean [-]
     mechanisms : those that it can change
     """
 
-    given: UncertainInput
+    input: UncertainInput
     least: float
     most: float
     mechanisms: tuple[str, ...]
@@ -266,11 +266,11 @@ class Sampling:
     @property
     def groups(self) -> tuple[str, ...]:
         """The names of what varies together, in the order of the numbers."""
-        return tuple(dict.fromkeys(number.given.group for number in self.numbers))
+        return tuple(dict.fromkeys(number.input.group for number in self.numbers))
 
     def groups_of(self, mechanism: str) -> tuple[str, ...]:
         """Return the groups with a number that can change a mechanism."""
-        return tuple(dict.fromkeys(each.given.group for each in self.numbers if mechanism in each.mechanisms))
+        return tuple(dict.fromkeys(number.input.group for number in self.numbers if mechanism in number.mechanisms))
 
 
 @dataclass(frozen=True)

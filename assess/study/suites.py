@@ -132,7 +132,10 @@ def apply_given_factors(
         raise ProjectError(f"{what}, for a spectrum of another shape; sweep the PGA or another key")
     share = 1.0 if given.target.is_of(spectrum) else spectrum.pga / given.target.pga
     factors, over = dict(given.factors), truncate_band(band, spectrum.longest_period)
-    return tuple(ScaledRecord(one, _scaling(one, spectrum, over, factors.get(one.id, 1.0) * share)) for one in records)
+    return tuple(
+        ScaledRecord(record, _scaling(record, spectrum, over, factors.get(record.id, 1.0) * share))
+        for record in records
+    )
 
 
 def raise_artificial(
@@ -142,12 +145,12 @@ def raise_artificial(
 
     That clause requires more of the mean than other codes: no ordinate a tenth below the target, no ten in a row below.
     """
-    suite = suite_of([each.record for each in motions], [each.scaling.factor for each in motions], spectrum)
+    suite = suite_of([motion.record for motion in motions], [motion.scaling.factor for motion in motions], spectrum)
     factor = common_factor(fit_of_mean(suite, band)) or 1.0
     if factor <= 1.0:
         return motions
-    said = note("suite-raised", factor=Quantity(factor, figures=6), period=Quantity(band[1], "time", 3))
-    noted = tuple(replace(each, record=with_step(each.record, said)) for each in motions)
+    raised = note("suite-raised", factor=Quantity(factor, figures=6), period=Quantity(band[1], "time", 3))
+    noted = tuple(replace(motion, record=with_step(motion.record, raised)) for motion in motions)
     return _multiply_all(noted, factor, spectrum, fitting.band)
 
 
@@ -164,13 +167,13 @@ def _multiply_all(
     motions: tuple[ScaledRecord, ...], factor: float, spectrum: Spectrum, band: Band
 ) -> tuple[ScaledRecord, ...]:
     return tuple(
-        ScaledRecord(each.record, _scaling(each.record, spectrum, band, each.scaling.factor * factor))
-        for each in motions
+        ScaledRecord(motion.record, _scaling(motion.record, spectrum, band, motion.scaling.factor * factor))
+        for motion in motions
     )
 
 
 def scale_together(
-    records: Sequence[Record], spectrum: Spectrum, given: Fitting, *, scale_to: ScaleTo
+    records: Sequence[Record], spectrum: Spectrum, fitting: Fitting, *, scale_to: ScaleTo
 ) -> tuple[ScaledRecord, ...]:
     """Scale each record; those that are kept together share the geometric mean of their factors.
 
@@ -183,7 +186,7 @@ def scale_together(
         The records.
     spectrum : Spectrum
         The target.
-    given : Fitting
+    fitting : Fitting
         Range of periods, and the records that are kept together.
     scale_to : {"spectrum", "pga", "none"}
         What the records are scaled to.
@@ -193,14 +196,17 @@ def scale_together(
     tuple of ScaledRecord
         In the order of `records`.
     """
-    band = truncate_band(given.band, spectrum.longest_period)
-    alone = {
+    band = truncate_band(fitting.band, spectrum.longest_period)
+    own_scalings = {
         record.id: SCALINGS["none" if record.artificial else scale_to](record, spectrum, band) for record in records
     }
-    shared = {id: exp(mean(log(alone[each].factor) for each in ids)) for ids in given.together for id in ids}
+    shared = {id: exp(mean(log(own_scalings[each].factor) for each in ids)) for ids in fitting.together for id in ids}
     return tuple(
-        ScaledRecord(one, _scaling(one, spectrum, band, shared[one.id]) if one.id in shared else alone[one.id])
-        for one in records
+        ScaledRecord(
+            record,
+            _scaling(record, spectrum, band, shared[record.id]) if record.id in shared else own_scalings[record.id],
+        )
+        for record in records
     )
 
 
@@ -276,7 +282,7 @@ def candidate_records(
     ------
     RecordError : a file that is named cannot be read
     """
-    found: list[Candidate] = []
+    catalogued: list[Candidate] = []
     problems: list[tuple[str, str]] = []
     table = None if flatfile is None else read_flatfile(flatfile)
     for place in (path for path in files if path.is_dir()):
@@ -284,10 +290,12 @@ def candidate_records(
             indexed = index(place, connection, overrides=overrides, executor=executor)
             problems += [(str(place / path), why) for path, why in indexed.problems]
             listed = catalogue.catalogue_candidates(connection)
-        found += [replace(one, path=str(catalogue.path_inside(place, one.path))) for one in listed]
-    alone = [path for path in files if not path.is_dir()]
-    made = read_candidates(alone, overrides=overrides, executor=executor)
-    offer = (*found, *made)
+        catalogued += [
+            replace(candidate, path=str(catalogue.path_inside(place, candidate.path))) for candidate in listed
+        ]
+    single_files = [path for path in files if not path.is_dir()]
+    read = read_candidates(single_files, overrides=overrides, executor=executor)
+    offer = (*catalogued, *read)
     if table is None:
         return OfferedRecords(offer, tuple(problems))
     return OfferedRecords(describe_candidates(offer, table.recordings), tuple(problems), match_flatfile(offer, table))
@@ -299,61 +307,63 @@ def catalogue_of(folder: Path) -> Path | None:
     return file if os.access(folder, os.W_OK) else None
 
 
-def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
+def record_set(selection: Selection, periods: Band, *, folder: Path) -> RecordSet:
     """Read the records of a selection from their files; identical ids are numbered.
 
     Parameters
     ----------
-    found : the selection
-    over : the periods over which it was selected, with weights
+    selection : the selection
+    periods : the periods over which it was selected, with weights
     folder : paths are written relative to it
     """
-    parts = [(choice, one) for choice in found.choices for one in choice.components]
-    records = with_unique_names([_described_record(one, folder=folder) for _, one in parts])
+    parts = [(choice, candidate) for choice in selection.choices for candidate in choice.components]
+    records = with_unique_names([_described_record(candidate, folder=folder) for _, candidate in parts])
     by_choice: dict[int, list[str]] = {}
     for (choice, _), record in zip(parts, records, strict=True):
         by_choice.setdefault(id(choice), []).append(record.id)
     fitting = Fitting(
-        band=over,
+        band=periods,
         together=tuple(tuple(ids) for ids in by_choice.values() if len(ids) > 1),
-        selection=found,
-        nga=tuple((r.id, one.nga) for r, (_, one) in zip(records, parts, strict=True) if one.nga is not None),
+        selection=selection,
+        nga=tuple(
+            (r.id, candidate.nga) for r, (_, candidate) in zip(records, parts, strict=True) if candidate.nga is not None
+        ),
     )
     return RecordSet(records, fitting)
 
 
-def with_given_factors(suite: RecordSet, found: Selection, spectrum: Spectrum, *, code: CodeName) -> RecordSet:
+def with_given_factors(suite: RecordSet, selection: Selection, spectrum: Spectrum, *, code: CodeName) -> RecordSet:
     """Give the records of a selection the factors of its choices, which do not follow from the target alone.
 
     Parameters
     ----------
     suite : the records of the selection
-    found : the selection
+    selection : the selection
     spectrum : the target that the factors refer to
     code : whose rules the suite was made to meet, as `select.for` names it
     """
-    factors = [choice.factor for choice in found.choices for _ in choice.components]
+    factors = [choice.factor for choice in selection.choices for _ in choice.components]
     ids = [record.id for record in suite.records]
     given = GivenFactors(tuple(zip(ids, factors, strict=True)), target_mark(spectrum), code=code)
     return replace(suite, fitting=replace(suite.fitting, given=given))
 
 
-def read_candidate(one: Candidate) -> Record:
+def read_candidate(candidate: Candidate) -> Record:
     """Read the record of a candidate from its file."""
-    return read_with_overrides(Path(one.path), one.overrides)[one.position]
+    return read_with_overrides(Path(candidate.path), candidate.overrides)[candidate.position]
 
 
-def _described_record(one: Candidate, *, folder: Path) -> Record:
+def _described_record(candidate: Candidate, *, folder: Path) -> Record:
     """Read the record of a candidate, with the data of a flatfile, and its path as the project file writes it."""
-    record = read_candidate(one)
+    record = read_candidate(candidate)
     return replace(
         record,
-        path=relative_path(Path(one.path), folder),
-        event=one.event,
-        station=one.station,
-        distance=one.distance,
-        earthquake=replace(record.earthquake, time=one.date, magnitude=one.magnitude),
-        site=replace(record.site, vs30=one.vs30),
+        path=relative_path(Path(candidate.path), folder),
+        event=candidate.event,
+        station=candidate.station,
+        distance=candidate.distance,
+        earthquake=replace(record.earthquake, time=candidate.date, magnitude=candidate.magnitude),
+        site=replace(record.site, vs30=candidate.vs30),
     )
 
 
@@ -439,8 +449,14 @@ def _faults_by_code(code: str, study: Study, spectrum: Spectrum, motions: Sequen
     shortest, longest = rules.periods(study)
     review = SuiteReview(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
     yield from _not_named(code, review)
-    yield from (_unmet_message(one, REMEDIES[one.kind](one, review)) for one in review.unmet)
-    yield from (_out_of_reach(one, review) for one in review.found if one.verdict == "not answered")
+    yield from (
+        _unmet_message(requirement, REMEDIES[requirement.kind](requirement, review)) for requirement in review.unmet
+    )
+    yield from (
+        _out_of_reach(requirement, review)
+        for requirement in review.requirements
+        if requirement.verdict == "not answered"
+    )
 
 
 def suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectrum) -> Suite:
@@ -453,33 +469,39 @@ def _not_named(code: str, review: SuiteReview) -> Iterator[Message]:
     """Yield a message if artificial records would decide without the project naming the method."""
     question = review.study.question
     deciding = [name for name in methods_of(question) if SUITE_RULES.get(name) == code]
-    silent = [name for name in deciding if name not in (question.procedures or ())]
-    if review.suite.artificial.any() and silent:
-        line = f'procedures = ["{silent[0]}"]'
+    not_named = [name for name in deciding if name not in (question.procedures or ())]
+    if review.suite.artificial.any() and not_named:
+        line = f'procedures = ["{not_named[0]}"]'
         remedy = Remedy("verdict.procedures", Term("name it there"), line)
-        yield _message_with_remedy("suite-not-named", {"procedure": silent[0]}, remedy)
+        yield _message_with_remedy("suite-not-named", {"procedure": not_named[0]}, remedy)
 
 
-def _unmet_message(one: Requirement, remedy: Remedy) -> Message:
+def _unmet_message(requirement: Requirement, remedy: Remedy) -> Message:
     """Return the message on a rule that is not met."""
-    low, high = one.periods or (0.0, 0.0)
+    low, high = requirement.periods or (0.0, 0.0)
     values: dict[str, Value] = {
-        "code": one.code,
-        "clause": one.clause,
-        "found": _quantity_of(one, one.value or 0.0),
-        "limit": _quantity_of(one, one.limit),
+        "code": requirement.code,
+        "clause": requirement.clause,
+        "found": _quantity_of(requirement, requirement.value or 0.0),
+        "limit": _quantity_of(requirement, requirement.limit),
         "low": Quantity(low, "time", 3),
         "high": Quantity(high, "time", 3),
     }
-    return _message_with_remedy(f"suite-{one.kind}", values, remedy)
+    return _message_with_remedy(f"suite-{requirement.kind}", values, remedy)
 
 
-def _out_of_reach(one: Requirement, review: SuiteReview) -> Message:
+def _out_of_reach(requirement: Requirement, review: SuiteReview) -> Message:
     """Return the message on a rule over periods beyond the target or the records."""
-    assert one.periods is not None
-    low, high = (Quantity(period, "time", 3) for period in one.periods)
+    assert requirement.periods is not None
+    low, high = (Quantity(period, "time", 3) for period in requirement.periods)
     ends = Quantity(review.suite.period_range[1], "time", 3)
-    values: dict[str, Value] = {"code": one.code, "clause": one.clause, "low": low, "high": high, "end": ends}
+    values: dict[str, Value] = {
+        "code": requirement.code,
+        "clause": requirement.clause,
+        "low": low,
+        "high": high,
+        "end": ends,
+    }
     return _message_with_remedy("suite-out-of-reach", values, Remedy("site.spectrum", Term("extend its table")))
 
 
@@ -488,8 +510,12 @@ def _message_with_remedy(key: str, values: Mapping[str, Value], remedy: Remedy) 
     return message(key, said, severity=Severity.WARNING, where=remedy.key)
 
 
-def _quantity_of(one: Requirement, value: float) -> Quantity:
-    return whole_number(round(value)) if one.kind in COUNTED_RULES else Quantity(value, DIMENSIONS[one.unit], 3)
+def _quantity_of(requirement: Requirement, value: float) -> Quantity:
+    return (
+        whole_number(round(value))
+        if requirement.kind in COUNTED_RULES
+        else Quantity(value, DIMENSIONS[requirement.unit], 3)
+    )
 
 
 FACTOR_STEPS = 1000.0  # a factor is proposed to three decimals, rounded to the side that meets the rule
@@ -512,46 +538,46 @@ class SuiteReview:
 
     study: Study
     suite: Suite
-    found: tuple[Requirement, ...]
+    requirements: tuple[Requirement, ...]
 
     @property
     def unmet(self) -> tuple[Requirement, ...]:
         """The requirements that are not met."""
-        return tuple(one for one in self.found if one.verdict == "not met")
+        return tuple(requirement for requirement in self.requirements if requirement.verdict == "not met")
 
 
-def more_records(one: Requirement, review: SuiteReview) -> Remedy:
+def more_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose as many more records as are missing."""
-    missing = round(one.limit - (one.value or 0.0))
+    missing = round(requirement.limit - (requirement.value or 0.0))
     number = {"number": whole_number(missing)}
     text = message("remedy-records", number) if missing > 1 else Term("give 1 more record")
     return _remake(text, review) or Remedy("records.files", text, FILES_LINE)
 
 
-def longer_records(one: Requirement, review: SuiteReview) -> Remedy:
+def longer_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose artificial records of a longer duration."""
-    text = message("remedy-longer", {"duration": Quantity(_required_duration(one, review), "time", 6)})
+    text = message("remedy-longer", {"duration": Quantity(_required_duration(requirement, review), "time", 6)})
     return _remake(text, review) or Remedy("records.files", text)
 
 
-def finer_records(one: Requirement, review: SuiteReview) -> Remedy:
+def finer_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose records of a smaller time step."""
-    return Remedy("records.files", message("remedy-finer", {"step": Quantity(one.limit, "time", 6)}))
+    return Remedy("records.files", message("remedy-finer", {"step": Quantity(requirement.limit, "time", 6)}))
 
 
-def other_records(one: Requirement, review: SuiteReview) -> Remedy:
+def other_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose records that contain longer periods."""
     return Remedy("records.files", Term("give records whose processing kept longer periods"))
 
 
-def another_factor(one: Requirement, review: SuiteReview) -> Remedy:
+def another_factor(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose one further factor on every record, times the one of the project; other records if no factor helps.
 
     Artificial records that are too short for the required periods are made longer instead.
     """
-    if _required_duration(one, review):
-        return longer_records(one, review)
-    factor = common_factor(review.found)
+    if _required_duration(requirement, review):
+        return longer_records(requirement, review)
+    factor = common_factor(review.requirements)
     if factor is None:
         return Remedy("records.files", NO_FACTOR)
     rounded = (
@@ -579,25 +605,29 @@ def _remake(text: Term | Message, review: SuiteReview) -> Remedy | None:
     made = review.study.artificial
     if made is None:
         return None
-    wanted = improve_artificial(made, review)
-    line = f'synthetic = {{ count = {wanted.count}, seed = {wanted.seed}, duration = "{wanted.duration:g} s" }}'
+    improved = improve_artificial(made, review)
+    line = f'synthetic = {{ count = {improved.count}, seed = {improved.seed}, duration = "{improved.duration:g} s" }}'
     return Remedy("records.synthetic", text, line)
 
 
 def improve_artificial(made: ArtificialRecords, review: SuiteReview) -> ArtificialRecords:
     """Return the artificial records with the number and the duration that the rules require."""
-    few = [round(one.limit - (one.value or 0.0)) for one in review.unmet if one.kind == RequirementKind.COUNT]
-    long = [_required_duration(one, review) for one in review.unmet]
-    return replace(made, count=made.count + max(few, default=0), duration=max([made.duration, *long]))
+    missing = [
+        round(requirement.limit - (requirement.value or 0.0))
+        for requirement in review.unmet
+        if requirement.kind == RequirementKind.COUNT
+    ]
+    durations = [_required_duration(requirement, review) for requirement in review.unmet]
+    return replace(made, count=made.count + max(missing, default=0), duration=max([made.duration, *durations]))
 
 
-def _required_duration(one: Requirement, review: SuiteReview) -> float:
+def _required_duration(requirement: Requirement, review: SuiteReview) -> float:
     """Return the duration [s] that a rule requires of artificial records, directly, by level part or by periods."""
-    if one.kind == RequirementKind.DURATION:
-        return one.limit
-    if one.kind == RequirementKind.STATIONARY:
-        return one.limit / STATIONARY
-    made, end = review.study.artificial, 0.0 if one.periods is None else one.periods[1]
+    if requirement.kind == RequirementKind.DURATION:
+        return requirement.limit
+    if requirement.kind == RequirementKind.STATIONARY:
+        return requirement.limit / STATIONARY
+    made, end = review.study.artificial, 0.0 if requirement.periods is None else requirement.periods[1]
     return (
         0.0 if made is None or end * LONGEST_PERIOD_SHARE <= made.duration else float(ceil(end * LONGEST_PERIOD_SHARE))
     )
@@ -737,8 +767,8 @@ def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[
     """Return the shortest and the longest T_SLV or T_SLC [s] of each mechanism (NTC 2018, C8.7.1.10, 11), by name."""
     found = {}
     for mechanism in mechanisms:
-        alone = curves_of_all_actions(mechanism.variants.deciding)
-        periods = [capacity_of(curves, state=state, confidence_factor=LARGEST_FC).T for curves in alone]
+        branches = curves_of_all_actions(mechanism.variants.deciding)
+        periods = [capacity_of(curves, state=state, confidence_factor=LARGEST_FC).T for curves in branches]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 

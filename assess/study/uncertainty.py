@@ -46,7 +46,7 @@ def uncertainty(
     study: Study,
     spectrum: Spectrum,
     motions: tuple[ScaledRecord, ...],
-    mechanisms: Sequence[MechanismResult],
+    results: Sequence[MechanismResult],
     *,
     jobs: int,
     progress: Progress,
@@ -61,7 +61,7 @@ def uncertainty(
         The site's elastic spectrum.
     motions : tuple of ScaledRecord
         The suite of records, the same for all samples.
-    mechanisms : sequence of MechanismResult
+    results : sequence of MechanismResult
         The mechanisms as assessed with the means.
     jobs : int
         Number of threads that share the histories of a sample; 0 for all cores. The results do not depend on it.
@@ -76,14 +76,14 @@ def uncertainty(
     sampling = study.sampling
     if sampling is None:
         return None
-    questions = {each.name: questions_of(each) for each in mechanisms if sampling.groups_of(each.name)}
+    questions = {answer.name: questions_of(answer) for answer in results if sampling.groups_of(answer.name)}
     sampler = Sampler(study, sampling, spectrum, motions, questions, jobs)
     points = sobol(sampling)
-    tallies = {name: Tally(sampling.samples, tuple(asked)) for name, asked in questions.items()}
+    tallies = {name: Tally(sampling.samples, tuple(checks)) for name, checks in questions.items()}
     for sample, point in enumerate(points):
         progress("samples", sample, len(points))
-        for name, each in sampler.at(point).items():
-            tallies[name].put(sample, each)
+        for name, answer in sampler.at(point).items():
+            tallies[name].put(sample, answer)
     changed = find_changed_answers(sampler, points)
     answers = tuple(
         answer
@@ -93,16 +93,16 @@ def uncertainty(
     return UncertaintyResult(
         samples=sampling.samples,
         seed=sampling.seed,
-        inputs=tuple(number.given for number in sampling.numbers),
+        inputs=tuple(number.input for number in sampling.numbers),
         answers=answers,
         notes=(*sampling.notes, *cut_off_messages(sampling.numbers), *no_effect_messages(sampling, questions, changed)),
     )
 
 
-def questions_of(mechanism: MechanismResult) -> Mapping[CheckKey, Check]:
+def questions_of(result: MechanismResult) -> Mapping[CheckKey, Check]:
     """Return the checks of a mechanism whose spread is of use: by the letter of a clause that covers it."""
     return checks_by_key(
-        tuple(check for check in mechanism.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
+        tuple(check for check in result.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
     )
 
 
@@ -139,31 +139,31 @@ class Sampler:
         only : the mechanisms to assess; all if None
         """
         names = tuple(self.questions) if only is None else only
-        asked = {name: tuple(self.questions[name]) for name in names}
+        questions = {name: tuple(self.questions[name]) for name in names}
         try:
             build = self.sampling.study_at(self.values(point))
         except (AssessError, SpectrumError) as error:
-            return {name: unbuilt_sample(asked[name], str(error)) for name in names}
+            return {name: unbuilt_sample(questions[name], str(error)) for name in names}
         found = {}
         for name in names:
-            procedures = tuple(dict.fromkeys(procedure for procedure, _, _ in asked[name]))
+            procedures = tuple(dict.fromkeys(procedure for procedure, _, _ in questions[name]))
             try:
                 case = replace(build(name), procedures=procedures, suite_faults=self.study.suite_faults)
                 checks = checks_by_key(checks_without_scan(case, self.spectrum, self.motions, jobs=self.jobs))
-                found[name] = sample_answers(asked[name], checks, rocking_tables(case))
+                found[name] = sample_answers(questions[name], checks, rocking_tables(case))
             except (AssessError, SpectrumError) as error:
-                found[name] = unbuilt_sample(asked[name], str(error))
+                found[name] = unbuilt_sample(questions[name], str(error))
         return found
 
     def values(self, point: FloatArray) -> tuple[float, ...]:
         """Return the value of each number at the probability of its group, its mean where that is nan."""
-        at = dict(zip(self.sampling.groups, point.tolist(), strict=True))
-        pairs = ((number, at[number.given.group]) for number in self.sampling.numbers)
-        return tuple(number.given.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
+        probability = dict(zip(self.sampling.groups, point.tolist(), strict=True))
+        pairs = ((number, probability[number.input.group]) for number in self.sampling.numbers)
+        return tuple(number.input.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
 
 
 def find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
-    """Return by mechanism and group which answers change when the group alone goes to both `ENDS`.
+    """Return by mechanism and group which answers change when the group alone goes to both `END_PROBABILITIES`.
 
     The others are at their means, then at their values in the first sample.
     """
@@ -180,29 +180,31 @@ def find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str
         at_base = sampler.at(base)
         for (place, _), point in zip(asked, moved, strict=True):
             for name, each in sampler.at(point, names[place]).items():
-                key, known = (name, groups[place]), by_histories[name]
-                differs = ~same_answers(at_base[name], each, histories=known)
-                changed[key] = changed.get(key, np.zeros_like(known)) | differs
+                key, of_histories = (name, groups[place]), by_histories[name]
+                differs = ~same_answers(at_base[name], each, histories=of_histories)
+                changed[key] = changed.get(key, np.zeros_like(of_histories)) | differs
     return changed
 
 
 def answers_of(
     name: str,
     tally: Tally,
-    asked: Mapping[CheckKey, Check],
+    checks: Mapping[CheckKey, Check],
     points: FloatArray,
     sampling: Sampling,
     changed: Mapping[tuple[str, str], Flags],
 ) -> Iterator[UncertainAnswer]:
     """Yield every answer of one mechanism over all samples."""
     groups = sampling.groups_of(name)
-    keys = {group: tuple(n.given.key for n in sampling.numbers if n.given.group == group) for group in groups}
+    keys = {
+        group: tuple(number.input.key for number in sampling.numbers if number.input.group == group) for group in groups
+    }
     columns = {group: points[:, sampling.groups.index(group)] for group in groups}
-    for place, check in enumerate(asked.values()):
+    for place, check in enumerate(checks.values()):
         ratio, outcome = tally.ratio[:, place], tally.outcome[:, place]
         moves = {group: bool(changed[name, group][place]) for group in groups}
         answered = bool(np.any(outcome != OPEN))
-        still = tuple(group for group in groups if answered and not moves[group])
+        without_effect = tuple(group for group in groups if answered and not moves[group])
         yield UncertainAnswer(
             mechanism=name,
             procedure=check.procedure,
@@ -211,7 +213,10 @@ def answers_of(
             role=check.role,
             at_mean=check.ratio,
             influences=influences_of(columns, keys, ratio, outcome, moves) if answered else (),
-            notes=(*tally.open_answers(place), *(note("uncertainty-no-influence", group=group) for group in still)),
+            notes=(
+                *tally.open_answers(place),
+                *(note("uncertainty-no-influence", group=group) for group in without_effect),
+            ),
             **statistics_of(ratio, outcome),
         )
 
@@ -222,7 +227,7 @@ def cut_off_messages(numbers: Sequence[SampledNumber]) -> Iterator[Message]:
         share = share_cut_off(number)
         if share > LEAST_SHARE_REPORTED:
             mean = Quantity(mean_kept(number), "ratio", 3)
-            yield note("uncertainty-cut-off", number.given.key, share=Quantity(share, "ratio", 2), mean=mean)
+            yield note("uncertainty-cut-off", number.input.key, share=Quantity(share, "ratio", 2), mean=mean)
 
 
 def no_effect_messages(
@@ -232,7 +237,7 @@ def no_effect_messages(
     for group in sampling.groups:
         touched = [name for name in questions if group in sampling.groups_of(name)]
         if not any(changed[name, group].any() for name in touched):
-            keys = ", ".join(number.given.key for number in sampling.numbers if number.given.group == group)
+            keys = ", ".join(number.input.key for number in sampling.numbers if number.input.group == group)
             yield note("uncertainty-idle", "analysis.uncertainty", keys=keys)
 
 
@@ -288,12 +293,12 @@ def sample_answers(
     questions: Sequence[CheckKey], checks: Mapping[CheckKey, Check], rocking: RockingTables
 ) -> SampleAnswers:
     """Return the answers of the checks of a sample to the questions."""
-    found = [checks.get(each) for each in questions]
+    answered = [checks.get(each) for each in questions]
     return SampleAnswers(
-        np.array([_ratio(check) for check in found]),
-        np.array([_outcome(check) for check in found], dtype=np.int8),
+        np.array([_ratio(check) for check in answered]),
+        np.array([_outcome(check) for check in answered], dtype=np.int8),
         rocking,
-        {place: check.reason for place, check in enumerate(found) if check is not None and _outcome(check) == OPEN},
+        {place: check.reason for place, check in enumerate(answered) if check is not None and _outcome(check) == OPEN},
     )
 
 
@@ -338,12 +343,12 @@ class Tally:
         self.unbuilt: tuple[int, str] = (0, "")
         self.open: tuple[dict[str, tuple[int, Message]], ...] = tuple({} for _ in questions)
 
-    def put(self, sample: int, found: SampleAnswers) -> None:
+    def put(self, sample: int, answers: SampleAnswers) -> None:
         """Keep the answers of one sample."""
-        self.ratio[sample], self.outcome[sample] = found.ratio, found.outcome
-        if found.error:
-            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or found.error)
-        for place, reason in found.reasons.items():
+        self.ratio[sample], self.outcome[sample] = answers.ratio, answers.outcome
+        if answers.error:
+            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or answers.error)
+        for place, reason in answers.reasons.items():
             number, first = self.open[place].get(reason.key, (0, reason))
             self.open[place][reason.key] = (number + 1, first)
 
@@ -398,7 +403,7 @@ def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
     finite = np.isfinite(above)
     step = np.subtract(above, below, where=finite, out=np.zeros_like(above))
     found = below + (place % 1.0) * step
-    return tuple(float(each) if known else None for each, known in zip(found, finite, strict=True))
+    return tuple(float(each) if is_finite else None for each, is_finite in zip(found, finite, strict=True))
 
 
 def influences_of(
@@ -420,12 +425,12 @@ def influences_of(
     ratio, outcome : of the answer [samples]
     moves : whether the group changes the answer at all
     """
-    known = outcome != OPEN
-    found = []
+    answered = outcome != OPEN
+    influences = []
     for group, column in columns.items():
-        rho = spearman(column[known], ratio[known]) if moves[group] else None
-        found.append(Influence(group, keys[group], rho, None if rho is None else rho**2))
-    return tuple(found)
+        rho = spearman(column[answered], ratio[answered]) if moves[group] else None
+        influences.append(Influence(group, keys[group], rho, None if rho is None else rho**2))
+    return tuple(influences)
 
 
 def spearman(one: FloatArray, other: FloatArray) -> float | None:
@@ -454,10 +459,10 @@ def values_at(number: SampledNumber, probability: ArrayLike) -> FloatArray:
     -------
     [n] [unit of the number]
     """
-    given = number.given
+    distribution = number.input
     below, above = _beyond_limits(number)
     p = below + np.asarray(probability, dtype=np.float64) * (1.0 - below - above)
-    return given.mean * _values_over_mean(given.distribution, given.cov, p)
+    return distribution.mean * _values_over_mean(distribution.distribution, distribution.cov, p)
 
 
 def share_cut_off(number: SampledNumber) -> float:
@@ -468,12 +473,12 @@ def share_cut_off(number: SampledNumber) -> float:
 def mean_kept(number: SampledNumber) -> float:
     """Return the mean of the values that a number takes within its physical limits, over the mean that is given."""
     middles = (np.arange(MEAN_POINTS) + 0.5) / MEAN_POINTS
-    return float(values_at(number, middles).mean() / number.given.mean)
+    return float(values_at(number, middles).mean() / number.input.mean)
 
 
 def _beyond_limits(number: SampledNumber) -> tuple[float, float]:
     """Return the probabilities below the least and above the most share of the mean."""
-    kind, cov = number.given.distribution, number.given.cov
+    kind, cov = number.input.distribution, number.input.cov
     return _probability(kind, cov, number.least), 1.0 - _probability(kind, cov, number.most)
 
 

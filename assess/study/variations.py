@@ -72,25 +72,28 @@ def assess_case(
     """Assess the mechanisms of one case, under the motions of the study unless the case changes them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
-    moving = motions_of_case(case, study, motions, jobs=jobs)
-    faults = study.suite_faults if moving is motions else suite_faults(case.study, spectrum, moving)
-    judged = replace(case.study, suite_faults=faults)
-    done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=report_nothing)
-    found = decide(judged, done)
-    each = zip(done, found.mechanisms, strict=True)
-    return tuple(MechanismInCase(mark_result(found, judged.question, result), one) for result, one in each)
+    motions_there = motions_of_case(case, study, motions, jobs=jobs)
+    faults = study.suite_faults if motions_there is motions else suite_faults(case.study, spectrum, motions_there)
+    assessed = replace(case.study, suite_faults=faults)
+    results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=report_nothing)
+    decided = decide(assessed, results)
+    pairs = zip(results, decided.mechanisms, strict=True)
+    return tuple(
+        MechanismInCase(mark_result(decided, assessed.question, result), mechanism_verdict)
+        for result, mechanism_verdict in pairs
+    )
 
 
 def motions_of_case(
     case: SweepCase, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
 ) -> tuple[ScaledRecord, ...]:
     """Return the motions of the study itself, or those of a case that changes them or the site."""
-    of = case.study
-    assert of.spectrum is not None  # no number takes the site away
-    same = all(getattr(of, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
-    if same and of.spectrum is study.spectrum and of.records is study.records:
+    changed = case.study
+    assert changed.spectrum is not None  # no number takes the site away
+    same = all(getattr(changed, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
+    if same and changed.spectrum is study.spectrum and changed.records is study.records:
         return motions
-    return motions_of(of, of.spectrum, jobs=jobs)
+    return motions_of(changed, changed.spectrum, jobs=jobs)
 
 
 @dataclass(frozen=True)
@@ -105,17 +108,17 @@ class MechanismInCase:
 class MechanismSweep:
     """One mechanism in all cases of one sweep.
 
-    judged : the mechanism in each case, with its verdict [n]; controlling : the case that controls, counted from 0
+    cases : the mechanism in each case, with its verdict [n]; controlling : the case that controls, counted from 0
     """
 
     sweep: Sweep
-    judged: tuple[MechanismInCase, ...]
+    cases: tuple[MechanismInCase, ...]
     controlling: int
 
     @property
     def results(self) -> tuple[MechanismResult, ...]:
         """The mechanism in each case."""
-        return tuple(each.result for each in self.judged)
+        return tuple(each.result for each in self.cases)
 
     @property
     def mechanism(self) -> str:
@@ -139,10 +142,10 @@ RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 def controlling_cases(sweeps: Sequence[MechanismSweep]) -> dict[str, MechanismSweep]:
     """Return, for each mechanism, the sweep whose controlling case represents it: the most severe one."""
     found: dict[str, MechanismSweep] = {}
-    for one in sweeps:
-        before = found.get(one.mechanism)
-        if before is None or severity(one.judged[one.controlling]) > severity(before.judged[before.controlling]):
-            found[one.mechanism] = one
+    for sweep in sweeps:
+        before = found.get(sweep.mechanism)
+        if before is None or severity(sweep.cases[sweep.controlling]) > severity(before.cases[before.controlling]):
+            found[sweep.mechanism] = sweep
     return found
 
 
@@ -172,9 +175,9 @@ def round_figures(value: float) -> float:
     return float(f"{value:.9g}")
 
 
-def deciding_checks(mechanism: MechanismResult) -> list[Check]:
+def deciding_checks(result: MechanismResult) -> list[Check]:
     """Return the checks that decide; if none does, all by the letter of a code."""
-    by_code = [check for check in mechanism.checks if check.follows_code]
+    by_code = [check for check in result.checks if check.follows_code]
     return [check for check in by_code if check.role == "deciding"] or by_code
 
 
@@ -195,30 +198,30 @@ def ratio_of(check: Check) -> float:
     return inf if check.verdict == Outcome.FAIL else 0.0
 
 
-def weaker_branch(mechanism: MechanismResult) -> OscillatorResult:
+def weaker_branch(result: MechanismResult) -> OscillatorResult:
     """Return the branch that uplifts first; of equals, the positive one."""
-    branches = [mechanism.oscillator, mechanism.oscillator_negative]
-    known = [branch for branch in branches if branch is not None]
-    return min(known, key=lambda branch: inf if branch.uplift_multiplier is None else branch.uplift_multiplier)
+    branches = [result.oscillator, result.oscillator_negative]
+    present = [branch for branch in branches if branch is not None]
+    return min(present, key=lambda branch: inf if branch.uplift_multiplier is None else branch.uplift_multiplier)
 
 
 def sweep_results(
     sweeps: Sequence[MechanismSweep], controlling: Mapping[str, MechanismSweep]
 ) -> tuple[SweepResult, ...]:
     """Return the sweeps as results."""
-    return tuple(sweep_result(one, governs=controlling[one.mechanism] is one) for one in sweeps)
+    return tuple(sweep_result(sweep, governs=controlling[sweep.mechanism] is sweep) for sweep in sweeps)
 
 
-def sweep_result(found: MechanismSweep, *, governs: bool) -> SweepResult:
+def sweep_result(sweep: MechanismSweep, *, governs: bool) -> SweepResult:
     """Return one mechanism over the values of one sweep, by the branch that uplifts first in each case."""
-    branches = [weaker_branch(result) for result in found.results]
-    checks = [deciding_checks(result) for result in found.results]
-    ratios = [worst_ratio(each) for each in checks]
+    branches = [weaker_branch(result) for result in sweep.results]
+    checks_by_case = [deciding_checks(result) for result in sweep.results]
+    ratios = [worst_ratio(checks_of_case) for checks_of_case in checks_by_case]
     return SweepResult(
-        mechanism=found.mechanism,
-        key=found.sweep.key,
-        unit=found.sweep.unit,
-        value=tuple(case.value for case in found.sweep.cases),
+        mechanism=sweep.mechanism,
+        key=sweep.sweep.key,
+        unit=sweep.sweep.unit,
+        value=tuple(case.value for case in sweep.sweep.cases),
         p_eq_per_s=tuple(branch.p_eq_per_s for branch in branches),
         uplift_multiplier=tuple(branch.uplift_multiplier for branch in branches),
         overturning_rad=tuple(branch.overturning_rad for branch in branches),
@@ -226,21 +229,23 @@ def sweep_result(found: MechanismSweep, *, governs: bool) -> SweepResult:
         elastic_frequency_hz=tuple(branch.elastic_frequency_hz for branch in branches),
         restitution=tuple(branch.restitution for branch in branches),
         demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
-        overturned=tuple(any(check.unbounded == "overturned" for check in each) for each in checks),
-        capacity_pga_g=tuple(least_capacity(each) for each in checks),
-        outcome=tuple(each.verdict.outcome for each in found.judged),
-        controlling=found.controlling,
+        overturned=tuple(
+            any(check.unbounded == "overturned" for check in checks_of_case) for checks_of_case in checks_by_case
+        ),
+        capacity_pga_g=tuple(least_capacity(checks_of_case) for checks_of_case in checks_by_case),
+        outcome=tuple(checks_of_case.verdict.outcome for checks_of_case in sweep.cases),
+        controlling=sweep.controlling,
         governs=governs,
     )
 
 
-def case_messages(found: MechanismSweep) -> Iterator[Message]:
+def case_messages(swept: MechanismSweep) -> Iterator[Message]:
     """Yield which case represents the mechanism, and the messages on the mechanism in that case."""
-    where, sweep = f"mechanisms.{found.mechanism}", found.sweep
-    case = f"{sweep.key} = {value_text(sweep, found.case)}"
+    where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
+    case = f"{sweep.key} = {value_text(sweep, swept.case)}"
     yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
-    for mechanism in found.case.study.mechanisms:
-        if mechanism.name == found.mechanism:
+    for mechanism in swept.case.study.mechanisms:
+        if mechanism.name == swept.mechanism:
             yield from locate(mechanism.warnings, where)
 
 
@@ -248,7 +253,7 @@ def sensitivities(
     study: Study,
     spectrum: Spectrum,
     motions: tuple[ScaledRecord, ...],
-    mechanisms: Sequence[MechanismResult],
+    results: Sequence[MechanismResult],
     *,
     jobs: int,
     progress: Progress,
@@ -263,7 +268,7 @@ def sensitivities(
         The site's elastic spectrum.
     motions : tuple of ScaledRecord
         The suite of records.
-    mechanisms : sequence of MechanismResult
+    results : sequence of MechanismResult
         The mechanisms as assessed with the base values.
     jobs : int
         Number of threads; 0 for all cores.
@@ -275,7 +280,7 @@ def sensitivities(
     tuple of SensitivityResult
         The rows of each variable, in the order of the study.
     """
-    assessed = {mechanism.name: mechanism for mechanism in mechanisms}
+    assessed = {result.name: result for result in results}
     rows: list[SensitivityResult] = []
     for done, variable in enumerate(study.variables):
         progress("sensitivity", done, len(study.variables))
@@ -295,7 +300,7 @@ def sensitivities(
 def assess_at_value(
     variable: Variable,
     value: float,
-    whole: Study,
+    study: Study,
     procedures: tuple[str, ...],
     spectrum: Spectrum,
     motions: tuple[ScaledRecord, ...],
@@ -304,8 +309,8 @@ def assess_at_value(
 ) -> CaseChecks:
     """Assess the mechanism with one value of the variable, by the procedures, under the suite of the whole study."""
     try:
-        study = replace(variable.study_at(value), procedures=procedures, suite_faults=whole.suite_faults)
-        return CaseChecks(checks_by_key(checks_without_scan(study, spectrum, motions, jobs=jobs)))
+        varied = replace(variable.study_at(value), procedures=procedures, suite_faults=study.suite_faults)
+        return CaseChecks(checks_by_key(checks_without_scan(varied, spectrum, motions, jobs=jobs)))
     except (AssessError, SpectrumError) as error:
         return CaseChecks({}, str(error))
 
@@ -334,7 +339,7 @@ def rows_of(
     variable: Variable, deciding: Sequence[Check], low: CaseChecks, high: CaseChecks, *, basis: Basis | None
 ) -> Iterator[SensitivityResult]:
     """Yield the index that decides, demand over capacity of each check, and PGA at capacity of each limit state."""
-    said = tuple(remarks_on(variable, low, high))
+    remarks = tuple(remarks_on(variable, low, high))
     row = SensitivityResult(
         mechanism=variable.mechanism,
         parameter=variable.parameter,
@@ -343,8 +348,8 @@ def rows_of(
         base=variable.base,
         low=variable.low,
         high=variable.high,
-        remark="; ".join(map(str, said)),
-        remarks=said,
+        remark="; ".join(map(str, remarks)),
+        remarks=remarks,
     )
     with_capacities: set[tuple[str, str]] = set()
     for key, check in checks_by_key(deciding).items():
@@ -429,20 +434,21 @@ def survey_tolerances(
     survey: Survey,
     spectrum: Spectrum,
     question: Question,
-    found: Verdict,
-    mechanisms: Sequence[MechanismResult],
+    decided: Verdict,
+    results: Sequence[MechanismResult],
 ) -> dict[str, float]:
     """Find the loss of index by the tolerance of the survey, for each mechanism whose index is near its threshold."""
-    checks = {mechanism.name: mechanism.checks for mechanism in mechanisms}
-    falls: dict[str, float] = {}
-    for one in found.mechanisms:
-        near = [answer for answer in one.answers if _is_near_threshold(answer, found.target)]
+    checks = {result.name: result.checks for result in results}
+    losses: dict[str, float] = {}
+    for mechanism_verdict in decided.mechanisms:
+        near = [answer for answer in mechanism_verdict.answers if _is_near_threshold(answer, decided.target)]
         if near:
-            known = checks[one.mechanism]
-            falls[one.mechanism] = max(
-                _loss_of_index(survey, spectrum, question, one, answer, known) for answer in near
+            mechanism_checks = checks[mechanism_verdict.mechanism]
+            losses[mechanism_verdict.mechanism] = max(
+                _loss_of_index(survey, spectrum, question, mechanism_verdict, answer, mechanism_checks)
+                for answer in near
             )
-    return falls
+    return losses
 
 
 def _is_near_threshold(answer: Answer, target: float | None) -> bool:
@@ -463,7 +469,7 @@ def _loss_of_index(
     survey: Survey,
     spectrum: Spectrum,
     question: Question,
-    one: MechanismVerdict,
+    mechanism_verdict: MechanismVerdict,
     answer: Answer,
     checks: Sequence[Check],
 ) -> float:
@@ -472,7 +478,7 @@ def _loss_of_index(
     if base is None:
         return 0.0
     total = 0.0
-    for variable in survey(one.mechanism):
+    for variable in survey(mechanism_verdict.mechanism):
         ends = [
             _deciding_check_at(variable, value, spectrum, question, answer) for value in (variable.low, variable.high)
         ]

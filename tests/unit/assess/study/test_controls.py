@@ -175,7 +175,7 @@ def test_the_multiplier_of_a_wall_cracked_at_half_its_height_is_four_times_its_s
 def test_the_energy_of_a_history_is_balanced(kind: str, overturns: bool) -> None:
     mechanism = KINDS[kind]()
     history = governing(mechanism.oscillator, scale=20.0 if overturns else SCALES[kind])
-    assert history.found.overturned == overturns
+    assert history.history.overturned == overturns
     found = energy_control(mechanism, history, equation="exact")
     assert found.met
     assert found.difference == pytest.approx(0.0, abs=2e-7)

@@ -50,7 +50,7 @@ def shaken(oscillator: Oscillator) -> RockingCase:
 
 
 def asked(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):
-    return run_levels(shaken(oscillator), MOTIONS, levels=levels, besides=besides, site_pga=PGA, threads=1)
+    return run_levels(shaken(oscillator), MOTIONS, levels=levels, further=besides, site_pga=PGA, threads=1)
 
 
 def scanned(oscillator: Oscillator):
@@ -72,7 +72,7 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
     levels, factors = (2.5, 3.5, 5.0, 6.5), (1.0, 0.5, 1.5)
     one_sided = Oscillator(replace(ONE, restitution=0.4), None, 1.0)
     ranged = replace(shaken(one_sided), rebounds=factors)
-    found = run_levels(ranged, MOTIONS, levels=levels, besides=(4.0,), site_pga=PGA, threads=1)
+    found = run_levels(ranged, MOTIONS, levels=levels, further=(4.0,), site_pga=PGA, threads=1)
     alone = {f: asked(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
     chosen = set()
     for i, histories in enumerate(found.histories):
@@ -85,8 +85,8 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
             assert [inf if run is None else run for run in one.twin_ratios] == pytest.approx(most, rel=1e-9)
             chosen.add(worst)
     assert len(chosen) > 1
-    ratios = zip(*(each.besides[0].ratio for each in alone.values()), strict=True)
-    assert found.besides[0].ratio == tuple(None if None in each else max(each) for each in ratios)
+    ratios = zip(*(each.further_suites[0].ratio for each in alone.values()), strict=True)
+    assert found.further_suites[0].ratio == tuple(None if None in each else max(each) for each in ratios)
     for record in with_governing_trace(ranged, found.histories, MOTIONS)[-1]:
         if record.trace is not None and not record.overturned:
             assert max(record.trace.rotation_rad) == pytest.approx(record.max_rotation_rad, rel=1e-3)
@@ -114,13 +114,13 @@ def test_of_two_polarities_the_worse_stands():
 
 def test_suites_are_of_their_histories():
     found = asked(UNLIKE, (2.5, 3.5), besides=(3.0, 6.0))
-    assert [suite.pga for suite in (*found.suites, *found.besides)] == [2.5, 3.5, 3.0, 6.0]
+    assert [suite.pga for suite in (*found.suites, *found.further_suites)] == [2.5, 3.5, 3.0, 6.0]
     for suite, histories in zip(found.suites, found.histories, strict=True):
         assert suite.ratio == tuple(one.max_rotation_ratio for one in histories)
         assert suite.branches == tuple(one.branch for one in histories)
         worst = max(histories, key=lambda one: inf if one.max_rotation_ratio is None else one.max_rotation_ratio)
         assert suite.branch == worst.branch
-    assert found.besides == asked(UNLIKE, (3.0, 6.0)).suites
+    assert found.further_suites == asked(UNLIKE, (3.0, 6.0)).suites
 
 
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
@@ -201,7 +201,7 @@ def last_before(scan, share: float) -> float:
 def test_any_number_of_threads_gives_the_same_digits(body):
     runs = [
         run_histories(
-            shaken(body), MOTIONS, levels=(2.5, 4.0), besides=(), site_pga=PGA, with_scan=True, threads=threads
+            shaken(body), MOTIONS, levels=(2.5, 4.0), further=(), site_pga=PGA, with_scan=True, threads=threads
         )
         for threads in (1, 2, 5)
     ]

@@ -163,6 +163,11 @@ class Mechanism:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"
 
     @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The chains that rock: of the positive branch, and of the negative one where there is one."""
+        return (self.positive,) if self.negative is None else (self.positive, self.negative)
+
+    @property
     def pair(self) -> ChainPair:
         """The chains of both directions with their restitution."""
         return ChainPair(self.name, self.positive, self.negative, self.restitution)

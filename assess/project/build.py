@@ -226,7 +226,7 @@ def study_of_mechanisms(
         scan=content.analysis.scan,
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
-        grounded={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
+        heights={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
         procedures=procedures_of(content),
         offered=content.site_procedures,
         options=options_of(content),

@@ -57,7 +57,7 @@ def project_messages(
         yield from load_messages(mechanism)
         yield from mechanism.messages
     yield from _equation_messages(content.analysis.equation, mechanisms)
-    raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
+    raised = [mechanism.name for mechanism in mechanisms if study.heights[mechanism.name].above]
     yield from _amplification_messages(raised, study.amplified, study.question)
     yield from _first_mode_messages(content)
     for code, circular in CIRCULARS.items():

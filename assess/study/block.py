@@ -11,10 +11,8 @@ from functools import cached_property
 from math import isfinite
 from typing import Any, Literal
 
-import numpy as np
 from scipy.constants import g
 
-from assess.amplification import Unamplified
 from assess.codes.check import Check
 from assess.codes.context import Building
 from assess.codes.histories import SuiteResponse
@@ -38,7 +36,7 @@ from assess.model.check import check_definition, with_floats
 from assess.model.directions import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
-from assess.study.amplification import GroundLevel, HeightAboveGround, MechanismAmplification, find_height, lowest_body
+from assess.study.amplification import NOT_AMPLIFIED, GroundLevel, HeightAboveGround, find_height, lowest_body
 from assess.study.checks import checks_of, context_of
 from assess.study.histories import (
     RockingCase,
@@ -50,10 +48,9 @@ from assess.study.histories import (
 )
 from assess.study.mechanism_results import oscillator_result, rigid_branches
 from assess.study.study import Fitting, ScaledRecord, Study
-from assess.study.suites import motions_of, suite_faults
+from assess.study.suites import ALL_PERIODS, motions_of, suite_faults
 from records.errors import RecordError
 from records.record import Record, is_vertical
-from records.scaling import SCALING_PERIODS, Band
 from spectra.arrays import is_number
 from spectra.spectrum import Spectrum
 
@@ -420,9 +417,6 @@ def _restitution(restitution: Any) -> Restitution:
     return Restitution(*restitution) if pair else Restitution(restitution, restitution)
 
 
-EVERY_PERIOD = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
-
-
 def answers(
     mechanism: Mechanism,
     spectrum: Spectrum,
@@ -469,13 +463,13 @@ def answers(
         raise RecordError(f"records = {records!r:.60}: give one record, or a list of them")
     suite = tuple(suite)
     _check_inputs(procedures, knowledge_level, suite, base_elevation)
-    grounded = _height_above_ground(mechanism, base_elevation, lowest, building)
+    height = _height_above_ground(mechanism, base_elevation, lowest, building)
     study = Study(
         spectrum=spectrum,
         vertical_ratio=0.0,
         building=building,
         records=suite,
-        fitting=Fitting(EVERY_PERIOD),
+        fitting=Fitting(ALL_PERIODS),
         artificial=None,
         scale_to="none",
         levels=(spectrum.pga,),
@@ -484,7 +478,7 @@ def answers(
         options=options or CodeOptions(),
         mechanisms=(mechanism,),
         equations={mechanism.name: "linearised" if mechanism.kind == "equivalent-block" else "exact"},
-        amplified={mechanism.name: MechanismAmplification("none", None, Unamplified(), ())},
+        amplified={mechanism.name: NOT_AMPLIFIED},
         scenes={},
         inputs=(),
         resolved={},
@@ -499,7 +493,7 @@ def answers(
         limit_state=None,
         question=Question(None, Action(spectrum.pga / g, None)),
         facts={},
-        grounded={mechanism.name: grounded},
+        heights={mechanism.name: height},
     )
     return _checks_of_block(study, mechanism, spectrum, threads=threads)
 

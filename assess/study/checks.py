@@ -121,7 +121,7 @@ def assess_mechanism(
         checks=checks_of(study, case.oscillator, context),
         histories=() if context.not_lasting else with_governing_trace(case, histories.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, case.base),
-        height=study.grounded[mechanism.name],
+        height=study.heights[mechanism.name],
     )
 
 
@@ -263,7 +263,7 @@ def context_of(
 def _context_without_floor_spectrum(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, histories: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
-    height, rise, variants = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
+    height, rise, variants = study.heights[mechanism.name], height_of_support(mechanism), mechanism.variants
     amplified = study.amplified[mechanism.name]
     return Context(
         spectrum=spectrum,

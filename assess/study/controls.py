@@ -75,8 +75,7 @@ def branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[fl
     if not mechanism.flexible:
         other = oscillator.negative
         return threshold(oscillator.positive) or 0.0, None if other is None else threshold(other)
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    positive, *others = (moment_multiplier(chain_at_start(chain, name=mechanism.name)) for chain in chains)
+    positive, *others = (moment_multiplier(chain_at_start(chain, name=mechanism.name)) for chain in mechanism.chains)
     return positive, others[0] if others else None
 
 
@@ -163,9 +162,8 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
     Control
         Relative to the multiplier by moments; without tolerance where joints deform or crush.
     """
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     if mechanism.flexible:
-        return _multiplier_on_joints(mechanism, chains[0], oscillator.positive)
+        return _multiplier_on_joints(mechanism, mechanism.positive, oscillator.positive)
     of_branches = [
         make_control(
             "hand-multiplier",
@@ -177,7 +175,7 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
             dimension="ratio",
             note=note("control-moments", mechanism.name, hinge=hinge),
         )
-        for chain, side, hinge in zip(chains, oscillator.branches, ("A", "A'"), strict=False)
+        for chain, side, hinge in zip(mechanism.chains, oscillator.branches, ("A", "A'"), strict=False)
         if (by_hand := moment_multiplier(chain))
     ]
     return max(of_branches, key=lambda control: control.difference or 0.0)

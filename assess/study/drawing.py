@@ -129,7 +129,7 @@ def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark
 
 
 def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) -> float:
-    """Return the rotation [rad] that moves the farthest point by LARGEST_MOVE, or overturning; rounded down to two figures."""
+    """Return the rotation to show [rad], two figures: at most overturning, and a move by LARGEST_MOVE."""
     sets = [(np.array(ring), block) for ring, block in pieces]
     sets += [(np.array([block.centroid]), number) for number, block in enumerate(chain.blocks)]
     size = float(np.ptp(np.concatenate([*(points for points, _ in sets), chain.hinges]), axis=0).max())

@@ -231,7 +231,7 @@ def mechanism_fragility(
         label=mechanism.label,
         slenderness_rad=mechanism_runs.rocker.slenderness,
         p_eq_per_s=mechanism_runs.rocker.p,
-        above_ground=study.grounded[mechanism.name].above,
+        above_ground=study.heights[mechanism.name].above,
         runs=tuple(record_runs(mechanism_runs, place, record, origins) for place, record in enumerate(records)),
         curves=tuple(curves),
         comparison=tuple(
@@ -408,7 +408,7 @@ def _mechanism_messages(
 
 def base_motion_known(study: Study, mechanism: Mechanism) -> bool:
     """Return whether the records reach the base of a mechanism as it moves: on the ground, or through the building."""
-    return not study.grounded[mechanism.name].above or study.amplified[mechanism.name].method == "modal-filter"
+    return not study.heights[mechanism.name].above or study.amplified[mechanism.name].method == "modal-filter"
 
 
 Write = Callable[[Sequence[ExportedCurve]], Export]

@@ -25,7 +25,7 @@ from assess.results.fragility import (
     StateResult,
 )
 from assess.short_repr import ShortRepr
-from assess.study.histories import RockingCase, with_restitution_factor
+from assess.study.histories import RockingCase, run_variants
 from assess.study.study import AVERAGE_PERIODS, FragilityQuestion
 from records.record import Record
 from records.response import pgv, response_spectrum
@@ -42,7 +42,7 @@ SEARCH_STEP = 1.25
 MOST_SEARCHED = 80
 
 SeveritySolver = Callable[[FloatArray], FloatArray]
-"""Takes scale factors [records, levels], nan for no run; returns ratios [records, levels] as `FragilityRuns` has them."""
+"""Takes scale factors [records, levels], nan for no run; returns ratios as `FragilityRuns` has them."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -138,15 +138,12 @@ def highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, 
 def severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
     """Return a solver of the ratios of records at given scale factors, of the worse polarity and the worst rebound.
 
-    A symmetric body is run in one polarity only: the other one mirrors it. Ratios are over the rotation that overturns
+    Ratios are over the rotation that overturns
     the body on the joints in use, which is less than that on rigid ones.
     """
-    oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
+    oscillators, polarity, oscillator_number = run_variants(case)
     run = make_solver(oscillators, [each.record for each in case.base], equation=case.equation, threads=threads)
     branches = case.oscillator.branches
-    signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
-    polarity = np.tile(signs, len(oscillators))
-    oscillator_number = np.repeat(np.arange(len(oscillators)), signs.size)
     first, last = (branch.overturning / branch.unstable for branch in (branches[0], branches[-1]))
 
     def solve(scale: FloatArray) -> FloatArray:

@@ -24,7 +24,6 @@ from assess.results import (
     SelectionResult,
     SpectrumResult,
 )
-from assess.study.mechanism_results import floats
 from assess.study.study import Fitting, PulseGrid, ScaledRecord, Study
 from assess.study.suites import ABOVE, BELOW, FITTED_OVER, RULES, equivalent_periods, extreme_periods
 from records.candidates import sequence_number
@@ -112,10 +111,10 @@ def ground_motion_result(
         to_s=high,
         source=source,
         equivalent_periods=tuple(EquivalentPeriods(name, *of) for name, of in equivalent.items()),
-        period_s=floats(period),
-        target_g=floats(spectrum.acceleration(period, damping=DAMPING) / g),
-        mean_g=floats(spectra.mean(axis=0) / g),
-        geometric_mean_g=floats(np.exp(np.log(spectra).mean(axis=0)) / g),
+        period_s=tuple(period.tolist()),
+        target_g=tuple((spectrum.acceleration(period, damping=DAMPING) / g).tolist()),
+        mean_g=tuple((spectra.mean(axis=0) / g).tolist()),
+        geometric_mean_g=tuple((np.exp(np.log(spectra).mean(axis=0)) / g).tolist()),
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
         selection=None if fitting.selection is None else selection_result(fitting.selection),
         requirements=requirements_of(motions, spectrum, shortest, longest, own),
@@ -255,8 +254,8 @@ def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
         damping_rule=spectrum.damping_rule,
         clause=spectrum.clause,
         pga_g=spectrum.pga / g,
-        period_s=floats(period),
-        acceleration_g=floats(spectrum.acceleration(period) / g),
+        period_s=tuple(period.tolist()),
+        acceleration_g=tuple((spectrum.acceleration(period) / g).tolist()),
     )
 
 
@@ -292,7 +291,7 @@ def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None =
         mse=motion.scaling.mse,
         trail=tuple(map(str, used.processing_history)),
         processing=used.processing_history,
-        spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
+        spectrum=RecordSpectrum(tuple(period.tolist()), tuple((response_spectrum(used, period) / g).tolist())),
         date=used.earthquake.time,
         magnitude=used.earthquake.magnitude,
         distance_km=None if used.distance is None else used.distance / 1000.0,

@@ -40,7 +40,6 @@ from assess.results import (
     HistoryTrace,
 )
 from assess.short_repr import ShortRepr
-from assess.study.amplification import MechanismAmplification
 from assess.study.study import ScaledRecord, Study
 from records.errors import RecordError
 from records.pulses import PulseShape, pulse_shape
@@ -72,7 +71,8 @@ def mechanism_histories(
 
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
     """Return what the histories of a mechanism are run for."""
-    base, name = motions_at_base(study.amplified[mechanism.name], motions), mechanism.name
+    name, amplification = mechanism.name, study.amplified[mechanism.name].amplification
+    base = tuple(base_motion(amplification, motion.record) for motion in motions)
     return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
 
 
@@ -92,11 +92,6 @@ def rule_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple
             factors = [each.factor for each in confidence_factors(options, crushing=mechanism.crushing, level=level)]
             levels += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(levels))
-
-
-def motions_at_base(amplified: MechanismAmplification, motions: tuple[ScaledRecord, ...]) -> tuple[BaseMotion, ...]:
-    """Return every motion as it acts at the base of a mechanism."""
-    return tuple(base_motion(amplified.amplification, motion.record) for motion in motions)
 
 
 def run_histories(
@@ -146,7 +141,7 @@ def run_levels(
     threads: int,
     with_twins: bool = True,
 ) -> RockingHistories:
-    """Run one mechanism as `run_histories` does, without the scan, and if so asked each record alone."""
+    """Run one mechanism as `run_histories` does, without the scan, and where requested without twins."""
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
     level_peaks = solve((*levels, *further), "all" if with_twins else "none")
     histories = tuple(
@@ -199,12 +194,14 @@ def with_governing_trace(
 ) -> tuple[tuple[HistoryResult, ...], ...]:
     """Return the histories, the worst record of the highest level with its trace."""
     *lower, highest = [tuple(level) for level in histories]
-    worst = max(highest, key=lambda history: inf if history.max_rotation_ratio is None else history.max_rotation_ratio)
-    governing_trace = _trace(case, worst, motions)
-    return (
-        *lower,
-        tuple(replace(history, trace=governing_trace) if history is worst else history for history in highest),
-    )
+    worst = max(highest, key=history_severity)
+    traced = replace(worst, trace=_trace(case, worst, motions))
+    return (*lower, tuple(traced if history is worst else history for history in highest))
+
+
+def history_severity(history: HistoryResult) -> float:
+    """Return max|rotation| / overturning rotation of a history, inf where it overturned."""
+    return inf if history.max_rotation_ratio is None else history.max_rotation_ratio
 
 
 def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRecord]) -> HistoryTrace:
@@ -284,19 +281,15 @@ def level_solver(
     """Return a solver for the histories of one mechanism; call it with levels of PGA [m/s2] and which twins to run.
 
     "where they matter" is of histories that rock, and the inner twins of those only which the outer ones do not follow
-    to AGREEMENT; a history stands for its twins that are not run. A symmetric body is run in one polarity only: the other
-    one mirrors it.
+    to AGREEMENT; a history stands for its twins that are not run.
     """
     factors = np.array([motion.scaling.factor for motion in motions])
     records = [at_base.record for at_base in case.base]
-    oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
+    oscillators, polarity, oscillator_number = run_variants(case)
     run = make_solver(oscillators, records, equation=case.equation, threads=threads)
-    signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
-    polarity = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
-    oscillator_number = np.repeat(np.arange(len(oscillators)), signs.size)
 
     def jobs(levels: FloatArray, records: IntArray, variant: IntArray, runs: FloatArray) -> Jobs:
-        """Return the jobs of records at levels in one way each [n], in every run [n, runs]."""
+        """Return the jobs of records at levels in one variant each [n], in every run [n, runs]."""
         scale = (levels / site_pga * factors[records] * polarity[variant])[:, None] * runs
         motion, oscillator = (np.repeat(each, runs.size) for each in (records, oscillator_number[variant]))
         return Jobs(oscillator, motion, scale.ravel())
@@ -323,7 +316,7 @@ def level_solver(
             rocking = np.flatnonzero(_severity(peaks) > 0.0)
             add(rocking, OUTER_TWINS)
             add(rocking[~_twins_agree(_severity(peaks)[job[rocking, : OUTER_TWINS.stop]])], INNER_TWINS)
-        each = np.moveaxis(job.reshape(*shape, -1), 2, 3)  # [levels, records, runs, ways]
+        each = np.moveaxis(job.reshape(*shape, -1), 2, 3)  # [levels, records, runs, variants]
         worst = _severity(peaks)[each].argmax(axis=3)
         worse = np.take_along_axis(each, worst[..., None], axis=3)[..., 0]
         return LevelPeaks(tuple(levels), peaks, jobs_run.scale, np.array(case.rebounds)[jobs_run.oscillator], worse)
@@ -331,11 +324,27 @@ def level_solver(
     return solve
 
 
+def run_variants(case: RockingCase) -> tuple[list[Oscillator], FloatArray, IntArray]:
+    """Return how one record is run at one level: in every polarity with every rebound.
+
+    A symmetric body is run in one polarity only: the other one mirrors it.
+
+    Returns
+    -------
+    oscillators : one for each rebound
+    polarity : sign of the motion [variants]
+    oscillator_number : place of the oscillator [variants]
+    """
+    oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
+    signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
+    return oscillators, np.tile(signs, len(oscillators)), np.repeat(np.arange(len(oscillators)), signs.size)
+
+
 def _twins_agree(ratio: FloatArray) -> BoolArray:
     """Return which histories have outer twins that follow them [n], of the ratios of all three [n, 3]."""
-    own = np.where(np.isinf(ratio[:, :1]), np.nan, ratio[:, :1])  # one that overturns is never calm
-    calm: BoolArray = np.all(np.abs(ratio[:, 1:] - own) <= AGREEMENT * own, axis=1)
-    return calm
+    own = np.where(np.isinf(ratio[:, :1]), np.nan, ratio[:, :1])  # of one that overturns they never agree
+    agree: BoolArray = np.all(np.abs(ratio[:, 1:] - own) <= AGREEMENT * own, axis=1)
+    return agree
 
 
 def _join_columns(first: Columns, second: Columns) -> Columns:
@@ -354,11 +363,9 @@ def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator
 
 def suites_of(level_peaks: LevelPeaks) -> tuple[SuiteResponse, ...]:
     """Return the maxima of all records at each level; the branch is that of the worst record as it is."""
-    ratio, negative = (
-        _severity(level_peaks.peaks)[level_peaks.worse],
-        level_peaks.peaks.max_rotation[level_peaks.worse] < 0.0,
-    )
-    worst, with_twins = ratio[:, :, 0].argmax(axis=1).tolist(), level_peaks.worse.shape[2] > 1
+    peaks, worse = level_peaks.peaks, level_peaks.worse
+    ratio, negative = _severity(peaks)[worse], peaks.max_rotation[worse] < 0.0
+    worst, with_twins = ratio[:, :, 0].argmax(axis=1).tolist(), worse.shape[2] > 1
     suites = []
     for level, own, below, place in zip(level_peaks.levels, ratio, negative, worst, strict=True):
         standing = tuple(None if isinf(each) else each for each in own[:, 0].tolist())
@@ -373,9 +380,9 @@ def branch_of(rotation: float) -> BranchName:
     return "negative" if rotation < 0 else "positive"
 
 
-def _severity(found: Peaks) -> FloatArray:
+def _severity(peaks: Peaks) -> FloatArray:
     """Return max|rotation| / overturning rotation of each job, inf where it overturned."""
-    return np.where(found.overturned, inf, found.max_ratio)
+    return np.where(peaks.overturned, inf, peaks.max_ratio)
 
 
 SCAN_STEP, SCAN_STEP_ON_JOINTS = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
@@ -401,13 +408,11 @@ def scan_levels(
 
     Returns
     -------
-    tuple of Suite
+    tuple of SuiteResponse
         At rising PGA, the last one that which ends the scan.
     """
-    strongest = (
-        max(motion.scaling.factor * at_base.record.pga for motion, at_base in zip(motions, case.base, strict=True))
-        / site_pga
-    )
+    pairs = zip(motions, case.base, strict=True)
+    strongest = max(motion.scaling.factor * at_base.record.pga for motion, at_base in pairs) / site_pga
     uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
     step, most = (SCAN_STEP_ON_JOINTS, MOST_LEVELS_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)

@@ -22,7 +22,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
-from math import ceil, inf, pi, sqrt
+from math import ceil, pi, sqrt
 
 import numpy as np
 from scipy.constants import g
@@ -39,7 +39,7 @@ from assess.results import Control, HistoryResult
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.controls import control_not_made, make_control
-from assess.study.histories import with_restitution_factor
+from assess.study.histories import history_severity, with_restitution_factor
 from assess.study.study import ScaledRecord
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray
@@ -89,7 +89,7 @@ def governing_history(
     if not histories:
         return None
     level = min((history.level_pga_g for history in histories), key=lambda pga: abs(pga - site_pga / g))
-    worst = max((history for history in histories if history.level_pga_g == level), key=_severity)
+    worst = max((history for history in histories if history.level_pga_g == level), key=history_severity)
     if worst.max_rotation_rad == 0.0:
         return None
     return GoverningHistory(
@@ -99,10 +99,6 @@ def governing_history(
         worst.polarity * worst.scale_factor,
         equation,
     )
-
-
-def _severity(history: HistoryResult) -> float:
-    return inf if history.max_rotation_ratio is None else history.max_rotation_ratio
 
 
 ENERGY_BALANCE = "energy balance"
@@ -180,9 +176,7 @@ def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equa
     if equation == "linearised":
         return tuple(energies_of_linearised(branch.linearised) for branch in oscillator.branches)
     if is_rigid_chain_throughout(mechanism):
-        return tuple(
-            energies_of_masses(chain) for chain in (mechanism.positive, mechanism.negative) if chain is not None
-        )
+        return tuple(map(energies_of_masses, mechanism.chains))
     return tuple(map(energies_of_table, oscillator.branches))
 
 

@@ -40,9 +40,8 @@ MOST_CURVE_POINTS = 200  # of a curve, at most
 
 def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Sequence[str]) -> tuple[dict[str, Any], ...]:
     """Return the force at every hinge of both branches, and how its contact opens and crushes."""
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     found: list[dict[str, Any]] = []
-    for chain, side in zip(chains, oscillator.branches, strict=True):
+    for chain, side in zip(mechanism.chains, oscillator.branches, strict=True):
         if chain.joints:
             found += _flexible_joints(chain, side, names[len(found) :], mechanism.name)
         else:
@@ -53,8 +52,7 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
 
 def sheets_of_joints(mechanism: Mechanism, oscillator: Oscillator, names: Sequence[str]) -> Iterator[ContactSheet]:
     """Yield the calculation sheets of the joints of both branches that yield or crush."""
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    for chain, side, rest in zip(chains, oscillator.branches, oscillator.equilibria, strict=False):
+    for chain, side, rest in zip(mechanism.chains, oscillator.branches, oscillator.equilibria, strict=False):
         if chain.joints:
             yield from contact_sheets(FlexibleChain(chain, mechanism.name), side, names, equilibrium=rest)
         names = names[len(chain.hinges) :]
@@ -141,7 +139,7 @@ STATES = {"m": MULTIPLIER, "u": OVERTURNING}
 VerticalForces = dict[str, tuple[float, str]]
 """Vertical forces by symbol, down positive [N]."""
 LEVEL = 1e-9  # of a force: a horizontal or vertical part that is less is none
-SAME_FORCE = 1e-6  # relative: a normal force that is the one at rest
+SAME_FORCE = 1e-6  # relative: of two forces that are one
 LEAST_SLOPE = 1e-9  # rad: a joint that has rotated by less rests
 
 
@@ -310,7 +308,6 @@ def _add_loads(flexible: FlexibleChain, loads: Sequence[Load], lines: list[Step]
             lines.append(step(name, words, BALANCE, "given", down, "N", subject=load.name))
 
 
-SAME_HORIZONTAL_FORCE = 1e-6  # relative: of two forces that are one
 LEAST_ARM = 1e-9  # m: a shorter one is rounding
 
 ForceAt = tuple[complex, complex]
@@ -370,7 +367,7 @@ def vertical_step(hinge: MiddleHinge, *, above: bool) -> Step:
 def horizontal_step(hinge: MiddleHinge, H: float) -> Step | None:
     """Write the horizontal force of a joint where it is that of C; None where loads change it between them."""
     along = hinge.force.real
-    if not isclose(abs(H), abs(along), rel_tol=SAME_HORIZONTAL_FORCE):
+    if not isclose(abs(H), abs(along), rel_tol=SAME_FORCE):
         return None
     forward = "(M_2 (x_C − x_D) − M_3 (x_B − x_C))"
     moments = forward if H * along > 0.0 else "(M_3 (x_B − x_C) − M_2 (x_C − x_D))"

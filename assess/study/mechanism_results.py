@@ -59,7 +59,6 @@ from assess.study.joint_results import interface_curves, interface_results, shee
 from assess.study.study import ScaledRecord, Study, case_text
 from records.record import Record
 from records.response import response_spectrum
-from spectra.arrays import FloatArray
 
 
 def parameters(study: Study) -> tuple[MechanismResult, ...]:
@@ -71,7 +70,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),
-            height=study.grounded[mechanism.name],
+            height=study.heights[mechanism.name],
         )
         for mechanism in study.mechanisms
     )
@@ -251,11 +250,6 @@ def comparison_rows(results: Sequence[MechanismResult]) -> tuple[ComparisonRow, 
     )
 
 
-def floats(values: FloatArray) -> tuple[float, ...]:
-    """Return an array as plain numbers."""
-    return tuple(values.tolist())
-
-
 def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium: float) -> OscillatorResult:
     """Return the rocking parameters of one branch.
 
@@ -310,12 +304,12 @@ def linearised_result(linear: Linearised) -> LinearisedResult:
 def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
     """Return the capacity curve of one branch."""
     return BranchCurve(
-        rotation_rad=floats(branch.rotation),
-        inertia_kg_m2=floats(branch.inertia),
-        restoring_n_m=floats(branch.restoring),
-        excitation_kg_m=floats(branch.excitation),
-        participating_mass_kg=floats(participating_mass(branch)),
-        displacement_m=floats(displacement(branch, branch.rotation, mass=mass)),
+        rotation_rad=tuple(branch.rotation.tolist()),
+        inertia_kg_m2=tuple(branch.inertia.tolist()),
+        restoring_n_m=tuple(branch.restoring.tolist()),
+        excitation_kg_m=tuple(branch.excitation.tolist()),
+        participating_mass_kg=tuple(participating_mass(branch).tolist()),
+        displacement_m=tuple(displacement(branch, branch.rotation, mass=mass).tolist()),
     )
 
 
@@ -336,8 +330,9 @@ def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch
     """Return the branches of the mechanism with rigid interfaces."""
     if not mechanism.flexible:
         return oscillator.branches
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    return tuple(rigid_branch(replace(chain, joints=()), restitution=1.0, name=mechanism.name) for chain in chains)
+    return tuple(
+        rigid_branch(replace(chain, joints=()), restitution=1.0, name=mechanism.name) for chain in mechanism.chains
+    )
 
 
 WIDEST_SEAT = 2.0  # m: floors and roofs rest on less
@@ -453,10 +448,12 @@ def base_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
     period = np.geomspace(SHORTEST_PERIOD, LONGEST_SHOWN, 120)
     return CarriedMotion(
         record=ground.id,
-        time_s=floats(base.time),
-        ground_acceleration_g=floats(scale / g * np.interp(base.time, ground.time, ground.acceleration, right=0.0)),
-        base_acceleration_g=floats(scale / g * base.acceleration),
-        period_s=floats(period),
-        ground_spectrum_g=floats(scale / g * response_spectrum(ground, period)),
-        base_spectrum_g=floats(scale / g * response_spectrum(base, period)),
+        time_s=tuple(base.time.tolist()),
+        ground_acceleration_g=tuple(
+            (scale / g * np.interp(base.time, ground.time, ground.acceleration, right=0.0)).tolist()
+        ),
+        base_acceleration_g=tuple((scale / g * base.acceleration).tolist()),
+        period_s=tuple(period.tolist()),
+        ground_spectrum_g=tuple((scale / g * response_spectrum(ground, period)).tolist()),
+        base_spectrum_g=tuple((scale / g * response_spectrum(base, period)).tolist()),
     )

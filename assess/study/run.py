@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.amplification import pulse_factor
-from assess.codes.check import Check, Family
-from assess.codes.procedures import FAMILIES, history_rules, uses_histories
+from assess.codes.check import Check
+from assess.codes.procedures import history_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
@@ -57,6 +57,7 @@ from assess.study.study import (
     ScaledRecord,
     Study,
     case_text,
+    follows_motion,
     may_follow_motion,
     report_nothing,
     require_spectrum,
@@ -181,7 +182,6 @@ def decide_with_tolerance(
     return decide(with_question, results, losses) if losses else decided
 
 
-OF_MOTION = (Family.HISTORY, Family.ENERGY)
 NO_HISTORIES = RockingHistories((), ())
 
 
@@ -231,7 +231,7 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
 def _needs_motions(study: Study) -> bool:
     """Return whether an answer of a study depends on its ground motions."""
     above = any(study.amplified[mechanism.name].height is not None for mechanism in study.mechanisms)
-    return above or any(FAMILIES[name] in OF_MOTION for name in study.procedures)
+    return above or any(follows_motion(name) for name in study.procedures)
 
 
 def _check_what_decides(
@@ -340,9 +340,15 @@ def _as_assessed(
     jobs: int,
 ) -> AssessedMechanism:
     """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
-    of = study if sweep is None else sweep.case.study
-    moving = motions if sweep is None else motions_of_case(sweep.case, study, motions, jobs=jobs)
-    return AssessedMechanism(next(each for each in of.mechanisms if each.name == result.name), of, moving, result)
+    study_there, mechanism = _where_assessed(study, sweep, result.name)
+    motions_there = motions if sweep is None else motions_of_case(sweep.case, study, motions, jobs=jobs)
+    return AssessedMechanism(mechanism, study_there, motions_there, result)
+
+
+def _where_assessed(study: Study, sweep: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
+    """Return the study in which a mechanism was assessed, that of the controlling case if swept, and the mechanism."""
+    deciding = study if sweep is None else sweep.case.study
+    return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
 
 
 def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
@@ -448,18 +454,17 @@ def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> t
 
     Mechanisms that fall at rest without actions that are not shown to last are left out.
     """
-    found = []
-    for mechanism in study.mechanisms:
-        sweep = controlling.get(mechanism.name)
-        of = study if sweep is None else sweep.case.study
-        case = "" if sweep is None else case_text(sweep.sweep, sweep.case, sweep.mechanism)
-        used = next(each for each in of.mechanisms if each.name == mechanism.name)
-        oscillator = used.variants.collapse
+    cases = []
+    for name in (mechanism.name for mechanism in study.mechanisms):
+        sweep = controlling.get(name)
+        study_there, mechanism = _where_assessed(study, sweep, name)
+        oscillator = mechanism.variants.collapse
         if oscillator is None:
             continue
-        factor = partial(pulse_factor, of.amplified[used.name].amplification)
-        found.append(EnvelopeCase(used.name, oscillator, of.equations[used.name], factor, case))
-    return tuple(found)
+        factor = partial(pulse_factor, study_there.amplified[name].amplification)
+        words = "" if sweep is None else case_text(sweep.sweep, sweep.case, sweep.mechanism)
+        cases.append(EnvelopeCase(name, oscillator, study_there.equations[name], factor, words))
+    return tuple(cases)
 
 
 DEFAULT_GRID = PulseGrid(PULSE_SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))

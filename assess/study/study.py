@@ -91,7 +91,7 @@ class Study:
     sweeps : parametric studies; a case has none
     question : what decides
     facts : what a pass of each mechanism needs and is not given, and its conditions, by name
-    grounded : the height of each mechanism above the ground, by name
+    heights : of each mechanism above the ground, by name
     record_factor : a further factor on every record [-]
     suite_faults : rules for suites that the records do not meet, by code; known once the records are
     survey : returns the surveyed numbers of a mechanism by its name
@@ -130,7 +130,7 @@ class Study:
     limit_state: str | None
     question: Question
     facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
-    grounded: Mapping[str, HeightAboveGround] = field(default_factory=dict)
+    heights: Mapping[str, HeightAboveGround] = field(default_factory=dict)
     record_factor: float = 1.0
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
@@ -320,7 +320,12 @@ def value_text(sweep: Sweep, case: SweepCase) -> str:
 def may_follow_motion(question: Question) -> bool:
     """Return whether a method by histories or energy may decide, or no method is named."""
     methods = methods_of(question)
-    return not methods or any(FAMILIES[name] in (Family.HISTORY, Family.ENERGY) for name in methods)
+    return not methods or any(map(follows_motion, methods))
+
+
+def follows_motion(procedure: str) -> bool:
+    """Return whether a procedure follows the ground's motion: by histories, or by their energy."""
+    return FAMILIES[procedure] in (Family.HISTORY, Family.ENERGY)
 
 
 def deciding_limit_states(question: Question) -> tuple[str, ...]:

@@ -673,14 +673,10 @@ def periods_at_limit_state(study: Study) -> Range:
     """Return T_SLV or T_SLC, and the building's T_1 if a mechanism is above the ground [s], for NTC 2018."""
     state = deciding_state(study)
     low, high = extreme_periods(limit_state_periods(study.mechanisms, state=state))
-    if study.building is None or not any(_base_above_ground(each, study) for each in study.mechanisms):
+    above = any(study.heights[mechanism.name].base > 0.0 for mechanism in study.mechanisms)  # if only on a plinth
+    if study.building is None or not above:
         return low, high
     return min(low, study.building.period), max(high, study.building.period)
-
-
-def _base_above_ground(mechanism: Mechanism, study: Study) -> bool:
-    """Return whether the base of a mechanism is above the ground, even if only on a plinth."""
-    return study.grounded[mechanism.name].base > 0.0
 
 
 def deciding_state(study: Study) -> str:

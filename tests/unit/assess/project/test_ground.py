@@ -34,7 +34,7 @@ def study(folder: Path, *tables: str) -> Study:
 
 
 def of(folder: Path, *tables: str, name: str = "m") -> HeightAboveGround:
-    return study(folder, *tables).grounded[name]
+    return study(folder, *tables).heights[name]
 
 
 @pytest.mark.parametrize("at", [0.0, 0.5, -0.5])
@@ -63,7 +63,7 @@ def test_a_base_elevation_replaces_the_geometry(tmp_path: Path) -> None:
     assert (found.base, found.above, found.source) == (8.0, True, BY_MECHANISM)
     alone = of(tmp_path, wall(120.0), mechanism('base_elevation = "0 m"'))
     assert (alone.base, alone.above, alone.unknown) == (0.0, False, ())
-    both = study(tmp_path, wall(8.0), mechanism("base_elevation = 8"), mechanism(name="n")).grounded
+    both = study(tmp_path, wall(8.0), mechanism("base_elevation = 8"), mechanism(name="n")).heights
     assert (both["m"].source, both["n"].source) == (BY_MECHANISM, UNKNOWN)
 
 

@@ -69,7 +69,7 @@ def unite(shells: Sequence[Surface], *, where: str) -> Surface:
     sized = sorted(((volume(*shell), shell) for shell in shells), key=lambda each: -abs(each[0]))
     whole = Manifold()
     for material, group in groupby(sized, key=lambda each: each[0] > 0.0):
-        bodies = [_manifold(_orient((v - middle, t), outwards=material), where=where) for _, (v, t) in group]
+        bodies = [_manifold((v - middle, t if material else t[:, ::-1]), where=where) for _, (v, t) in group]
         whole = Manifold.batch_boolean([whole, *bodies], OpType.Add if material else OpType.Subtract)
     vertices, triangles = _surface(whole)
     return merge_vertices(vertices + middle, triangles)
@@ -137,11 +137,6 @@ def _bounds_gap(first: Solid, second: Solid) -> float:
 def _manifold_of_solid(solid: Solid, origin: FloatArray) -> Any:
     """Convert a body, with coordinates from an origin [3], to a manifold3d object."""
     return _manifold((solid.vertices - origin, solid.triangles), where=f'body "{solid.name}"')
-
-
-def _orient(surface: Surface, *, outwards: bool) -> Surface:
-    vertices, triangles = surface
-    return vertices, triangles if outwards else triangles[:, ::-1]
 
 
 def _manifold(surface: Surface, *, where: str) -> Any:

@@ -59,7 +59,7 @@ def load_solid(
     name : the body's name in the project
     scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
     up : the axis of the file that points up; the format's if absent, z where it has none
-    element : only elements of this name, identifier, class or pattern (`formats.element_selection`); all if absent
+    element : only elements of this name, identifier, class or pattern (`select_elements`); all if absent
 
     Raises
     ------
@@ -81,11 +81,11 @@ def solid_from_meshes(
     selected : the meshes
     density : [kg/m3]
     name : the body's name in the project
-    scale, up : as in `load`
+    scale, up : as in `load_solid`
 
     Raises
     ------
-    GeometryError : as in `load`; where one of several elements is at fault, it is named
+    GeometryError : as in `load_solid`; where one of several elements is at fault, it is named
     """
     where = f'body "{name}": mesh {selected.file.name}'
     try:

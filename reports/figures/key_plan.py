@@ -92,13 +92,12 @@ def key_plan_caption(building: BuildingScene) -> Text:
 
 def model_of_key_plan(building: BuildingScene) -> SpatialModel:
     """Return the scene for renderers on which a reader can turn it."""
-    colours = {owner: _colour(building, owner) for owner in np.unique(building.owner).tolist()}
+    colours = {
+        owner: FIXED if owner < 0 else VERDICT[building.moving_parts[owner].outcome]
+        for owner in np.unique(building.owner).tolist()
+    }
     wires = tuple(wire for part in building.moving_parts for wire in _wires_of_part(part))
     return scene_model(building.surface, building.owner, colours, wires, SHARP_ANGLE, building.direction)
-
-
-def _colour(building: BuildingScene, owner: int) -> str:
-    return FIXED if owner < 0 else VERDICT[building.moving_parts[owner].outcome]
 
 
 def _wires_of_part(part: MovingPart) -> Iterator[Wire]:

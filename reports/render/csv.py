@@ -37,7 +37,7 @@ def csv_field(cell: PlainCell) -> str:
 
 
 def csv_lines(rows: Iterable[Iterable[PlainCell]]) -> str:
-    """Return rows, the header first, as the text of a CSV file; every cell goes through `field`."""
+    """Return rows, the header first, as the text of a CSV file; every cell goes through `csv_field`."""
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows([csv_field(cell) for cell in row] for row in rows)
     return stream.getvalue()

@@ -175,7 +175,7 @@ class PagePart:
     """Flowables that follow each other.
 
     is_whole : on one page
-    needs_room : begins where there is `ROOM`, and more before a table that starts with a high row
+    needs_room : begins where there is `ROOM_TO_BEGIN`, and more before a table that starts with a high row
     """
 
     flowables: list[Flowable]

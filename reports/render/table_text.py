@@ -52,7 +52,10 @@ def column_texts(cells: Sequence[Cell], column: Column, locale: Locale) -> list[
     locale : language and units
     """
     texts = [cell_text(cell, column, locale) for cell in cells]
-    kept = [_decimals(text, locale) if _is_measure(cell, text) else 0 for cell, text in zip(cells, texts, strict=True)]
+    kept = [
+        len(text.partition(locale.point)[2]) if _is_measure(cell, text) else 0
+        for cell, text in zip(cells, texts, strict=True)
+    ]
     pairs = zip(cells, texts, strict=True)
     return [_padded(cell, column, locale, max(kept)) if _is_measure(cell, text) else text for cell, text in pairs]
 
@@ -70,10 +73,6 @@ def _padded(cell: float, column: Column, locale: Locale, most: int) -> str:
 def _number(cell: float, column: Column, locale: Locale, *, aligned: bool = False) -> str:
     value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
     return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE, aligned=aligned)
-
-
-def _decimals(text: str, locale: Locale) -> int:
-    return len(text.partition(locale.point)[2])
 
 
 def is_number(cell: Cell) -> bool:

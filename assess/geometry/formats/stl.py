@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from assess.geometry.formats.mesh_file import Element, ElementMesh, MeshFile, file_from_meshes, make_element_mesh
 from assess.geometry.formats.text_blocks import TextBlock, join_lines, parse_numbers, read_blocks, rest_of_line
@@ -44,12 +43,9 @@ def parse_binary_stl(data: bytes) -> MeshFile | None:
     columns = np.empty((3, count, 3))  # x of all corners, then y, then z: they are worked through so
     for axis in range(3):
         columns[axis] = corners[:, :, axis]
-    return _unnamed_mesh(columns.reshape(3, -1).T, np.arange(3 * count).reshape(-1, 3))
-
-
-def _unnamed_mesh(vertices: ArrayLike, triangles: ArrayLike) -> MeshFile:
-    """Return a file of one unnamed mesh."""
-    return file_from_meshes([make_element_mesh(Element(), vertices, triangles)])
+    return file_from_meshes(
+        [make_element_mesh(Element(), columns.reshape(3, -1).T, np.arange(3 * count).reshape(-1, 3))]
+    )
 
 
 def read_text_stl(file: Path) -> MeshFile:

@@ -82,7 +82,7 @@ class Candidate:
         return f"{self.earthquake} at {station}" if station else f"file {self.path}"
 
     @property
-    def shakes(self) -> bool:
+    def horizontal_at_surface(self) -> bool:
         """Whether it is a horizontal component at the free surface, as far as its file says."""
         return not self.place and not is_vertical(self.component)
 
@@ -102,7 +102,7 @@ def candidate_table(candidates: Sequence[Candidate]) -> DataFrame:
     from pandas import DataFrame
 
     columns = [field.name for field in fields(Candidate) if field.name not in ("measures", "spectrum", "overrides")]
-    rows = [{name: getattr(one, name) for name in columns} | dict(one.measures) for one in candidates]
+    rows = [{name: getattr(each, name) for name in columns} | dict(each.measures) for each in candidates]
     return DataFrame(rows, columns=None if rows else columns)
 
 
@@ -133,9 +133,9 @@ def read_candidates(
     RecordError : for the first file that cannot be read
     """
     return tuple(
-        one
-        for made in map_files(partial(_describe_file, overrides=overrides), files, executor=executor)
-        for one in made
+        candidate
+        for candidates in map_files(partial(_describe_file, overrides=overrides), files, executor=executor)
+        for candidate in candidates
     )
 
 
@@ -171,8 +171,8 @@ def describe_record(
     )
 
 
-def map_files(verb: Callable[[T], R], things: Sequence[T], *, executor: Executor | None) -> Iterable[R]:
+def map_files(function: Callable[[T], R], files: Sequence[T], *, executor: Executor | None) -> Iterable[R]:
     """Apply a function to each file, in order; by the executor where there are many."""
-    if executor is None or len(things) <= FEW:
-        return map(verb, things)
-    return executor.map(verb, things, chunksize=4)
+    if executor is None or len(files) <= FEW:
+        return map(function, files)
+    return executor.map(function, files, chunksize=4)

@@ -168,9 +168,9 @@ def _recordings(table: DataFrame, columns: Mapping[str, list[int]]) -> tuple[Fla
     return tuple(FlatfileRow(*row) for row in rows)
 
 
-def _file_name(cell: str) -> str:
+def _file_name(path: str) -> str:
     """Return the name of a file without its folders, in lower case."""
-    return cell.replace("\\", "/").rpartition("/")[2].lower()
+    return path.replace("\\", "/").rpartition("/")[2].lower()
 
 
 def _plausible(cells: DataFrame, limits: tuple[float, float]) -> DataFrame:
@@ -233,8 +233,8 @@ def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[Fl
     -------
     tuple of Candidate : in the same order [n]
     """
-    found = _find_recordings(candidates, recordings)
-    return tuple(one if by is None else _describe(one, by) for one, by in zip(candidates, found, strict=True))
+    rows = _find_rows(candidates, recordings)
+    return tuple(each if row is None else _describe(each, row) for each, row in zip(candidates, rows, strict=True))
 
 
 def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> FlatfileMatch:
@@ -245,24 +245,26 @@ def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> Flatf
     candidates : records of a catalogue or of files
     flatfile : as read, with its bad cells
     """
-    found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
-    matched = len({by.nga for by in found})
-    said = _columns_missing(flatfile.missing) or _rows_absent(candidates, flatfile.recordings)
-    said = said if found else _no_match_reason(candidates, flatfile.recordings)
-    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, said)
+    rows = [row for row in _find_rows(candidates, flatfile.recordings) if row is not None]
+    matched = len({row.nga for row in rows})
+    if rows:
+        message = _columns_missing(flatfile.missing) or _rows_absent(candidates, flatfile.recordings)
+    else:
+        message = _no_match_reason(candidates, flatfile.recordings)
+    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(rows), flatfile.bad, message)
 
 
-def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> list[FlatfileRow | None]:
-    """Find the recording of each candidate; None where there is none."""
-    by_number = {one.nga: one for one in recordings}
+def _find_rows(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> list[FlatfileRow | None]:
+    """Find the row of each candidate; None where there is none."""
+    by_number = {row.nga: row for row in recordings}
     by_file: dict[str, FlatfileRow | None] = {}
-    for one in recordings:
-        for file in one.files:
-            by_file[file] = one if by_file.get(file, one) == one else None
-    named = ((one, by_file.get(_name_of_path(one.path))) for one in candidates)
+    for row in recordings:
+        for file in row.files:
+            by_file[file] = row if by_file.get(file, row) == row else None
+    named = ((candidate, by_file.get(_file_name(candidate.path))) for candidate in candidates)
     return [
-        by_number.get(one.nga or 0) or (by if by is not None and one.nga in (None, by.nga) else None)
-        for one, by in named
+        by_number.get(candidate.nga or 0) or (row if row is not None and candidate.nga in (None, row.nga) else None)
+        for candidate, row in named
     ]
 
 
@@ -276,40 +278,36 @@ def _columns_missing(keys: Sequence[str]) -> Message | None:
 
 def _rows_absent(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> Message | None:
     """Say how many records have no row; None if all have one."""
-    found = zip(candidates, _find_recordings(candidates, recordings), strict=True)
-    alone = [one for one, by in found if by is None]
-    if not alone:
+    rows = zip(candidates, _find_rows(candidates, recordings), strict=True)
+    unmatched = [candidate for candidate, row in rows if row is None]
+    if not unmatched:
         return None
-    counts = {"total": str(len(candidates)), "count": str(len(alone))}
-    return warning("flatfile-rows-absent", **counts, file=_name_of_path(alone[0].path))
+    counts = {"total": str(len(candidates)), "count": str(len(unmatched))}
+    return warning("flatfile-rows-absent", **counts, file=_file_name(unmatched[0].path))
 
 
 def _no_match_reason(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> Message:
     """Say why no row matches a record."""
     if not candidates:
         return warning("flatfile-no-records")
-    numbers = sorted(one.nga for one in candidates if one.nga is not None)
-    first, last = min(one.nga for one in recordings), max(one.nga for one in recordings)
+    numbers = sorted(each.nga for each in candidates if each.nga is not None)
+    first, last = min(row.nga for row in recordings), max(row.nga for row in recordings)
     if numbers:
         ends = {"first": numbers[0], "last": numbers[-1], "first_row": first, "last_row": last}
         return warning("flatfile-other-numbers", **{key: str(number) for key, number in ends.items()})
-    names = sorted(file for one in recordings for file in one.files)
+    names = sorted(file for row in recordings for file in row.files)
     example = names[0] if names else f"RSN{first}_….AT2"
-    return warning("flatfile-no-numbers", file=_name_of_path(candidates[0].path), example=example)
+    return warning("flatfile-no-numbers", file=_file_name(candidates[0].path), example=example)
 
 
-def _name_of_path(path: str) -> str:
-    return path.replace("\\", "/").rsplit("/", 1)[-1].lower()
-
-
-def _describe(one: Candidate, by: FlatfileRow) -> Candidate:
+def _describe(candidate: Candidate, row: FlatfileRow) -> Candidate:
     return replace(
-        one,
-        nga=by.nga,
-        event=by.event or one.event,
-        station=by.station or one.station,
-        date=one.date if one.date[:4] == by.year else by.year or one.date,
-        magnitude=one.magnitude if by.magnitude is None else by.magnitude,
-        distance=one.distance if by.distance is None else by.distance,
-        vs30=one.vs30 if by.vs30 is None else by.vs30,
+        candidate,
+        nga=row.nga,
+        event=row.event or candidate.event,
+        station=row.station or candidate.station,
+        date=candidate.date if candidate.date[:4] == row.year else row.year or candidate.date,
+        magnitude=candidate.magnitude if row.magnitude is None else row.magnitude,
+        distance=candidate.distance if row.distance is None else row.distance,
+        vs30=candidate.vs30 if row.vs30 is None else row.vs30,
     )

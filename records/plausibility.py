@@ -59,39 +59,36 @@ def implausibility_warnings(record: Record) -> tuple[Message, ...]:
     ----------
     record : as read
     """
-    found = (
+    warnings = (
         *record.warnings,
-        _peak_in_unit(record),
+        _peak_warning(record.pga, _read_value(record, "unit")),
         _step_warning(record),
         arrival_warning(record),
         *_impossible_values(record),
     )
-    return tuple(each for each in found if each is not None)
+    return tuple(each for each in warnings if each is not None)
 
 
 def warnings_among(records: Sequence[Record]) -> Iterator[Message]:
     """Yield a warning for each recording of one station and earthquake whose components have different steps."""
-    known = [one for one in records if one.station and one.earthquake.time]
+    known = [each for each in records if each.station and each.earthquake.time]
     for _, group in groupby(sorted(known, key=_recording), key=_recording):
         first, *others = group
-        other = next((one for one in others if abs(one.dt - first.dt) > 1e-3 * first.dt), None)
+        other = next((each for each in others if abs(each.dt - first.dt) > 1e-3 * first.dt), None)
         if other is not None:
             steps = {"step": Quantity(first.dt, "time", 6), "other_step": Quantity(other.dt, "time", 6)}
             yield warning("of-record", record=first.id, what=warning("step-other", other=other.id, **steps))
 
 
-def candidate_warning(one: Candidate) -> str:
-    """Return the same for a record of a catalogue, which does not keep the unit it was read in."""
-    found = _peak_warning(one.measures["pga"], "")
-    return "" if found is None else f"{one.path}: {found}"
+def candidate_warning(candidate: Candidate) -> str:
+    """Return a line about the peak of a record of a catalogue, which does not keep its unit; "" where it is not odd."""
+    warning_on_peak = _peak_warning(candidate.measures["pga"], "")
+    return "" if warning_on_peak is None else f"{candidate.path}: {warning_on_peak}"
 
 
 def _recording(record: Record) -> tuple[str, str, str]:
+    """Return what the components of one recording have in common."""
     return record.station, record.event, record.earthquake.time
-
-
-def _peak_in_unit(record: Record) -> Message | None:
-    return _peak_warning(record.pga, _read_value(record, "unit"))
 
 
 def _read_value(record: Record, name: str) -> str:
@@ -106,16 +103,18 @@ def _step_warning(record: Record) -> Message | None:
     Of 210 real records none gets one. With a step ten times too long 99 % do, with one ten times too short two thirds;
     a factor of two cannot be seen from the motion.
     """
-    form = _read_value(record, "format")
-    if record.artificial or not record.processing_history or form == BY_SAMPLE:
+    format_name = _read_value(record, "format")
+    if record.artificial or not record.processing_history or format_name == BY_SAMPLE:
         return None
-    if record.dt < FINE and form in BY_NETWORKS:
+    if record.dt < FINE and format_name in BY_NETWORKS:
         return warning("step-fine", step=Quantity(record.dt, "time", 6))
     power = np.abs(np.fft.rfft(record.acceleration - np.mean(record.acceleration))) ** 2
-    share = np.cumsum(power)
-    if not share[-1] > 0.0:
+    cumulative = np.cumsum(power)
+    if not cumulative[-1] > 0.0:
         return None
-    half, most = (np.searchsorted(share, part * share[-1]) / (record.npts * record.dt) for part in (0.5, 0.95))
+    half, most = (
+        np.searchsorted(cumulative, share * cumulative[-1]) / (record.npts * record.dt) for share in (0.5, 0.95)
+    )
     return _frequency_warning(record.dt, float(half), float(most))
 
 

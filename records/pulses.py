@@ -89,7 +89,7 @@ class PulseShape:
 
     Attributes
     ----------
-    name : one of `SHAPES`
+    name : one of `PULSE_SHAPES`
     start, end : the phase interval [rad]
     form : the function within it
     gamma, nu : of a Mavroeidis-Papageorgiou pulse [-] [rad], None for the others
@@ -190,7 +190,7 @@ def pulse_shape(name: str, *, gamma: float | None = None, nu: float | None = Non
 
     Parameters
     ----------
-    name : one of `SHAPES`
+    name : one of `PULSE_SHAPES`
     gamma, nu : of mavroeidis-papageorgiou alone [-] [rad]
 
     Raises
@@ -326,8 +326,8 @@ def primary_pulses(
     coarse = _best_at_each(record, T, shape=shape)
     share = np.array([0.0, *(fit.explained_energy for fit in coarse), 0.0])
     peaks = np.flatnonzero((share[1:-1] > share[:-2]) & (share[1:-1] >= share[2:]))
-    found = _best_maxima([coarse[k] for k in peaks], record, shape=shape, grid=T, count=count)
-    return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in found)
+    maxima = _best_maxima([coarse[k] for k in peaks], record, shape=shape, grid=T, count=count)
+    return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in maxima)
 
 
 def _grid(record: Record, period: ArrayLike, *, shape: PulseShape) -> FloatArray:
@@ -387,25 +387,25 @@ def _refine(record: Record, fit: _Fit, *, shape: PulseShape, grid: FloatArray) -
         return -near(x).explained_energy / fit.explained_energy
 
     simplex = np.array([[0.0, 0.0], [0.5 * width, 0.0], [0.0, 0.5 * width]])
-    found = minimize(
+    minimum = minimize(
         lost,
         simplex[0],
         method="Nelder-Mead",
         options={"initial_simplex": simplex, "xatol": 1e-6, "fatol": 1e-11, "maxfev": 200},
     )
-    return near(found.x)
+    return near(minimum.x)
 
 
 def _best_maxima(coarse: list[_Fit], record: Record, *, shape: PulseShape, grid: FloatArray, count: int) -> list[_Fit]:
     """Return the `count` best maxima, refined, best first; those that cannot come so far are left as they are."""
     refined: list[_Fit] = []
-    found: list[_Fit] = []
+    maxima: list[_Fit] = []
     for fit in sorted(coarse, key=lambda fit: -fit.explained_energy):
-        if len(found) >= count and GAIN * fit.explained_energy < found[count - 1].explained_energy:
+        if len(maxima) >= count and GAIN * fit.explained_energy < maxima[count - 1].explained_energy:
             break
         refined.append(_refine(record, fit, shape=shape, grid=grid))
-        found = _distinct(refined)
-    return found[:count]
+        maxima = _distinct(refined)
+    return maxima[:count]
 
 
 def _distinct(fits: list[_Fit]) -> list[_Fit]:

@@ -42,18 +42,18 @@ def read_record(
 
     Raises
     ------
-    RecordError : as `read_with`
+    RecordError : as `read_with_overrides`
     """
     overrides = HeaderOverrides(unit, step, None if response is None else _as_path(response))
     records = read_with_overrides(_as_path(path), overrides)
     return records[0] if len(records) == 1 else list(records)
 
 
-def _as_path(given: str | Path) -> Path:
+def _as_path(path: str | Path) -> Path:
     """Return a path; raise RecordError for what is none."""
-    if not isinstance(given, str | Path) or "\0" in str(given):
-        raise RecordError(f"{given!r:.60} is no path; give the path of one file")
-    return Path(given)
+    if not isinstance(path, str | Path) or "\0" in str(path):
+        raise RecordError(f"{path!r:.60} is no path; give the path of one file")
+    return Path(path)
 
 
 def read_records(
@@ -106,14 +106,14 @@ def read_with_overrides(path: Path, overrides: HeaderOverrides) -> tuple[Record,
 
 
 def recall_records(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """Return what `read_with` does, from memory if this process has lately read a file of the same content.
+    """Return what `read_with_overrides` does, from memory if this process has lately read a file of the same content.
 
     The instrument's response is a file of its own: records that need one are always read.
 
     Parameters
     ----------
     path : file in one of the known formats
-    overrides : as in `read_with`
+    overrides : as in `read_with_overrides`
     """
     check_overrides(overrides)
     if overrides.response is not None or not path.is_file():

@@ -19,7 +19,7 @@ from records.record import Record
 from spectra.arrays import FloatArray
 
 COARSEST = 1000.0  # longest step, in periods, that is worth dividing
-SPECTRA_KEPT = 64  # spectra that are kept, of records last asked for
+SPECTRA_KEPT = 64  # spectra that are kept in memory, of the records used last
 
 
 def response_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.05) -> FloatArray:
@@ -68,20 +68,20 @@ def displacement_spectrum(record: Record, period: ArrayLike, *, damping: float =
         raise RecordError(
             f'record "{record.id}": response asked at damping ratio {damping}; it must be from 0 to below 1'
         )
-    moving = T > 0.0
-    if np.any(T[moving] * COARSEST < record.dt):
+    flexible = T > 0.0
+    if np.any(T[flexible] * COARSEST < record.dt):
         raise RecordError(
             f'record "{record.id}": its step of {record.dt:.6g} s is too coarse for a period of '
-            f"{np.min(T[moving]):.3g} s"
+            f"{np.min(T[flexible]):.3g} s"
         )
     S_d = np.zeros(T.shape)
-    S_d[moving] = _peak_displacements(record.acceleration.tobytes(), record.dt, T[moving].tobytes(), damping)
+    S_d[flexible] = _peak_displacements(record.acceleration.tobytes(), record.dt, T[flexible].tobytes(), damping)
     return S_d
 
 
 @lru_cache(maxsize=SPECTRA_KEPT)
 def _peak_displacements(acceleration: bytes, dt: float, period: bytes, damping: float) -> FloatArray:
-    """Return the largest displacements of oscillators [m]; the same suite is asked of for each of many walls."""
+    """Return the largest displacements of oscillators [m]; many walls ask for the spectra of one suite."""
     return peak_displacements(np.frombuffer(acceleration), dt, np.frombuffer(period), damping)
 
 
@@ -125,13 +125,22 @@ def measures(record: Record) -> Measures:
 
 
 def pgv(record: Record) -> float:
-    """Return the peak ground velocity [m/s], of acceleration that is linear between samples."""
-    return largest_velocity(record)
+    """Return the peak ground velocity [m/s], at a sample or between two where the acceleration passes through zero."""
+    a, b, v = record.acceleration[:-1], record.acceleration[1:], velocity(record)
+    passes = a * b < 0.0
+    until = record.dt * a[passes] / (a - b)[passes]
+    return float(max(np.max(np.abs(v)), np.max(np.abs(v[:-1][passes] + 0.5 * a[passes] * until), initial=0.0)))
 
 
 def pgd(record: Record) -> float:
-    """Return the peak ground displacement [m], of acceleration that is linear between samples."""
-    return largest_displacement(record)
+    """Return the peak ground displacement [m], at a sample or between two where v + a t + j t^2 / 2 is zero."""
+    a, v, d = record.acceleration[:-1], velocity(record)[:-1], displacement(record)
+    j = np.diff(record.acceleration) / record.dt
+    with np.errstate(divide="ignore", invalid="ignore"):
+        q = -(a + np.copysign(np.sqrt(a**2 - 2.0 * j * v), a))  # nan where the velocity is nowhere zero
+        roots = np.array([q / j, 2.0 * v / q])
+    t = np.where((roots > 0.0) & (roots < record.dt), roots, 0.0)
+    return float(max(np.abs(d[-1]), np.max(np.abs(d[:-1] + t * (v + t * (a / 2.0 + t * j / 6.0))))))
 
 
 def arias(record: Record) -> float:
@@ -188,7 +197,7 @@ def housner(record: Record, *, damping: float = 0.05) -> float:
 def velocity(record: Record) -> FloatArray:
     """Return the velocity of the ground at each sample [n] [m/s], from rest.
 
-    As recorded: an offset of the baseline becomes a drift; correct the record first (records/processing.py).
+    As recorded: an offset of the baseline becomes a drift; correct the record first (`correct_baseline`).
     """
     a = record.acceleration
     return _cumulative_sum(0.5 * record.dt * (a[:-1] + a[1:]))
@@ -198,25 +207,6 @@ def displacement(record: Record) -> FloatArray:
     """Return the displacement of the ground at each sample [n] [m], from rest. As `velocity`."""
     a, v, h = record.acceleration, velocity(record), record.dt
     return _cumulative_sum(h * v[:-1] + h**2 / 6.0 * (2.0 * a[:-1] + a[1:]))
-
-
-def largest_velocity(record: Record) -> float:
-    """Return the largest |velocity| [m/s], at the samples or between two where the acceleration passes through zero."""
-    a, b, v = record.acceleration[:-1], record.acceleration[1:], velocity(record)
-    passes = a * b < 0.0
-    until = record.dt * a[passes] / (a - b)[passes]
-    return float(max(np.max(np.abs(v)), np.max(np.abs(v[:-1][passes] + 0.5 * a[passes] * until), initial=0.0)))
-
-
-def largest_displacement(record: Record) -> float:
-    """Return the largest |displacement| [m], at the samples or between, where v + a t + j t^2 / 2 is zero."""
-    a, v, d = record.acceleration[:-1], velocity(record)[:-1], displacement(record)
-    j = np.diff(record.acceleration) / record.dt
-    with np.errstate(divide="ignore", invalid="ignore"):
-        q = -(a + np.copysign(np.sqrt(a**2 - 2.0 * j * v), a))  # nan where the velocity is nowhere zero
-        roots = np.array([q / j, 2.0 * v / q])
-    t = np.where((roots > 0.0) & (roots < record.dt), roots, 0.0)
-    return float(max(np.abs(d[-1]), np.max(np.abs(d[:-1] + t * (v + t * (a / 2.0 + t * j / 6.0))))))
 
 
 def integrate_squared(record: Record) -> FloatArray:

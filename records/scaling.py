@@ -1,6 +1,4 @@
-"""Scaling a record to a design spectrum over a band of periods, to one of its ordinates or to a peak ground
-acceleration.
-"""
+"""Scaling a record to a design spectrum over a band of periods, to one of its ordinates, or to a peak acceleration."""
 
 from __future__ import annotations
 
@@ -171,13 +169,13 @@ def log_ratio(
             f'record "{record.id}": the spectrum ends at {spectrum.longest_period:.4g} s, before the periods of scaling'
         )
     at = T if nodes is None else nodes
-    own = response_spectrum(record, at, damping=DAMPING)
-    still = at[~(own > 0.0)]
-    if still.size:
+    S_a = response_spectrum(record, at, damping=DAMPING)
+    at_rest = at[~(S_a > 0.0)]
+    if at_rest.size:
         raise RecordError(
-            f'record "{record.id}": no motion at a period of {still[0]:.4g} s; it cannot be scaled to a spectrum'
+            f'record "{record.id}": no motion at a period of {at_rest[0]:.4g} s; it cannot be scaled to a spectrum'
         )
-    logarithm = np.log(own) if nodes is None else interpolate(T, nodes, np.log(own))
+    logarithm = np.log(S_a) if nodes is None else interpolate(T, nodes, np.log(S_a))
     return np.asarray(np.log(spectrum.acceleration(T, damping=DAMPING)) - logarithm, dtype=np.float64)
 
 
@@ -297,12 +295,12 @@ def truncate_band(band: Band, longest: float) -> Band:
 def _weight(period: FloatArray, weights: Sequence[tuple[float, float]]) -> FloatArray:
     if not weights:
         return np.ones(period.size)
-    at, of = np.array(weights, dtype=np.float64).T
-    bad = not np.all(np.isfinite(at) & np.isfinite(of) & (at > 0.0) & (of >= 0.0)) or np.any(np.diff(at) <= 0.0)
-    found = np.zeros(period.size) if bad else np.interp(np.log(period), np.log(at), of)
-    if not found.max() > 0.0:
+    at, weight = np.array(weights, dtype=np.float64).T
+    bad = not np.all(np.isfinite(at) & np.isfinite(weight) & (at > 0.0) & (weight >= 0.0)) or np.any(np.diff(at) <= 0.0)
+    interpolated = np.zeros(period.size) if bad else np.interp(np.log(period), np.log(at), weight)
+    if not interpolated.max() > 0.0:
         raise RecordError(
             "weights: they must be pairs (period, weight) of rising periods and weights that are not negative, some of "
             f"them above zero between {period[0]:.4g} s and {period[-1]:.4g} s"
         )
-    return np.asarray(found / found.max(), dtype=np.float64)
+    return np.asarray(interpolated / interpolated.max(), dtype=np.float64)

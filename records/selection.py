@@ -35,9 +35,9 @@ ScaleTo = Literal["spectrum", "pga", "none"]
 Components = Literal["single", "together"]
 
 FILTERED_METADATA: Mapping[str, Callable[[Candidate], float | None]] = {
-    "magnitude": lambda one: one.magnitude,
-    "distance": lambda one: one.distance,
-    "vs30": lambda one: one.vs30,
+    "magnitude": lambda candidate: candidate.magnitude,
+    "distance": lambda candidate: candidate.distance,
+    "vs30": lambda candidate: candidate.vs30,
 }
 """What files may not say, by the name of its filter."""
 
@@ -137,42 +137,41 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: SuiteC
     RecordError : too few candidates are left; lists how many after each step
     """
     band = truncate_band(criteria.band, spectrum.longest_period)
-    horizontal = [one for one in candidates if one.shakes]
-    known = _of_known_metadata(horizontal, criteria.filters)
-    passed = [one for one in known[-1][1] if passes(one, criteria.filters)]
+    horizontal = [each for each in candidates if each.horizontal_at_surface]
+    of_known = _of_known_metadata(horizontal, criteria.filters)
+    passed = [each for each in of_known[-1][1] if passes(each, criteria.filters)]
     choices, log_ratio = _scaled(_join_components(passed, criteria.components), spectrum, band, criteria.scale_to)
     low, high = criteria.scale_limits
     within = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
     choices, log_ratio = [choice for choice, keep in zip(choices, within, strict=True) if keep], log_ratio[within]
     misfits = [choice.mse for choice in choices]
-    near = np.array([choice.mse <= criteria.largest_misfit for choice in choices], dtype=np.bool_)
-    near_ones = ((STEPS["near"], int(near.sum())),) if criteria.largest_misfit < inf else ()
-    choices, log_ratio = [choice for choice, keep in zip(choices, near, strict=True) if keep], log_ratio[near]
+    fitting = np.array([choice.mse <= criteria.largest_misfit for choice in choices], dtype=np.bool_)
+    fitting_step = ((STEPS["near"], int(fitting.sum())),) if criteria.largest_misfit < inf else ()
+    choices, log_ratio = [choice for choice, keep in zip(choices, fitting, strict=True) if keep], log_ratio[fitting]
     groups = event_groups([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
         (STEPS["all"], len(candidates)),
-        *((step, len(left)) for step, left in known),
+        *((step, len(remaining)) for step, remaining in of_known),
         (STEPS["passed"], len(passed)),
         (STEPS["scaled"], int(within.sum())),
-        *near_ones,
+        *fitting_step,
         (STEPS["apart" if criteria.one_per_event else "free"], len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
         steps = ", ".join(f"{number} {step}" for step, number in counted)
         remedy = "widen the limits, or add records"
-        remedy += ", or a flatfile that knows more of them" if len(known[-1][1]) < len(horizontal) else ""
+        remedy += ", or a flatfile that knows more of them" if len(of_known[-1][1]) < len(horizontal) else ""
         nearest = _nearest_miss(misfits, criteria.largest_misfit)
         raise RecordError(f"{criteria.count} records wanted; there are {steps}{nearest}: {remedy}")
-    chosen, greedy = FITS[criteria.fit](_pool(choices, log_ratio, band, groups), criteria.count)
+    chosen, greedy_misfit = FITS[criteria.fit](_pool(choices, log_ratio, band, groups), criteria.count)
     ratio = _ratios([choices[i] for i in chosen], log_ratio[chosen])
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
-    return Selection(
-        criteria, tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse)), misfit, greedy, counted
-    )
+    by_misfit = tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse))
+    return Selection(criteria, by_misfit, misfit, greedy_misfit, counted)
 
 
 def _nearest_miss(misfits: Sequence[float], largest: float) -> str:
-    """Return how far the next record is from the limit of its misfit, in words; empty where none is beyond."""
+    """Return how far the next record is from the limit of its misfit, in words; empty where none is beyond it."""
     beyond = [sqrt(each) / log(10.0) for each in misfits if each > largest]
     if not beyond:
         return ""
@@ -188,50 +187,52 @@ def misfit_of_mean(choices: Sequence[ScaledRecording], spectrum: Spectrum, band:
     spectrum : target
     band : periods at which they are compared, with weights
     """
-    over = truncate_band(band, spectrum.longest_period)
-    _, log_ratio = _scaled([choice.components for choice in choices], spectrum, over, "none")
-    return float(mean_square(np.log(_ratios(choices, log_ratio).mean(axis=0)), weight=over.weight))
+    compared = truncate_band(band, spectrum.longest_period)
+    _, log_ratio = _scaled([choice.components for choice in choices], spectrum, compared, "none")
+    return float(mean_square(np.log(_ratios(choices, log_ratio).mean(axis=0)), weight=compared.weight))
 
 
 def passes(candidate: Candidate, filters: CandidateFilters) -> bool:
     """Return whether a candidate is what the filters ask for."""
     measures = candidate.measures
-    asked = (
+    ranges = (
         (filters.magnitude, candidate.magnitude),
         (filters.distance, candidate.distance),
         (filters.vs30, candidate.vs30),
         (filters.pga, measures.get("pga")),
         (filters.duration, measures.get("d5_95")),
     )
-    if any(span is not None and (value is None or not span[0] <= value <= span[1]) for span, value in asked):
+    if any(limits is not None and (value is None or not limits[0] <= value <= limits[1]) for limits, value in ranges):
         return False
     name = candidate.event.lower()
     return not filters.events or any(part.lower() in name for part in filters.events)
 
 
-def _of_known_metadata(level: Sequence[Candidate], filters: CandidateFilters) -> list[tuple[str, Sequence[Candidate]]]:
+def _of_known_metadata(
+    horizontal: Sequence[Candidate], filters: CandidateFilters
+) -> list[tuple[str, Sequence[Candidate]]]:
     """List what is left of the horizontal components after each step that drops those with an unknown value."""
-    steps = [(STEPS["horizontal"], level)]
-    for name, of in FILTERED_METADATA.items():
+    steps = [(STEPS["horizontal"], horizontal)]
+    for name, value_of in FILTERED_METADATA.items():
         before = steps[-1][1]
         if getattr(filters, name) is not None:
-            left = [one for one in before if of(one) is not None]
-            steps.append((STEPS[name], left))
+            remaining = [each for each in before if value_of(each) is not None]
+            steps.append((STEPS[name], remaining))
     return steps
 
 
 def _join_components(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:
     """Take candidates one by one, or those of one recording together, in order of first appearance."""
     if components == "single":
-        return [(one,) for one in candidates]
+        return [(each,) for each in candidates]
     recordings: dict[str, list[Candidate]] = {}
-    for one in candidates:
-        recordings.setdefault(one.recording, []).append(one)
-    return [tuple(parts) for parts in recordings.values()]
+    for each in candidates:
+        recordings.setdefault(each.recording, []).append(each)
+    return [tuple(components_of) for components_of in recordings.values()]
 
 
 def _scaled(
-    joined: Sequence[tuple[Candidate, ...]], spectrum: Spectrum, band: Band, scale_to: ScaleTo
+    recordings: Sequence[tuple[Candidate, ...]], spectrum: Spectrum, band: Band, scale_to: ScaleTo
 ) -> tuple[list[ScaledRecording], FloatArray]:
     """Return every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
 
@@ -240,23 +241,35 @@ def _scaled(
     """
     target = np.log(spectrum.acceleration(band.period, damping=DAMPING))
     with np.errstate(divide="ignore", invalid="ignore"):
-        own = np.array([_log_mean([one.spectrum[band.columns] for one in parts]) for parts in joined])
-        log_ratio = np.asarray(target - band.at_periods(own.reshape(len(joined), band.nodes.size)), dtype=np.float64)
-    moving = np.asarray(np.isfinite(log_ratio).all(axis=1), dtype=np.bool_)
-    log_ratio, joined = log_ratio[moving], [parts for parts, keep in zip(joined, moving, strict=True) if keep]
+        log_spectra = np.array(
+            [_log_mean([component.spectrum[band.columns] for component in components]) for components in recordings]
+        )
+        log_ratio = np.asarray(
+            target - band.at_periods(log_spectra.reshape(len(recordings), band.nodes.size)), dtype=np.float64
+        )
+    with_motion = np.asarray(np.isfinite(log_ratio).all(axis=1), dtype=np.bool_)
+    log_ratio, recordings = (
+        log_ratio[with_motion],
+        [components for components, keep in zip(recordings, with_motion, strict=True) if keep],
+    )
     if scale_to == "spectrum":
         log_factor, mse = least_squares(log_ratio, weight=band.weight)
     else:
-        peaks = np.array([_log_mean([np.array(one.measures["pga"]) for one in parts]) for parts in joined])
-        log_factor = np.log(spectrum.pga) - peaks if scale_to == "pga" else np.zeros(len(joined))
+        peaks = np.array(
+            [_log_mean([np.array(component.measures["pga"]) for component in components]) for components in recordings]
+        )
+        log_factor = np.log(spectrum.pga) - peaks if scale_to == "pga" else np.zeros(len(recordings))
         mse = mean_square(log_ratio - log_factor.reshape(-1, 1), weight=band.weight)
     factor = np.exp(log_factor)
-    made = [ScaledRecording(parts, float(f), float(m)) for parts, f, m in zip(joined, factor, mse, strict=True)]
-    return made, log_ratio
+    scaled = [
+        ScaledRecording(components, float(f), float(m))
+        for components, f, m in zip(recordings, factor, mse, strict=True)
+    ]
+    return scaled, log_ratio
 
 
 def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
-    logs = [np.log(one) for one in spectra]
+    logs = [np.log(each) for each in spectra]
     return logs[0] if len(logs) == 1 else np.mean(logs, axis=0)
 
 
@@ -367,10 +380,9 @@ def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
 
 
 FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": best_each}
+
 Recording = tuple[Candidate, ...]  # the components of one recording that are chosen together
-SAME_SHAPE = (
-    0.01  # largest difference of the logarithms of two spectra of one motion; its digits differ from file to file
-)
+SAME_SHAPE = 0.01  # largest difference of the logarithms of two spectra of one motion; digits differ between files
 COARSE = 8  # of how many ordinates one is compared first
 
 
@@ -391,21 +403,21 @@ def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> Int
 def same_earthquake(recordings: Sequence[Recording]) -> IntArray:
     """Pair each recording with the first of its earthquake [m, 2]."""
     first: dict[str, int] = {}
-    pairs = [(first.setdefault(parts[0].earthquake, place), place) for place, parts in enumerate(recordings)]
+    pairs = [(first.setdefault(components[0].earthquake, index), index) for index, components in enumerate(recordings)]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
 
 def same_motion(recordings: Sequence[Recording]) -> IntArray:
     """Pair recordings [m, 2] with a component whose spectrum has the same shape, to one percent."""
-    of = np.array([place for place, parts in enumerate(recordings) for _ in parts], dtype=np.int64)
-    spectra = [one.spectrum for parts in recordings for one in parts]
+    recording_of = np.array([index for index, components in enumerate(recordings) for _ in components], dtype=np.int64)
+    spectra = [component.spectrum for components in recordings for component in components]
     if not spectra:
         return np.empty((0, 2), dtype=np.int64)
     log = np.log(np.maximum(spectra, 1e-300))
     shape = log - log.max(axis=1, keepdims=True)
     near = KDTree(shape[:, ::COARSE]).query_pairs(SAME_SHAPE, p=np.inf, output_type="ndarray").reshape(-1, 2)
     alike = np.abs(shape[near[:, 0]] - shape[near[:, 1]]).max(axis=1) <= SAME_SHAPE
-    return np.asarray(of[near[alike]], dtype=np.int64)
+    return np.asarray(recording_of[near[alike]], dtype=np.int64)
 
 
 SHAPE_FIGURES = 6  # of an ordinate over the peak ground acceleration

@@ -67,10 +67,10 @@ def artificial_records(
     """
     _check(count=count, seed=seed, duration=duration, dt=dt, band=band)
     target = _target_ordinates(spectrum, band=band)
-    stage = harmonic_basis(target, duration=duration, dt=dt)
+    basis = harmonic_basis(target, duration=duration, dt=dt)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        made = partial(_record, target, stage, spectrum.code, seed)
-        return tuple(pool.map(made, range(1, count + 1)))
+        make = partial(_make_artificial, target, basis, spectrum.code, seed)
+        return tuple(pool.map(make, range(1, count + 1)))
 
 
 def _check(*, count: int, seed: int, duration: float, dt: float, band: tuple[float, float]) -> None:
@@ -106,17 +106,17 @@ def _target_ordinates(spectrum: Spectrum, *, band: tuple[float, float]) -> Targe
     )
 
 
-def _record(target: TargetOrdinates, stage: HarmonicBasis, code: str, seed: int, index: int) -> Record:
+def _make_artificial(target: TargetOrdinates, basis: HarmonicBasis, code: str, seed: int, index: int) -> Record:
     """Make record `index` of the set of `seed` with the first set of phases whose fit is within the bounds."""
     random = np.random.default_rng([seed, index])
     fits = []
     for _ in range(TRIALS):
-        phase = random.uniform(0.0, 2.0 * np.pi, stage.amplitude.size)
-        fit = min(fit_rounds(target, stage, phase=phase), key=lambda match: match.worst)
+        phase = random.uniform(0.0, 2.0 * np.pi, basis.amplitude.size)
+        fit = min(fit_rounds(target, basis, phase=phase), key=lambda match: match.worst)
         if fit.low >= -SHORTFALL and fit.rms <= LARGEST_RMS:
-            history = _history(fit, target, stage, code, seed, index)
-            made = make_record(f"artificial-{index}", fit.acceleration, stage.dt, processing_history=history)
-            return replace(made, stationary=STATIONARY * stage.duration)
+            history = _history(fit, target, basis, code, seed, index)
+            record = make_record(f"artificial-{index}", fit.acceleration, basis.dt, processing_history=history)
+            return replace(record, stationary=STATIONARY * basis.duration)
         fits.append(fit)
     best = min(fits, key=lambda fit: fit.worst)
     raise RecordError(
@@ -127,9 +127,9 @@ def _record(target: TargetOrdinates, stage: HarmonicBasis, code: str, seed: int,
 
 
 def _history(
-    fit: SpectralMatch, target: TargetOrdinates, stage: HarmonicBasis, code: str, seed: int, index: int
+    fit: SpectralMatch, target: TargetOrdinates, basis: HarmonicBasis, code: str, seed: int, index: int
 ) -> tuple[Message, ...]:
-    lengths = {"rise": RISE * stage.duration, "level": STATIONARY * stage.duration, "duration": stage.duration}
+    lengths = {"rise": RISE * basis.duration, "level": STATIONARY * basis.duration, "duration": basis.duration}
     times = {name: Quantity(each, "time", 6) for name, each in lengths.items()}
     range_of = {"first": Quantity(target.period[0], "time", 6), "last": Quantity(target.period[-1], "time", 6)}
     shares = {"low": fit.low, "high": fit.high, "rms": fit.rms}
@@ -177,7 +177,7 @@ class TargetOrdinates:
 
 @dataclass(frozen=True)
 class HarmonicBasis:
-    """What all records of a set share.
+    """What all artificial records of a set share: envelope, harmonics, corrections of the ends.
 
     dt, duration : step and length [s]; n samples from 0
     envelope : of the amplitude [n]
@@ -250,16 +250,16 @@ def end_weights(npts: int, *, dt: float) -> FloatArray:
     return weights
 
 
-def fit_rounds(target: TargetOrdinates, stage: HarmonicBasis, *, phase: FloatArray) -> Iterator[SpectralMatch]:
+def fit_rounds(target: TargetOrdinates, basis: HarmonicBasis, *, phase: FloatArray) -> Iterator[SpectralMatch]:
     """Yield the accelerograms that these phases [m] [rad] lead to, round after round."""
-    n, harmonics = stage.envelope.size, stage.amplitude * np.exp(1j * phase)
-    a = stage.envelope * np.fft.irfft(harmonics, 2 * n)[:n]
+    n, harmonics = basis.envelope.size, basis.amplitude * np.exp(1j * phase)
+    a = basis.envelope * np.fft.irfft(harmonics, 2 * n)[:n]
     a *= target.pga / np.max(np.abs(a))
     for _ in range(ROUNDS):
-        a = _without_drift(a * stage.gate, stage, pga=target.pga)
-        ratio = _ratio(a, target, stage.dt)
+        a = _without_drift(a * basis.gate, basis, pga=target.pga)
+        ratio = _ratio(a, target, basis.dt)
         yield _match(a, ratio)
-        correction = stage.high_pass * np.exp(-np.interp(stage.log_period, np.log(target.period), np.log(ratio)))
+        correction = basis.high_pass * np.exp(-np.interp(basis.log_period, np.log(target.period), np.log(ratio)))
         a = np.fft.irfft(correction * np.fft.rfft(a, 2 * n), 2 * n)[:n]
 
 
@@ -269,12 +269,12 @@ def _match(a: FloatArray, ratio: FloatArray) -> SpectralMatch:
     return SpectralMatch(a, float(low), float(high), float(rms))
 
 
-def _without_drift(a: FloatArray, stage: HarmonicBasis, *, pga: float) -> FloatArray:
+def _without_drift(a: FloatArray, basis: HarmonicBasis, *, pga: float) -> FloatArray:
     """Return the accelerogram [n] with peak `pga` [m/s2] and no velocity or displacement left at the end."""
-    system = stage.ends @ stage.shapes.T
+    system = basis.ends @ basis.shapes.T
     for _ in range(3):
-        a = with_peak(a - np.linalg.solve(system, stage.ends @ a) @ stage.shapes, pga=pga)
-    a = a - np.linalg.solve(system, stage.ends @ a) @ stage.shapes
+        a = with_peak(a - np.linalg.solve(system, basis.ends @ a) @ basis.shapes, pga=pga)
+    a = a - np.linalg.solve(system, basis.ends @ a) @ basis.shapes
     return np.asarray(a * (pga / np.max(np.abs(a))))
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from assess.errors import ProjectError
 from assess.examples import casa_grande, house, street, surfaces
 from assess.examples.surfaces import Surface, ply
-from assess.outputs.writing import MADE, make_stage, remove_abandoned
+from assess.outputs.writing import MADE, make_stage, remove_abandoned_stages
 
 SCHEMA = "project.schema.json"
 """The schema of project files, beside that of an example: editors that know `#:schema` check and complete with it."""
@@ -107,7 +107,7 @@ def source(name: str) -> Path:
 def _write(name: str, folder: Path) -> None:
     folder = folder.absolute()
     folder.parent.mkdir(parents=True, exist_ok=True)
-    remove_abandoned(folder.parent)
+    remove_abandoned_stages(folder.parent)
     with make_stage(folder.parent, command="assess new") as place:
         made = place / MADE
         shutil.copytree(source(name), made, dirs_exist_ok=True)

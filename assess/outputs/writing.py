@@ -250,7 +250,7 @@ def _staged_file(path: Path, *, command: str) -> Iterator[Path]:
         raise OutputError(f"{path}: there is no folder {path.parent}; make it first")
     if path.is_dir():
         raise OutputError(f"{path}: is a folder; give the name of a file")
-    remove_abandoned(path.parent)
+    remove_abandoned_stages(path.parent)
     with make_stage(path.parent, command=command) as place:
         yield place / MADE / path.name
 
@@ -537,7 +537,7 @@ def _is_older_than_a_day(path: Path) -> bool:
     return time.time() - path.lstat().st_mtime > _DAY
 
 
-def remove_abandoned(place: Path) -> None:
+def remove_abandoned_stages(place: Path) -> None:
     """Remove the abandoned stages in `place` that hold no old files."""
     for each in left_behind(place):
         if not (each / OLD).exists():

@@ -365,7 +365,7 @@ def structure_below(section: sections.BuildingSection | None) -> Building | None
     return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=stated)
 
 
-def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
+def equation_of(section: sections.MechanismSection, content: sections.Content) -> Equation:
     """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlockSection) else "exact"
     return content.analysis.equation or default

@@ -65,7 +65,7 @@ def project_messages(
             yield from _crushing_messages(code, circular, getattr(content.procedures, code), mechanisms)
 
 
-def _body_messages(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
+def _body_messages(name: str, solid: Solid, body: sections.BodySection) -> Iterator[Message]:
     """Report what was done to the mesh of a body, and an implausible size or place."""
     if isinstance(body, sections.MeshBody) and solid.history:
         yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
@@ -73,7 +73,7 @@ def _body_messages(name: str, solid: Solid, body: sections.Body) -> Iterator[Mes
     yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
 
 
-def mesh_unit_of(body: sections.Body) -> float | None:
+def mesh_unit_of(body: sections.BodySection) -> float | None:
     """Return the unit in which a mesh was read [m], if it is stated by the project or taken as metre; else None."""
     if not isinstance(body, sections.MeshBody):
         return None

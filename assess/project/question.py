@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from assess.codes.asce41_13 import Asce41Options
 from assess.codes.asce43_05 import Asce43Options
-from assess.codes.bases import BASES, BY_SITE, Basis, Premise
+from assess.codes.bases import BASES, BY_SITE, Basis, Premise, stated_basis
 from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.en1998_1 import Ec8Options
 from assess.codes.italian_limit_states import ItalianOptions
@@ -37,7 +37,14 @@ from spectra import ntc
 from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
-
+ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
+DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")
+PROCEDURES_AT_SITE: Mapping[str, tuple[str, ...]] = {  # by the code of the spectrum
+    "ntc2008": (*ASCE43, *DMI2008, "dmi2008-history"),
+    "ntc2018": (*ASCE43, "ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"),
+}
+PROCEDURES_ELSEWHERE = (*ASCE43, *DMI2008)
+SLIDING = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction is given
 VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and is not given, and what it depends on."""
 
@@ -46,7 +53,8 @@ def basis_of(content: sections.Content) -> Basis | None:
     """Return the basis that the project names, or that of its site's spectrum; None if neither gives one."""
     named = content.verdict.basis
     if named == "own":
-        return own_basis(content.verdict)
+        verdict = content.verdict
+        return stated_basis(verdict.procedures or (), rule=verdict.rule or "all", statement=verdict.statement)
     if named is not None:
         return BASES[named]
     code = "" if content.site is None else content.site.spectrum.code
@@ -136,7 +144,7 @@ def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None)
     if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - LIKE:
         return ()
     if isinstance(site.spectrum, sections.NtcHazardSpectrum):
-        return ()  # it cannot pass at all: `_scaled_down`
+        return ()  # it cannot pass at all: `_scaled_down_hazard`
     own = Quantity(site.pga / spectrum.factor / g, "ground acceleration", 3)
     values = {"given": Quantity(site.pga / g, "ground acceleration", 3), "own": own}
     return (message("pga-lowered", values, severity=Severity.WARNING),)
@@ -180,24 +188,6 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
     return (*own, *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied))
 
 
-def own_basis(section: sections.VerdictSection) -> Basis:
-    """Return the basis that a project states itself, with its own procedures and rule."""
-    from assess.codes.bases import stated_basis
-
-    return stated_basis(section.procedures or (), rule=section.rule or "all", statement=section.statement)
-
-
-ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
-DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")
-
-PROCEDURES_AT_SITE: Mapping[str, tuple[str, ...]] = {  # by the code of the spectrum
-    "ntc2008": (*ASCE43, *DMI2008, "dmi2008-history"),
-    "ntc2018": (*ASCE43, "ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"),
-}
-PROCEDURES_ELSEWHERE = (*ASCE43, *DMI2008)
-SLIDING = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction is given
-
-
 def procedures_of(content: sections.Content) -> tuple[str, ...]:
     """Return the procedures named, or all that apply at the site and check one of the limit states requested.
 
@@ -206,13 +196,13 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
     named = content.analysis.procedures
     if named is None:
         code = "" if content.site is None else content.site.spectrum.code
-        rubs = any(material.friction is not None for material in content.materials.values())
-        unasked = (
+        has_friction = any(material.friction is not None for material in content.materials.values())
+        by_site = (
             *PROCEDURES_AT_SITE.get(code, PROCEDURES_ELSEWHERE),
             *content.site_procedures,
-            *(SLIDING if rubs else ()),
+            *(SLIDING if has_friction else ()),
         )
-        return with_methods((name for name in unasked if not _states_not_checked(name, content)), content)
+        return with_methods((name for name in by_site if not _states_not_checked(name, content)), content)
     for name in named:
         if states := _states_not_checked(name, content):
             key = f"procedures.{PROCEDURES[name].options}.limit_states"
@@ -304,13 +294,13 @@ def fragility_question(content: sections.Content, hazard: SiteHazard | None, *, 
     section = content.analysis.fragility or sections.Fragility()
     risk = content.analysis.risk or sections.Risk()
     measures = tuple(measure(*sections.measure_of(text)) for text in section.measures or ())
-    in_g = not measures or measures[0].dimension == "ground acceleration"
+    is_pga = not measures or measures[0].dimension == "ground acceleration"
     return FragilityQuestion(
         measures=measures,
         states=tuple(map(_fragility_state, section.states)),
         method=section.method,
         samples=section.samples,
-        largest=None if section.largest is None else float(section.largest) / (g if in_g else 1.0),
+        largest=None if section.largest is None else float(section.largest) / (g if is_pga else 1.0),
         largest_factor=section.largest_factor,
         seed=section.seed,
         draws=section.draws,

@@ -92,15 +92,13 @@ def select_records(
             over = band(*periods_of(selection, spectrum, study.mechanisms), weights=selection.weights)
             found = select(offer.candidates, spectrum, criteria_of(section, selection, over))
         else:
-            making, target = (
-                SELECTION_RULES[selection.code],
-                target_of(SELECTION_RULES[selection.code].code, study, spectrum),
-            )
-            over = band_for(making, target)
+            rules = SELECTION_RULES[selection.code]
+            target = target_of(rules.code, study, spectrum)
+            over = band_for(rules, target)
             if selection.periods is not None:
                 over = band(*selection.periods, weights=selection.weights)
             criteria = criteria_of(section, selection, over)
-            found = select_for(offer.candidates, making, target, criteria, read=read_candidate)
+            found = select_for(offer.candidates, rules, target, criteria, read=read_candidate)
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
     suite = record_set(found, over, folder=folder)

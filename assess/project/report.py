@@ -352,7 +352,7 @@ def _uses_of_bodies(content: sections.Content) -> Iterator[str]:
     )
 
 
-def _uses_of_section(section: sections.Mechanism) -> Iterator[str]:
+def _uses_of_section(section: sections.MechanismSection) -> Iterator[str]:
     yield section.kind
     if not isinstance(section, sections.ChainSection):
         return

@@ -138,14 +138,14 @@ def joints_of(joints: Any) -> Any:
     return joints
 
 
-def models_of(bodies: Mapping[str, sections.Body], *, known: MeshesBySelection) -> MeshesBySelection:
+def models_of(bodies: Mapping[str, sections.BodySection], *, known: MeshesBySelection) -> MeshesBySelection:
     """Read what the bodies take from model files, each file once; `known` has been read already."""
     choices = {name: (body.mesh, body.element) for name, body in bodies.items() if isinstance(body, sections.MeshBody)}
     return {**known, **read_selected_meshes({name: one for name, one in choices.items() if one not in known})}
 
 
 def solid_of(
-    name: str, body: sections.Body, materials: Mapping[str, sections.MaterialSection], models: MeshesBySelection
+    name: str, body: sections.BodySection, materials: Mapping[str, sections.MaterialSection], models: MeshesBySelection
 ) -> Solid | None:
     """Return the solid of a body; None if it has direct values."""
     if isinstance(body, sections.DirectBody):
@@ -164,7 +164,7 @@ def bodies_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> 
     return {name: _body(name, body, content, solids[name]) for name, body in content.bodies.items()}
 
 
-def _body(name: str, body: sections.Body, content: sections.Content, solid: Solid | None) -> Body:
+def _body(name: str, body: sections.BodySection, content: sections.Content, solid: Solid | None) -> Body:
     if isinstance(body, sections.DirectBody):
         return Body(name=name, solid=solid, values=fill(PointValues, body))
     material = fill(Material, content.materials[body.material], name=body.material)
@@ -181,18 +181,20 @@ def ground_of(
     return GroundLevel(building.ground_elevation, lowest, building.height or 0.0)
 
 
-def base_elevation_of(section: sections.Mechanism) -> float | None:
+def base_elevation_of(section: sections.MechanismSection) -> float | None:
     """Return the elevation of the base above the ground [m] that the table of a mechanism gives for it alone."""
     return section.base_elevation if isinstance(section, sections.ChainSection) else None
 
 
-def ground_mechanism(section: sections.Mechanism, mechanism: Mechanism, ground: GroundLevel) -> HeightAboveGround:
+def ground_mechanism(
+    section: sections.MechanismSection, mechanism: Mechanism, ground: GroundLevel
+) -> HeightAboveGround:
     """Return where a mechanism stands over the ground."""
     by_table = isinstance(section, sections.EquivalentBlockSection) and section.has_key("elevation")
     return find_height(ground, mechanism, base_elevation=base_elevation_of(section), by_table=by_table)
 
 
-def amplification_method_of(section: sections.Mechanism) -> AmplificationChoice | None:
+def amplification_method_of(section: sections.MechanismSection) -> AmplificationChoice | None:
     """Return the key `amplification` of a mechanism; None for the ground's motion as it is."""
     method = section.amplification
     return None if isinstance(method, sections.NoAmplification) else fill(AmplificationChoice, method)
@@ -259,7 +261,7 @@ def vertical_of(site: sections.SiteSection) -> Spectrum:
 
 
 @singledispatch
-def horizontal(section: sections.Spectrum) -> Spectrum:
+def horizontal(section: sections.SpectrumSection) -> Spectrum:
     """Return the horizontal spectrum of a table [site.spectrum] at 5 % damping."""
     raise NotImplementedError(type(section).__name__)
 
@@ -293,7 +295,7 @@ def _(section: NtcSection) -> Spectrum:
 
 
 @singledispatch
-def vertical(section: sections.Spectrum) -> Spectrum:
+def vertical(section: sections.SpectrumSection) -> Spectrum:
     """Return the vertical spectrum of a table [site.spectrum] at 5 % damping."""
     raise SpectrumError(f"code = {section.code} has no vertical spectrum here; ec8, nzs1170.5, ntc2008, ntc2018 have")
 

@@ -62,7 +62,7 @@ class VariedMechanism:
         return self.mechanism.name
 
     @property
-    def section(self) -> sections.Mechanism:
+    def section(self) -> sections.MechanismSection:
         """The table of the mechanism."""
         return self.project.content.mechanisms[self.name]
 
@@ -257,7 +257,7 @@ class BlockBase(NamedTuple):
 
 def block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
     """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
-    reason = why_thickness_is_fixed(subject, section)
+    reason = fixed_thickness_reason(subject, section)
     if reason:
         return reason
     definition: BlockMechanism = definition_of(section)
@@ -272,7 +272,7 @@ def key_of_thickness(section: sections.ChainSection) -> str:
     return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
 
 
-def why_thickness_is_fixed(subject: VariedMechanism, section: sections.ChainSection) -> str:
+def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSection) -> str:
     """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
     direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
     if direct:

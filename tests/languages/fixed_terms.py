@@ -105,7 +105,7 @@ RETURNED: Mapping[str, tuple[str, ...]] = {
     "assess/study/ground_motion.py": ("source_of",),
     "assess/study/amplification.py": ("given_frequency", "given_effective_height"),
     "assess/codes/asce41_13.py": ("_source",),
-    "assess/project/variables.py": ("why_thickness_is_fixed",),
+    "assess/project/variables.py": ("fixed_thickness_reason",),
 }
 """Functions that return terms."""
 

@@ -149,7 +149,6 @@ class DirectBody(ProjectSection):
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
 
 
-Body = MeshBody | BoxBody | ProfileBody | DirectBody
 _FORMS = {"mesh": "<mesh>", "box": "<box>", "profile": "<profile>", "mass": "<direct>"}
 
 

@@ -44,7 +44,6 @@ from assess.project.sections.mechanisms import (
     ChainSection,
     CutAngleSection,
     CutPlaneSection,
-    Mechanism,
     MechanismSection,
     SingleBlockSection,
     TwoBlockSection,
@@ -265,7 +264,7 @@ def _known_names(table: str, names: Mapping[str, Any]) -> str:
 SOURCE_KINDS = ("measured", "literature", "assumed")
 
 
-def checklist(report: Report, mechanisms: Mapping[str, Mechanism]) -> tuple[ChecklistItem, ...]:
+def checklist(report: Report, mechanisms: Mapping[str, MechanismSection]) -> tuple[ChecklistItem, ...]:
     """Return every item of the list of the building's type, with what became of it; empty without a type.
 
     An item that some mechanisms examine and `not_examined` names too is examined in part: it counts as not examined.
@@ -303,7 +302,7 @@ def _item(
     return ChecklistItem(item.key, item.number, "not-examined", spoken_for=False)
 
 
-def _refuse_items(report: Report, mechanisms: Mapping[str, Mechanism]) -> None:
+def _refuse_items(report: Report, mechanisms: Mapping[str, MechanismSection]) -> None:
     """Refuse items of a list where the file does not say which list."""
     named: dict[KeyPath, object] = {
         ("report", "absent"): report.absent,
@@ -315,7 +314,7 @@ def _refuse_items(report: Report, mechanisms: Mapping[str, Mechanism]) -> None:
             raise error_at(key, 'names items of no list; write building_type = "house" or "church" in [report]')
 
 
-def _examined(building_type: BuildingType, mechanisms: Mapping[str, Mechanism]) -> dict[str, list[str]]:
+def _examined(building_type: BuildingType, mechanisms: Mapping[str, MechanismSection]) -> dict[str, list[str]]:
     """Return the names of the mechanisms that examine each item."""
     found: dict[str, list[str]] = {}
     for name, mechanism in mechanisms.items():
@@ -331,7 +330,7 @@ def _examined(building_type: BuildingType, mechanisms: Mapping[str, Mechanism]) 
     return found
 
 
-def _items_by_kind(building_type: BuildingType, mechanism: Mechanism) -> tuple[str, ...]:
+def _items_by_kind(building_type: BuildingType, mechanism: MechanismSection) -> tuple[str, ...]:
     """Return the item that the kind of a mechanism tells: of houses, for one wall above a level crack or its base."""
     if building_type != "house":
         return ()

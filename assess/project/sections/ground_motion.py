@@ -302,15 +302,6 @@ class BuildingSection(ProjectSection):
 MAPPED = ("s_s", "s_1", "site_class")  # in place of s_ds and s_d1
 LIMIT_STATES = ("SLO", "SLD", "SLV", "SLC")
 
-Spectrum = (
-    Asce7Spectrum
-    | Asce7MappedSpectrum
-    | Ec8Spectrum
-    | Nzs1170Spectrum
-    | NtcSpectrum
-    | NtcHazardSpectrum
-    | TableSpectrum
-)
 T = TypeVar("T", bound=tuple[float, float])
 
 

@@ -61,8 +61,6 @@ from assess.project.section import (
 from assess.project.sections.bodies_and_loads import Corners, LoadSection, OverburdenLoadSection
 from assess.project.units import KINDS, key_value
 
-MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
-
 
 def _block_names(value: Any) -> Any:
     """Write each entry of `blocks` as a list of bodies that move as one."""
@@ -115,7 +113,101 @@ Cut = Annotated[
     | Annotated[CutAngleSection, Tag("<angle>")],
     Discriminator(_cut_tag),
 ]
+
+
+def _crack(value: Any) -> float | str:
+    if isinstance(value, str) and value in CRACKS:
+        return value
+    if isinstance(value, str) and not any(letter.isdigit() for letter in value):
+        raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
+    return key_value(value, KINDS["length"])
+
+
+CrackElevation = Annotated[
+    float | Literal["sorrentino", "minimum"],
+    BeforeValidator(_crack),
+    WithJsonSchema(
+        {
+            "anyOf": [quantity_schema("length"), {"enum": list(CRACKS)}],
+            "description": 'an elevation like "2.4 m", or "sorrentino", "minimum"',
+        }
+    ),
+    KINDS["length"],
+]
+HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
+UncertainPoint = Annotated[tuple[HingeCoordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
+
+
+class HingesSection(ProjectSection):
+    """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
+
+    A: UncertainPoint
+    """the base hinge"""
+
+
+class ThreeHingesSection(HingesSection):
+    """Hinges of a wall of two blocks."""
+
+    B: UncertainPoint
+    """at the crack"""
+    C: UncertainPoint
+    """at the top"""
+
+
+class FourHingesSection(ThreeHingesSection):
+    """Hinges of three blocks."""
+
+    D: UncertainPoint
+    """the far base hinge"""
+
+
+def _minimum(value: Any) -> Any:
+    if value != "minimum":
+        raise ValueError('not hinges; write { A, B, C, D }, each a point, or "minimum" for an arch')
+    return value
+
+
+ArchHingesValue = Annotated[
+    Annotated[FourHingesSection, Tag("<hinges>")]
+    | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
+    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHingesSection) else "<minimum>"),
+]
+
+
+class RadialJointsSection(ProjectSection):
+    """Joints of an arch that all point to its centre, evenly spaced."""
+
+    centre: PlanePoint
+    """[distance along the direction, elevation]"""
+    first: Angle
+    """angle of the first joint above the direction, like "168.75 deg\""""
+    last: Angle
+    """angle of the last joint, like "11.25 deg\""""
+    count: Annotated[StrictInt, Field(ge=3, le=MOST_VOUSSOIRS)]
+    """number of voussoirs between them"""
+
+    @model_validator(mode="after")
+    def _ends_are_apart(self) -> Self:
+        if self.first == self.last:
+            raise error_at("last", "is the first joint again; give the angle of the other springing")
+        return self
+
+
+JointLine = tuple[PlanePoint, PlanePoint]
+Joints = Annotated[
+    Annotated[RadialJointsSection, Tag("<radial>")]
+    | Annotated[tuple[JointLine, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
+    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJointsSection) else "<lines>"),
+]
 HingeName = Literal["A", "B", "C", "D"]
+SHAPE_SIZES = {
+    "rectangle": "[t, l]",
+    "hollow_rectangle": "[t, l, t_in, l_in]",
+    "circle": "d",
+    "annulus": "[d, d_in]",
+    "polygon": "[[x, y], …]",
+}
+JointSize = Annotated[PositiveLength, UNCERTAIN]
 
 
 def _contact_shape(value: Any) -> Any:
@@ -125,9 +217,6 @@ def _contact_shape(value: Any) -> Any:
     meant = [value] if value in list(SHAPE_SIZES) else list(SHAPE_SIZES)
     forms = ", ".join(f"{{ {name} = {SHAPE_SIZES[name]} }}" for name in meant)
     raise error_at((), f'not allowed; write "outline", or {forms}')
-
-
-JointSize = Annotated[PositiveLength, UNCERTAIN]
 
 
 def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
@@ -245,18 +334,6 @@ class NoAmplification(ProjectSection):
     """"none\""""
 
 
-AMPLIFICATION_METHODS = (
-    "none",
-    "srss",
-    "srss-relative",
-    "modal-filter",
-    "ec8",
-    "ec8-resonance",
-    "ec8-printed",
-    "nzs1170.5",
-)
-
-
 class RaisedAmplification(ProjectSection):
     """What every method that amplifies needs."""
 
@@ -291,6 +368,18 @@ class PrintedAmplification(RaisedAmplification):
     """soil factor S, like 1.15"""
 
 
+_AMPLIFICATION_TAGS = {
+    "none": "<none>",
+    "srss": "<mode>",
+    "srss-relative": "<mode>",
+    "modal-filter": "<mode>",
+    "ec8": "<floor>",
+    "ec8-resonance": "<floor>",
+    "ec8-printed": "<printed>",
+    "nzs1170.5": "<floor>",
+}
+
+
 def _amplification_tag(value: Any) -> str | None:
     method = value.get("method") if isinstance(value, dict) else getattr(value, "method", None)
     return _AMPLIFICATION_TAGS.get(method) if isinstance(method, str) else None
@@ -305,7 +394,7 @@ AmplificationSection = Annotated[
         _amplification_tag,
         custom_error_type="choice",
         custom_error_message="write one of {names}",
-        custom_error_context={"key": ("method",), "names": quote_names(AMPLIFICATION_METHODS)},
+        custom_error_context={"key": ("method",), "names": quote_names(_AMPLIFICATION_TAGS)},
     ),
 ]
 
@@ -377,17 +466,6 @@ class ChainSection(ProjectSection):
         return self
 
 
-HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
-UncertainPoint = Annotated[tuple[HingeCoordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
-
-
-class HingesSection(ProjectSection):
-    """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
-
-    A: UncertainPoint
-    """the base hinge"""
-
-
 class SingleBlockSection(ChainSection):
     """One block that rocks about its base."""
 
@@ -399,36 +477,6 @@ class SingleBlockSection(ChainSection):
     """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
     hinges_negative: HingesSection | None = None
     """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
-
-
-class ThreeHingesSection(HingesSection):
-    """Hinges of a wall of two blocks."""
-
-    B: UncertainPoint
-    """at the crack"""
-    C: UncertainPoint
-    """at the top"""
-
-
-def _crack(value: Any) -> float | str:
-    if isinstance(value, str) and value in CRACKS:
-        return value
-    if isinstance(value, str) and not any(letter.isdigit() for letter in value):
-        raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
-    return key_value(value, KINDS["length"])
-
-
-CrackElevation = Annotated[
-    float | Literal["sorrentino", "minimum"],
-    BeforeValidator(_crack),
-    WithJsonSchema(
-        {
-            "anyOf": [quantity_schema("length"), {"enum": list(CRACKS)}],
-            "description": 'an elevation like "2.4 m", or "sorrentino", "minimum"',
-        }
-    ),
-    KINDS["length"],
-]
 
 
 class TwoBlockSection(ChainSection):
@@ -451,54 +499,6 @@ class TwoBlockSection(ChainSection):
         if len(self.blocks) == 2 and self.crack is not None:
             raise error_at("crack", "is for one body; two bodies part at their joint, so remove one of them")
         return self
-
-
-class FourHingesSection(ThreeHingesSection):
-    """Hinges of three blocks."""
-
-    D: UncertainPoint
-    """the far base hinge"""
-
-
-class RadialJointsSection(ProjectSection):
-    """Joints of an arch that all point to its centre, evenly spaced."""
-
-    centre: PlanePoint
-    """[distance along the direction, elevation]"""
-    first: Angle
-    """angle of the first joint above the direction, like "168.75 deg\""""
-    last: Angle
-    """angle of the last joint, like "11.25 deg\""""
-    count: Annotated[StrictInt, Field(ge=3, le=MOST_VOUSSOIRS)]
-    """number of voussoirs between them"""
-
-    @model_validator(mode="after")
-    def _ends_are_apart(self) -> Self:
-        if self.first == self.last:
-            raise error_at("last", "is the first joint again; give the angle of the other springing")
-        return self
-
-
-JointLine = tuple[PlanePoint, PlanePoint]
-
-Joints = Annotated[
-    Annotated[RadialJointsSection, Tag("<radial>")]
-    | Annotated[tuple[JointLine, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
-    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJointsSection) else "<lines>"),
-]
-
-
-def _minimum(value: Any) -> Any:
-    if value != "minimum":
-        raise ValueError('not hinges; write { A, B, C, D }, each a point, or "minimum" for an arch')
-    return value
-
-
-ArchHingesValue = Annotated[
-    Annotated[FourHingesSection, Tag("<hinges>")]
-    | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
-    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHingesSection) else "<minimum>"),
-]
 
 
 class FourHingeSection(ChainSection):
@@ -584,7 +584,7 @@ class EquivalentBlockSection(ProjectSection):
         return self
 
 
-Mechanism = SingleBlockSection | TwoBlockSection | FourHingeSection | EquivalentBlockSection
+MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 
 
 def _mechanism_tag(values: Any) -> str | None:
@@ -604,22 +604,3 @@ MechanismSection = Annotated[
         custom_error_context={"key": ("kind",), "names": quote_names(MECHANISMS)},
     ),
 ]
-
-SHAPE_SIZES = {
-    "rectangle": "[t, l]",
-    "hollow_rectangle": "[t, l, t_in, l_in]",
-    "circle": "d",
-    "annulus": "[d, d_in]",
-    "polygon": "[[x, y], …]",
-}
-
-_AMPLIFICATION_TAGS = {
-    "none": "<none>",
-    "srss": "<mode>",
-    "srss-relative": "<mode>",
-    "modal-filter": "<mode>",
-    "ec8": "<floor>",
-    "ec8-resonance": "<floor>",
-    "nzs1170.5": "<floor>",
-    "ec8-printed": "<printed>",
-}

@@ -18,13 +18,13 @@ NO_BROWSER := chromium and chromium-driver do not install here; tests that open 
 
 .PHONY: demo test test-wheel check dist wheel lowest costs bench peers fuzz kill faults mutate figures docs docs-links same catalogue lock
 
-demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
+demo: .venv/program        ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
 	$(BIN)/assess new $(DEMO) --example casa_grande
 	$(BIN)/assess run $(DEMO) -o $(DEMO)/results || case $$? in 1|3) ;; *) exit 1 ;; esac
 	@echo $(DEMO)/results/report.pdf
 
-test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
+test: .venv/tests .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
 	$(BIN)/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
 
 test-wheel: dist .venv/browser   ## the same tests, or a SHARD of them, alone in another folder: what they import is the wheel, installed
@@ -38,13 +38,13 @@ test-wheel: dist .venv/browser   ## the same tests, or a SHARD of them, alone in
 	$(APART)/env/bin/python -m pip install --quiet --disable-pip-version-check --no-deps dist/*.whl
 	cd $(APART)/tests && ASSESS_SHARD=$(SHARD) ASSESS_RECORDS=$(RECORDS) ../env/bin/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
 
-check: .venv/installed     ## style, types, direction of imports
+check: .venv/tests         ## style, types, direction of imports
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-bench: .venv/installed     ## speed, as ratios measured in one run; then studies, and properties over many more cases
+bench: .venv/tests         ## speed, as ratios measured in one run; then studies, and properties over many more cases
 	$(BIN)/python tools/benchmarks/bench_dynamics.py
 	$(BIN)/python -m tools.benchmarks.bench_fragility
 	$(BIN)/python -m tools.benchmarks.bench_growth
@@ -60,14 +60,14 @@ bench: .venv/installed     ## speed, as ratios measured in one run; then studies
 peers: build/peers/installed  ## speed and error beside other programs, in an environment of their own, into docs/speed.md
 	build/peers/bin/python -m tools.benchmarks.peers --write $(PEERS)
 
-fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
+fuzz: .venv/tests          ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
 	$(BIN)/python -m tools.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
 
-kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
+kill: .venv/tests          ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tools/kill/study.py $(KILLS)
 	$(BIN)/python tools/kill/portfolio.py
 
-dist: .venv/installed      ## wheel and source distribution, without a network; what is in them is checked
+dist: .venv/program        ## wheel and source distribution, without a network; what is in them is checked
 	rm -rf dist
 	$(BIN)/python -m hatchling build >/dev/null
 	$(BIN)/python -m tools.distribution.contents dist
@@ -83,9 +83,10 @@ lowest:                    ## with uv: the oldest versions that pyproject.toml a
 	$(LOWEST)/bin/python -m pytest -n 2 --dist worksteal -rs $(OLD_IS_NO_FAULT) $(or $(TESTS),tests/unit tests/end_to_end tests/validation)
 
 costs: .venv/cad           ## what each dependency weighs, as a table in Markdown
+	-$(BIN)/python -m compileall -q -j 2 .venv
 	$(BIN)/python -m tools.distribution.costs
 
-figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
+figures: .venv/tests       ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
 	$(BIN)/python docs/images/theory.py
 	$(BIN)/python docs/images/tutorial.py
@@ -105,42 +106,47 @@ docs-links: docs           ## links of the manual: within it each leads somewher
 	$(BIN)/python -m docs.ext.built_links build/docs/html
 	$(if $(OUTSIDE),$(BIN)/python -m sphinx -q -j 2 -d build/docs/pages -b linkcheck docs build/docs/outside)
 
-faults: .venv/installed    ## one fault at a time planted in a copy of the program: which solved cases turn red
+faults: .venv/tests        ## one fault at a time planted in a copy of the program: which solved cases turn red
 	$(BIN)/python -m tools.faults
 
-same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key has changed since; texts that did are listed. CORPUS=folder: projects collected before
+same: .venv/tests          ## BASE=<commit>: no number, name, outcome, order or key has changed since; texts that did are listed. CORPUS=folder: projects collected before
 	$(BIN)/python -m tools.same $(BASE) $(if $(CORPUS),--corpus $(CORPUS))
 
-catalogue: .venv/installed ## bring the Italian catalogue up to date with the source, and list what it lacks
+catalogue: .venv/tests     ## bring the Italian catalogue up to date with the source, and list what it lacks
 	$(BIN)/python -m tools.catalogue it
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock
 	uv pip compile pyproject.toml --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-run.lock
+	uv pip compile --group build --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-build.lock
 	uv pip compile --group docs --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-docs.lock
 	uv pip compile pyproject.toml --extra cad --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-cad.lock
 
-.venv/installed: requirements.lock pyproject.toml
+.venv/program: requirements-run.lock requirements-build.lock pyproject.toml  # the program, what it needs and what builds it
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 …")'
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --require-hashes --requirement requirements-run.lock --requirement requirements-build.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
-.venv/docs: requirements-docs.lock .venv/installed  # Sphinx, its theme and its reader of Markdown, 60 MB
+.venv/tests: requirements.lock .venv/program  # what tests, checks and measures it, beside that
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --require-hashes --requirement requirements.lock
+	@touch $@
+
+.venv/docs: requirements-docs.lock .venv/tests  # Sphinx, its theme and its reader of Markdown, 60 MB
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-docs.lock
 	@touch $@
 
-.venv/cad: requirements-cad.lock .venv/installed  # readers of STEP, Rhino and IFC files, 330 MB, for their tests only
+.venv/cad: requirements-cad.lock .venv/tests  # readers of STEP, Rhino and IFC files, 330 MB, for their tests only
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-cad.lock \
 		|| echo "the readers of STEP, Rhino and IFC files do not install here; their tests will be skipped"
 	@touch $@
 
-.venv/browser: .venv/installed  # Debian's browser, 100 MB, in which tests open the HTML report
+.venv/browser: .venv/program  # Debian's browser, 100 MB, in which tests open the HTML report
 	@command -v chromedriver >/dev/null || tests/install_browser.sh || echo "$(NO_BROWSER)"
 	@touch $@
 
-build/peers/installed: .venv/installed pyproject.toml  # the group "peers", one by one: one that does not install is left out, and said so
+build/peers/installed: .venv/tests pyproject.toml  # the group "peers", one by one: one that does not install is left out, and said so
 	$(PYTHON) -m venv build/peers
 	$(CURDIR)/$(BIN)/python -c 'import sysconfig; print(sysconfig.get_path("purelib")); print("$(CURDIR)")' \
 		> $$(build/peers/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')/ours.pth
@@ -150,7 +156,7 @@ build/peers/installed: .venv/installed pyproject.toml  # the group "peers", one 
 	@ldconfig -p | grep --quiet liblapack.so.3 || echo "openseespy also needs Debian's libblas3 and liblapack3"
 	@touch $@
 
-.venv/mutate: .venv/installed pyproject.toml  # the group "mutate", by a pip that may not know of groups yet
+.venv/mutate: .venv/tests pyproject.toml  # the group "mutate", by a pip that may not know of groups yet
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 		$$($(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["dependency-groups"]["mutate"])')
 	@touch $@

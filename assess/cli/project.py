@@ -27,10 +27,10 @@ def new(
             autocompletion=complete_examples,
             help="Name of the example; --list shows them.",
         ),
-    ] = "casa_grande",
+    ] = "single_wall",
     list_examples: Annotated[bool, typer.Option("--list", help="List the examples and exit.")] = False,
 ) -> None:
-    """Create a runnable example project to start from."""
+    """Create a runnable project to start from: the smallest wall, or an example."""
     from assess.examples import EXAMPLES, copy_example
 
     if list_examples:

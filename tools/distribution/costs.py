@@ -1,6 +1,7 @@
 """What each dependency weighs on the disk, as a table in Markdown: `make costs`.
 
-Sizes are those of the files that pip recorded of the packages in the environment that runs this, in MB of 10^6 bytes:
+Sizes are those of the files that pip recorded of the packages in the environment that runs this, and of their compiled
+Python files, in MB of 10^6 bytes:
 a dependency alone; with all that it brings; and what would not be installed without it, nor without its dependents.
 """
 
@@ -11,6 +12,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib.metadata import PackageNotFoundError, distribution
+from importlib.util import cache_from_source
 from pathlib import Path
 
 from packaging.requirements import Requirement
@@ -22,9 +24,10 @@ OWN = "rocking-assess"
 
 @cache
 def size(name: str) -> float:
-    """Return the size of a package's own files [MB]."""
-    files = distribution(name).files or ()
-    return sum(path.stat().st_size for each in files if (path := Path(str(each.locate()))).is_file()) / 1e6
+    """Return the size of a package's own files, compiled ones included [MB]."""
+    recorded = {Path(str(each.locate())) for each in distribution(name).files or ()}
+    compiled = {Path(cache_from_source(path)) for path in recorded if path.suffix == ".py"}
+    return sum(path.stat().st_size for path in recorded | compiled if path.is_file()) / 1e6
 
 
 def brought(requirement: Requirement) -> frozenset[str]:

@@ -20,7 +20,11 @@ ROOT = Path(__file__).resolve().parents[2]
 PROJECT, RESULTS = "casa", "casa/results"
 JUDGED = (0, 1, 3)
 """Exit codes of a run that came to a verdict, whichever."""
-FIRST = (("new", PROJECT), ("run", PROJECT, "-o", RESULTS), ("verify", "--quick", "-o", "annex"))
+FIRST = (
+    ("new", PROJECT, "--example", "casa_grande"),
+    ("run", PROJECT, "-o", RESULTS),
+    ("verify", "--quick", "-o", "annex"),
+)
 AGAIN = (("run", PROJECT, "-o", "casa/again", "--no-report"),)
 WRITTEN = ("report.pdf", "report.html", "results.json", "tables.xlsx")
 PLACES = "import assess, records, reports, spectra; print(*(p.__file__ for p in (assess, records, reports, spectra)))"

@@ -40,6 +40,12 @@ def test_every_package_that_is_imported_is_declared_and_no_other():
     assert third == {IMPORTED_AS.get(name, name) for name in plain | extra - {"rocking-assess"}}
 
 
+def test_what_builds_the_program_is_pinned():
+    """A build without a network finds what `[build-system]` asks for: the lock is made of the group."""
+    found = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    assert found["dependency-groups"]["build"] == found["build-system"]["requires"]
+
+
 def name_of(requirement: str) -> str:
     """Return the name of a requirement, `reportlab` of `reportlab[accel]>=4.2`."""
     return re.match(r"[\w-]+", requirement)[0]
@@ -65,7 +71,8 @@ def test_command_is_the_distributions_own():
 def test_top_level_holds_what_the_design_lists():
     listed = {
         "pyproject.toml", "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "Makefile",
-        "requirements.lock", "requirements-run.lock", "requirements-cad.lock", "requirements-docs.lock",
+        "requirements.lock", "requirements-run.lock", "requirements-build.lock", "requirements-cad.lock",
+        "requirements-docs.lock",
         ".ci", ".github", ".gitignore", ".pre-commit-config.yaml",
         "assess", "docs", "records", "reports", "spectra", "tests", "tools",
     }  # fmt: skip

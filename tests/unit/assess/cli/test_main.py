@@ -92,6 +92,15 @@ def test_examples_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == list(EXAMPLES)
 
 
+def test_a_project_begins_with_the_smallest_wall(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("new", str(tmp_path / "wall")) == 0
+    file = tmp_path / "wall" / "project.toml"
+    assert capsys.readouterr().out == f"{file}\n"
+    assert file.read_text(encoding="utf-8").endswith(
+        (source("single_wall") / "project.toml").read_text(encoding="utf-8")
+    )
+
+
 def test_schema_is_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("schema") == 0
     assert json.loads(capsys.readouterr().out)["additionalProperties"] is False

@@ -339,7 +339,7 @@ def _release_coordinate(one: PackedOscillator, rotation: float) -> float:
     """Return the y of the kernel at a rotation of the positive branch [rad], which must be positive."""
     if not 0.0 < rotation < math.inf:
         raise ValueError(f"release at {rotation} rad; it must be a positive rotation of the positive branch")
-    return one.sides[0].at(rotation)
+    return one.sides[0].coordinate(rotation)
 
 
 def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> Run:

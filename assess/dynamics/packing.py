@@ -234,7 +234,7 @@ class CanonicalBranch(ShortRepr):
         """Return phi' [rad/s] at y with y' (same shapes)."""
         return np.asarray(self.turn * v / np.sqrt(self.inertia(self.back(y))))
 
-    def at(self, rotation: float) -> float:
+    def coordinate(self, rotation: float) -> float:
         """Return y at a rotation [rad], by Newton's method from the chord."""
         y = float(np.interp(rotation, self.back(self.y), self.y))
         for _ in range(4):

@@ -78,7 +78,7 @@ def body_loads(
     GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
     """
     meeting = find(load, body, around)
-    found = meeting.found
+    found = meeting.support
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
     at = load_place(load, found, along=around.along)
@@ -160,12 +160,12 @@ class Surroundings:
 class LoadSet:
     """The loads that bodies bring, and warnings about them.
 
-    follows : of each load, whether its block follows from where it is
+    block_by_place : of each load, whether its block is told by where it acts
     """
 
     loads: tuple[Load, ...]
     warnings: tuple[Message, ...]
-    follows: tuple[bool, ...] = ()
+    block_by_place: tuple[bool, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -178,7 +178,7 @@ class BodyOnBlock:
 
     load: BodyLoad
     body: Solid | None
-    found: Support | None
+    support: Support | None
     arch: Arch | None
     side: float
     where: str
@@ -204,7 +204,7 @@ SOLE_SUPPORT = Term("share 1 (nothing else in the project carries it)")
 class BlockContact:
     """Where a body meets the block and others, None if the user states all of it; and warnings."""
 
-    found: Support | None
+    support: Support | None
     warnings: tuple[Message, ...] = ()
 
 
@@ -271,9 +271,9 @@ def without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surrou
 def bears_on_block(case: BodyOnBlock) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
     given = case.load.bearing
-    if case.found is None:
+    if case.support is None:
         return bool(given), BEARS_AS_GIVEN[bool(given)]
-    contact = case.found.contact
+    contact = case.support.contact
     shown = carries_weight(contact, axis=case.springs)
     area = {"area": Quantity(contact.area, "area", 3)}
     seen = message("load-bears" if shown else "load-pushes", area)
@@ -284,7 +284,7 @@ def bears_on_block(case: BodyOnBlock) -> tuple[bool, Term | Message]:
 
 def carried_share(case: BodyOnBlock, *, bearing: bool) -> CarriedShare:
     """Return the share of the body that the block carries."""
-    carried = None if case.found is None else bearing_contacts(case.found, axis=case.springs)
+    carried = None if case.support is None else bearing_contacts(case.support, axis=case.springs)
     statics = None
     if case.body is not None and carried is not None and carried.others:
         statics = share_of(carried, centroid=case.body.centroid)
@@ -364,12 +364,12 @@ class MechanismBlocks:
     """The blocks of a mechanism as a body meets them.
 
     pieces : base first; crack : elevation at which two of them part, where it tells them apart [m], else None
-    parted : whether that crack parts one body; along : unit vector of the motion [3]; where : what an error names
+    cracked : whether that crack parts one body; along : unit vector of the motion [3]; where : what an error names
     """
 
     pieces: tuple[Piece, ...]
     crack: float | None
-    parted: bool
+    cracked: bool
     along: FloatArray
     where: str
 
@@ -407,7 +407,7 @@ def check_given_block(
     touched : the block that the contact tells; left_out : those that it bears on, without a load
     """
     if given in contacts:
-        cracked = among.parted and at_one_elevation(contacts, tolerance=load.tolerance)
+        cracked = among.cracked and at_one_elevation(contacts, tolerance=load.tolerance)
         return (LoadedBlock(given, given),), (_left_out_warning(load, left_out[0]),) if left_out and not cracked else ()
     if load.at is None:
         raise GeometryError(
@@ -433,7 +433,7 @@ def refuse_ambiguous(
     """Raise GeometryError for a body on several blocks whose parts the statics of its contacts cannot tell."""
     which = f'{among.where}: load "{load.body}"'
     numbers = " and ".join(str(number) for number in found)
-    if among.parted and at_one_elevation(contacts, tolerance=load.tolerance):
+    if among.cracked and at_one_elevation(contacts, tolerance=load.tolerance):
         raise GeometryError(
             f"{which}: the crack at z = {among.crack:.4g} m runs through its contact with the wall; give block, 0 "
             "below the crack or 1 above it, or another crack"

@@ -154,9 +154,9 @@ Until = float | Literal["collapse"] | None
 SourceParts = tuple[Term | Message, ...]
 
 
-def source_phrase(found: SourceParts) -> str:
+def source_phrase(parts: SourceParts) -> str:
     """Return the parts of a source in one English phrase."""
-    return "; ".join(map(str, found))
+    return "; ".join(map(str, parts))
 
 
 @dataclass(frozen=True)
@@ -173,13 +173,13 @@ class PointMass:
     at: Point
     bearing: bool
     block: int = 0
-    found: SourceParts = ()
+    source_parts: SourceParts = ()
     seat: float | None = None
 
     @property
     def source(self) -> str:
         """How it was found, in English."""
-        return source_phrase(self.found)
+        return source_phrase(self.source_parts)
 
 
 @dataclass(frozen=True)
@@ -193,14 +193,14 @@ class Force:
     force: Point
     at: Point
     block: int = 0
-    found: SourceParts = ()
+    source_parts: SourceParts = ()
     until: Until = None
     evidence: str = ""
 
     @property
     def source(self) -> str:
         """How it was found, in English."""
-        return source_phrase(self.found)
+        return source_phrase(self.source_parts)
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -225,7 +225,7 @@ class Tie:
     anchor: Point | None = None
     both: bool = False
     block: int = 0
-    found: SourceParts = ()
+    source_parts: SourceParts = ()
     until: Until = None
     strength: float | None = None
     length: float | None = None
@@ -235,7 +235,7 @@ class Tie:
     @property
     def source(self) -> str:
         """How it was found, in English."""
-        return source_phrase(self.found)
+        return source_phrase(self.source_parts)
 
     @property
     def tension(self) -> float:

@@ -109,7 +109,7 @@ def assemble(
         negative=negative,
         restitution=(kept.value, back.value),
         restitution_source=source_text(_sources(kept, back)),
-        restitution_said=_sources(kept, back),
+        restitution_source_parts=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
         warnings=(*warnings, *pulling, *_impact_warnings(kept, back)),
@@ -156,7 +156,7 @@ def add_joints(
     kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
     rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, rules=rules, kind=kind, name=name)
     before = _impact_warnings(*rigid)
-    others = [notice for notice in mechanism.warnings if notice not in before]
+    others = [each for each in mechanism.warnings if each not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
     return replace(
@@ -165,7 +165,7 @@ def add_joints(
         negative=back,
         restitution=(kept.value, returned.value),
         restitution_source=source_text(_sources(kept, returned, *_hinge_points(kept, about))),
-        restitution_said=_sources(kept, returned, *_hinge_points(kept, about)),
+        restitution_source_parts=_sources(kept, returned, *_hinge_points(kept, about)),
         warnings=(*others, *_impact_warnings(kept, returned)),
         stopped=_least_stopped(kept, returned),
         rebounds=kept.range,
@@ -214,7 +214,7 @@ def _scaled(kept: RestitutionCoefficient, factor: float) -> RestitutionCoefficie
     if kept.source == GIVEN:
         return kept
     value = kept.value * factor
-    return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else None)
+    return replace(kept, value=value, warning=kept.warning if value > 1.0 or kept.value <= 1.0 else None)
 
 
 def bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
@@ -256,7 +256,7 @@ def _sources(
 
 def _impact_warnings(*found: RestitutionCoefficient) -> tuple[Message, ...]:
     """Return the warnings on the coefficients, each once."""
-    return distinct(each.notice for each in found if each.notice is not None)
+    return distinct(each.warning for each in found if each.warning is not None)
 
 
 def _hinge_points(kept: RestitutionCoefficient, about: Term) -> tuple[Term, ...]:

@@ -162,11 +162,11 @@ class ActionMoments(ShortRepr):
     """The generalised moment of every action of a chain; positive drives.
 
     scan : rotations from rest on [n] [rad]
-    of : moments of all actions at rotations, with rounding counted as driving [n] [rad] -> [actions, n] [N m]
+    at_rotations : moments of all actions at rotations, with rounding counted as driving [n] [rad] -> [actions, n] [N m]
     """
 
     scan: FloatArray
-    of: Callable[[FloatArray], FloatArray]
+    at_rotations: Callable[[FloatArray], FloatArray]
 
 
 def actions_of(chain: Chain) -> tuple[Action, ...]:
@@ -211,7 +211,7 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMomen
     """
     if not ends:
         return single_stage(chain)
-    values = moments.of(moments.scan)
+    values = moments.at_rotations(moments.scan)
     ended = [number for number, end in enumerate(ends) if end < moments.scan[-1] and values[number].min() < 0.0]
     if not ended:
         return single_stage(chain)
@@ -223,7 +223,7 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMomen
     found: list[ChainStage] = []
     for start, stop in pairwise([*starts, float(moments.scan[-1])]):
         middle = 0.5 * (start + stop)
-        now = moments.of(np.array([middle]))[:, 0]
+        now = moments.at_rotations(np.array([middle]))[:, 0]
         absent = tuple(number for number in ended if middle > ends[number] and now[number] < 0.0)
         if not found or found[-1].absent != absent:
             found.append(ChainStage(start, remove_actions(chain, absent), absent))
@@ -248,7 +248,7 @@ def _sign_changes(number: int, moment: FloatArray, moments: ActionMoments, *, af
     changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
 
     def at(phi: float) -> float:
-        return float(moments.of(np.array([phi]))[number, 0])
+        return float(moments.at_rotations(np.array([phi]))[number, 0])
 
     roots = (float(brentq(at, scan[k], scan[k + 1], xtol=1e-15, rtol=1e-14)) for k in changes if scan[k + 1] > after)
     return {root for root in roots if root > after}

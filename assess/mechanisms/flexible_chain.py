@@ -70,7 +70,7 @@ class BlockVelocities(ShortRepr):
     velocity: ComplexArray
     rate: FloatArray
 
-    def at(self, block: int, point: ComplexArray) -> ComplexArray:
+    def at_point(self, block: int, point: ComplexArray) -> ComplexArray:
         """Return the velocity [n] of a point of a block."""
         return np.asarray(self.velocity[block] - 1j * self.rate[block] * (point - self.points[block]))
 
@@ -177,7 +177,7 @@ class FlexibleChain(ShortRepr):
         masses = [load for load in self.chain.loads if isinstance(load, PointMass)]
         bodies += [(load.mass, complex(*load.at), load.bearing, 0.0, load.block) for load in masses]
         for mass, at, bearing, turned, number in bodies:
-            v = moving.at(number, self.jointed.place(configuration, number, at))
+            v = moving.at_point(number, self.jointed.place(configuration, number, at))
             excitation += mass * v.real
             participation += mass * v.real**2
             inertia += mass * (v.real**2 + bearing * v.imag**2) + turned * moving.rate[number] ** 2

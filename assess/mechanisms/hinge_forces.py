@@ -65,7 +65,7 @@ def chain_hinge_forces(chain: Chain, faces: tuple[Face, ...], *, positive: bool)
                 horizontal=force[0],
                 vertical=force[1],
                 face=face.normal,
-                found=face.found,
+                found=face.on_geometry,
                 starting=starting,
                 resting=resting,
                 acceleration=found.multiplier * g,

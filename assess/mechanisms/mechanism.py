@@ -121,7 +121,7 @@ class Mechanism:
     sides : "one" (positive rotation only) or "two"
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
     restitution : of the impacts that end the positive and the negative branch [-]
-    restitution_source : its formula, or "given", the English of `restitution_said`
+    restitution_source : its formula, or "given", the English of `restitution_source_parts`
     rebounds : factors on the restitution in histories, 1 first; the worst result counts [-]
     stopped : the negative restitution by the rule, if an impact brings the mechanism to rest; else None [-]
     elevation : of the base hinge above the origin of the project [m]
@@ -132,7 +132,7 @@ class Mechanism:
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
     directions : the resistance towards each direction if the weakest of a circle was searched, else None
     direction : of positive rotation, a horizontal vector; None for an equivalent block
-    beside : the bodies in contact with it that would stop its motion one way or another
+    adjacent_bodies : the bodies in contact with it that would stop its motion one way or another
     messages : further messages for the engineer
     candidates : the directions among which the weakest was found, or with which a given one was compared
     """
@@ -155,9 +155,9 @@ class Mechanism:
     rebounds: tuple[float, ...] = (1.0,)
     direction: Vector | None = None
     candidates: tuple[CandidateDirection, ...] = ()
-    beside: tuple[str, ...] = ()
+    adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
-    restitution_said: tuple[Term | Message, ...] = ()
+    restitution_source_parts: tuple[Term | Message, ...] = ()
 
     def __repr__(self) -> str:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"
@@ -355,17 +355,17 @@ class CandidateDirection:
     multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
         None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
     touching : the bodies that stop it
-    why : the reason why it cannot rock this way, empty if it can
+    reason : why it cannot rock this way, empty if it can
     """
 
     angle: float
     multiplier: float | None = None
     displacement: float | None = None
     touching: tuple[str, ...] = ()
-    why: str = ""
+    reason: str = ""
 
     @property
-    def way(self) -> Vector:
+    def direction(self) -> Vector:
         """The direction as a unit vector."""
         return direction_at(self.angle)
 
@@ -389,12 +389,12 @@ class Face:
     """The orientation and friction of the faces at a hinge.
 
     normal : unit vector (x, z) in the sign of the branch, to the block that presses
-    found : whether the geometry has such faces; if not, they are taken as horizontal
+    on_geometry : whether the geometry has such faces; if not, they are taken as horizontal
     friction : coefficient [-], None if not known; remedy : what to add to the project
     """
 
     normal: tuple[float, float] = LEVEL
-    found: bool = False
+    on_geometry: bool = False
     friction: float | None = None
     remedy: Term | Message = NO_FRICTION
 

@@ -243,7 +243,7 @@ class ChainActions:
     @property
     def thrusts(self) -> tuple[Force, ...]:
         """The forces that drive the chain at rest."""
-        at_rest = self.moments.of(np.zeros(1))[:, 0] if self.ends else ()
+        at_rest = self.moments.at_rotations(np.zeros(1))[:, 0] if self.ends else ()
         forces = zip(self.actions, at_rest, strict=True)
         return tuple(each for each, moment in forces if isinstance(each, Force) and moment > 0.0)
 
@@ -253,11 +253,11 @@ class ChainActions:
 
     def ever_resists(self, number: int) -> bool:
         """Return whether an action, by its number, resists at any rotation."""
-        return bool((self.moments.of(self.moments.scan)[number] < 0.0).any())
+        return bool((self.moments.at_rotations(self.moments.scan)[number] < 0.0).any())
 
     def resists_at(self, number: int, rotation: float) -> bool:
         """Return whether an action, by its number, resists at a rotation [rad]."""
-        return bool(self.moments.of(np.array([rotation]))[number, 0] < 0.0)
+        return bool(self.moments.at_rotations(np.array([rotation]))[number, 0] < 0.0)
 
 
 def mechanism_actions(pair: ChainPair, starting: Oscillator) -> tuple[ChainActions, ...]:

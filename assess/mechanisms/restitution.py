@@ -51,7 +51,7 @@ class RestitutionCoefficient:
 
     value: float
     source: tuple[Term | Message, ...]
-    notice: Message | None = None
+    warning: Message | None = None
     stopped: float | None = None
     range: tuple[float, ...] = (1.0,)
 
@@ -210,14 +210,14 @@ def compare_rules(
 
 def _stopped_at_impact(kept: RestitutionCoefficient) -> RestitutionCoefficient:
     """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
-    notice = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
-    return replace(kept, value=0.0, notice=notice, stopped=kept.value)
+    stops = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
+    return replace(kept, value=0.0, warning=stops, stopped=kept.value)
 
 
 def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> RestitutionCoefficient:
     """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
     if kept.value > 1.0:
-        return replace(kept, notice=_above_one_warning(kept, ending=ending, starting=starting))
+        return replace(kept, warning=_above_one_warning(kept, ending=ending, starting=starting))
     loads = moving_masses(ending, starting)
     if not loads:
         return kept
@@ -225,7 +225,7 @@ def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chai
     if kept.value <= plain + NOTABLE:
         return kept
     values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
-    return replace(kept, notice=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
+    return replace(kept, warning=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
 
 
 def without_masses(chain: Chain) -> Chain:
@@ -287,16 +287,16 @@ def sorrentino(block: RockingBlock) -> float:
 class VelocityField(ShortRepr):
     """Velocities at rest for a unit rate of phi in the sign of the branch; one row for each block, then each mass.
 
-    shaken, borne : mass that moves horizontally and vertically [rows] [kg]; along, up : x' and z' [rows] [m]
-    turning : theta' [rows] [-]; inertia : about each centroid [rows] [kg m2]; x, z : places [rows] [m]
+    horizontal_mass, vertical_mass : what moves horizontally and vertically [rows] [kg]; dx, dz : x' and z' [rows] [m]
+    rate : theta' [rows] [-]; inertia : about each centroid [rows] [kg m2]; x, z : places [rows] [m]
     """
 
-    shaken: FloatArray
-    borne: FloatArray
+    horizontal_mass: FloatArray
+    vertical_mass: FloatArray
     inertia: FloatArray
-    along: FloatArray
-    up: FloatArray
-    turning: FloatArray
+    dx: FloatArray
+    dz: FloatArray
+    rate: FloatArray
     x: FloatArray
     z: FloatArray
 
@@ -311,15 +311,15 @@ def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
     moving = [(part.mass, part.mass, part.inertia, part.centroid, number) for part, number in parts]
     masses = [load for load in chain.loads if isinstance(load, PointMass)]
     for load in masses:
-        shaken = 0.0 if sliding and load.bearing else load.mass
-        moving.append((shaken, load.mass * load.bearing, 0.0, load.at, load.block))
+        horizontal_mass = 0.0 if sliding and load.bearing else load.mass
+        moving.append((horizontal_mass, load.mass * load.bearing, 0.0, load.at, load.block))
     rows = []
-    for shaken, borne, turned, at, number in moving:
+    for horizontal_mass, vertical_mass, turned, at, number in moving:
         if number is None:
-            rows.append((shaken, borne, turned, 0.0, 0.0, 0.0, *at))
+            rows.append((horizontal_mass, vertical_mass, turned, 0.0, 0.0, 0.0, *at))
             continue
         path = trace_point(motion, block=number, at=at)
-        rows.append((shaken, borne, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
+        rows.append((horizontal_mass, vertical_mass, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
     return VelocityField(*np.array(rows, dtype=np.float64).T)
 
 
@@ -328,21 +328,24 @@ def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
 
     The product of a field with itself, not mirrored, is the inertia I of the branch.
     """
-    along = np.sum(ending.shaken * ending.along * -starting.along)
-    up = np.sum(ending.borne * ending.up * starting.up)
-    return float(along + up + np.sum(ending.inertia * ending.turning * -starting.turning))
+    along = np.sum(ending.horizontal_mass * ending.dx * -starting.dx)
+    up = np.sum(ending.vertical_mass * ending.dz * starting.dz)
+    return float(along + up + np.sum(ending.inertia * ending.rate * -starting.rate))
 
 
 def inertia_at_rest(moving: VelocityField) -> float:
     """Return I of the branch at rest [kg m2]."""
-    squares = moving.shaken * moving.along**2 + moving.borne * moving.up**2 + moving.inertia * moving.turning**2
+    squares = (
+        moving.horizontal_mass * moving.dx**2 + moving.vertical_mass * moving.dz**2 + moving.inertia * moving.rate**2
+    )
     return float(np.sum(squares))
 
 
 def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
     """Return the angular momentum about a point (x, z) in the frame of the field, clockwise [kg m2]."""
-    arms = (moving.z - z) * moving.shaken * moving.along - (moving.x - x) * moving.borne * moving.up
-    return float(np.sum(arms + moving.inertia * moving.turning))
+    horizontal = (moving.z - z) * moving.horizontal_mass * moving.dx
+    vertical = (moving.x - x) * moving.vertical_mass * moving.dz
+    return float(np.sum(horizontal - vertical + moving.inertia * moving.rate))
 
 
 def plain_block(chain: Chain) -> RockingBlock:

@@ -153,61 +153,67 @@ class PressedHinge:
         return f'mechanism "{self.name}", interface {self.letter}'
 
     @property
-    def hinge(self) -> tuple[float, float]:
+    def point(self) -> tuple[float, float]:
         """The place of the hinge (x, z) [m]."""
         return self.chain.hinges[self.number]
 
     @property
-    def view(self) -> MotionPlane:
+    def motion_plane(self) -> MotionPlane:
         """The plane of motion of the branch."""
-        return MotionPlane.of(self.definition.towards, sign=self.sign)
+        return MotionPlane.towards(self.definition.towards, sign=self.sign)
 
     def plane(self) -> JointPlane:
         """Find the plane of the joint; raise GeometryError if no faces meet at the hinge."""
-        return find_joint_plane(self.number, self.hinge, self.definition, self.pieces, self.view, where=self.where)
+        return find_joint_plane(
+            self.number, self.point, self.definition, self.pieces, self.motion_plane, where=self.where
+        )
 
 
-def joint_at(seat: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
+def joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
     """Return the joint under a hinge, with warnings; None if it is rigid or carries nothing."""
-    interface = seat.interface
-    law = law_of(interface, material_of(seat.definition, bodies), where=seat.where)
+    interface = hinge.interface
+    law = law_of(interface, material_of(hinge.definition, bodies), where=hinge.where)
     if law is None:
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
-    letter = hinge_names(seat.chain)[seat.number]
+    letter = hinge_names(hinge.chain)[hinge.number]
     warnings = (warning("never-crushes", interface=letter),) if endless else ()
-    shape, sense = interface.shape, float(JointedChain(seat.chain, seat.name).sense[seat.number])
+    shape, sense = interface.shape, float(JointedChain(hinge.chain, hinge.name).sense[hinge.number])
     if isinstance(shape, Shape):
-        joint, more = shaped_joint(seat, law, shape, sense=sense)
+        joint, more = shaped_joint(hinge, law, shape, sense=sense)
     else:
-        joint, more = outlined_joint(seat, law, sense=sense)
+        joint, more = outlined_joint(hinge, law, sense=sense)
     return joint, (*warnings, *more)
 
 
-def shaped_joint(seat: PressedHinge, law: JointLaw, shape: Shape, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
+def shaped_joint(
+    hinge: PressedHinge, law: JointLaw, shape: Shape, *, sense: float
+) -> tuple[Joint, tuple[Message, ...]]:
     """Return a joint of given sizes in the plane of the faces that meet, level if there are none."""
     warnings: tuple[Message, ...] = ()
     try:
-        normal = seat.plane().normal
+        normal = hinge.plane().normal
     except GeometryError:
-        normal = DOWN if is_top_support(seat.chain, seat.number) else UP
-        warnings = (warning("joint-taken-level", interface=seat.letter),)
-    return Joint(_inward(normal, sense), section_of_shape(shape, seat.view), law, seat.interface.model), warnings
+        normal = DOWN if is_top_support(hinge.chain, hinge.number) else UP
+        warnings = (warning("joint-taken-level", interface=hinge.letter),)
+    return Joint(
+        _inward(normal, sense), section_of_shape(shape, hinge.motion_plane), law, hinge.interface.model
+    ), warnings
 
 
-def outlined_joint(seat: PressedHinge, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
+def outlined_joint(hinge: PressedHinge, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
     """Return the joint of the outline where faces meet; warn if the hinge is not at its edge."""
-    bed, view = seat.plane(), seat.view
-    inward = _inward(bed.normal, sense)
-    out = heading(bed.plane, -view.world(inward), axis=view.axis)
-    found = polygon(bed.region, direction=out)
-    aside = bed.beyond(view.world(seat.hinge), out)
-    joint = Joint(inward, found, law, seat.interface.model)
+    joint_plane, view = hinge.plane(), hinge.motion_plane
+    inward = _inward(joint_plane.normal, sense)
+    out = heading(joint_plane.plane, -view.world(inward), axis=view.axis)
+    found = polygon(joint_plane.region, direction=out)
+    aside = joint_plane.beyond(view.world(hinge.point), out)
+    joint = Joint(inward, found, law, hinge.interface.model)
     if abs(aside) <= NEAR * found.depth:
         return joint, ()
     key = "hinge-inside-contact" if aside > 0.0 else "hinge-outside-contact"
     distance, depth = (Quantity(each, "length", 3) for each in (abs(aside), found.depth))
-    return joint, (warning(key, interface=seat.letter, distance=distance, depth=depth),)
+    return joint, (warning(key, interface=hinge.letter, distance=distance, depth=depth),)
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:

@@ -80,10 +80,10 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
         or not has_geometry(definition, bodies)
     ):
         return mechanism_as_given(name, definition, bodies)
-    look = prepare_search(name, definition, bodies)
+    search = prepare_search(name, definition, bodies)
     if definition.direction is None:
-        return build_in_weakest_direction(look)
-    return build_in_given_direction(look)
+        return build_in_weakest_direction(search)
+    return build_in_given_direction(search)
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
@@ -109,24 +109,24 @@ def has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
     return all(bodies[body].solid is not None for body in definition.bodies)
 
 
-def build_in_weakest_direction(look: DirectionSearch) -> Built:
+def build_in_weakest_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
-    candidates = evaluate_candidates(look)
+    candidates = evaluate_candidates(search)
     known = [each for each in candidates if each.multiplier is not None]
     if not known:  # nor can it be built towards any: say why
-        return mechanism_of(look.name, turn_towards(look.definition, candidates[0].way), look.bodies)
-    reason = next(reasons_for_given_direction(look.definition), "")
+        return mechanism_of(search.name, turn_towards(search.definition, candidates[0].direction), search.bodies)
+    reason = next(reasons_for_given_direction(search.definition), "")
     if reason:
-        raise ProjectError(f"{look.where}.direction: missing; {reason}; the candidates are {list_directions(known)}")
+        raise ProjectError(f"{search.where}.direction: missing; {reason}; the candidates are {list_directions(known)}")
     pool, held = free_candidates(known)
-    found = weakest_of([with_displacement(each, look) for each in near_least(pool)])
+    found = weakest_of([with_displacement(each, search) for each in near_least(pool)])
     candidates = tuple(found if each.angle == found.angle else each for each in candidates)
-    behind = () if held else bodies_that_stop(look.obstacles, opposite_direction(found.way))
-    definition = with_sides(turn_towards(look.definition, found.way), behind)
-    built = mechanism_of(look.name, definition, look.bodies)
-    messages = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
-    messages += [left_out_warning(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
-    return with_messages(built, candidates, messages, look)
+    behind = () if held else bodies_that_stop(search.obstacles, opposite_direction(found.direction))
+    definition = with_sides(turn_towards(search.definition, found.direction), behind)
+    built = mechanism_of(search.name, definition, search.bodies)
+    messages = [*obstacle_messages(candidates, found, held=held, where=search.where), *sides_messages(behind, search)]
+    messages += [left_out_warning(each, search.where) for each in candidates if each.reason not in ("", OTHER_SIDE)]
+    return with_messages(built, candidates, messages, search)
 
 
 def with_sides(definition: BlocksT, behind: Sequence[str]) -> BlocksT:
@@ -150,58 +150,58 @@ def format_key(key: Sequence[str | int]) -> str:
 def list_directions(known: Sequence[CandidateDirection]) -> str:
     """List directions with their multipliers, the weakest first."""
     rising = sorted(known, key=rank_key)
-    texts = [f"{vector_text(each.way)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
+    texts = [f"{vector_text(each.direction)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
     return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
 
 
-def opposite_direction(way: Vector) -> Vector:
+def opposite_direction(direction: Vector) -> Vector:
     """Return the opposite direction."""
-    return (-way[0], -way[1], 0.0)
+    return (-direction[0], -direction[1], 0.0)
 
 
-def build_in_given_direction(look: DirectionSearch) -> Built:
+def build_in_given_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
-    ahead = CandidateDirection(direction_angle(look.definition.towards)).way
-    into = bodies_that_stop(look.obstacles, ahead)
-    behind = () if into else bodies_that_stop(look.obstacles, opposite_direction(ahead))
-    built = mechanism_of(look.name, with_sides(look.definition, behind), look.bodies)
-    messages = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
-    if look.definition.hinges is not None or next(look.definition.keys_along(), None) is not None:
-        return with_messages(built, (), messages, look)
-    candidates = evaluate_candidates(look)
-    messages += weaker_direction_warnings(built.mechanism, candidates, look)
-    return with_messages(built, candidates, messages, look)
+    ahead = CandidateDirection(direction_angle(search.definition.towards)).direction
+    into = bodies_that_stop(search.obstacles, ahead)
+    behind = () if into else bodies_that_stop(search.obstacles, opposite_direction(ahead))
+    built = mechanism_of(search.name, with_sides(search.definition, behind), search.bodies)
+    messages = [*direction_warnings(into, ahead, search), *sides_messages(behind, search)]
+    if search.definition.hinges is not None or next(search.definition.keys_along(), None) is not None:
+        return with_messages(built, (), messages, search)
+    candidates = evaluate_candidates(search)
+    messages += weaker_direction_warnings(built.mechanism, candidates, search)
+    return with_messages(built, candidates, messages, search)
 
 
-def direction_warnings(into: Sequence[str], ahead: Vector, look: DirectionSearch) -> Iterator[Message]:
+def direction_warnings(into: Sequence[str], ahead: Vector, search: DirectionSearch) -> Iterator[Message]:
     """Warn that the given direction leads into a body."""
     if into:
         values = {"direction": vector_text(ahead), "bodies": ", ".join(into)}
-        yield message("direction-into", values, severity=Severity.WARNING, where=look.where)
+        yield message("direction-into", values, severity=Severity.WARNING, where=search.where)
 
 
 def weaker_direction_warnings(
-    given: Mechanism, candidates: Sequence[CandidateDirection], look: DirectionSearch
+    given: Mechanism, candidates: Sequence[CandidateDirection], search: DirectionSearch
 ) -> Iterator[Message]:
     """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
-    ahead = np.array(CandidateDirection(direction_angle(look.definition.towards)).way)
-    open_ways = [each for each in candidates if each.multiplier is not None and not each.touching]
+    ahead = np.array(CandidateDirection(direction_angle(search.definition.towards)).direction)
+    unobstructed = [each for each in candidates if each.multiplier is not None and not each.touching]
     if given.sides == "one":  # what stops it stands behind
-        open_ways = [each for each in open_ways if np.array(each.way) @ ahead > -AHEAD]
-    if not open_ways:
+        unobstructed = [each for each in unobstructed if np.array(each.direction) @ ahead > -AHEAD]
+    if not unobstructed:
         return
-    weak = weakest_of([with_displacement(each, look) for each in near_least(open_ways)])
+    weak = weakest_of([with_displacement(each, search) for each in near_least(unobstructed)])
     own = min((given.positive, *([given.negative] if given.negative else [])), key=uplift_multiplier)
     if multiplier_of(weak) >= CLEARLY * uplift_multiplier(own):
         return
     values: dict[str, Value] = {
-        "direction": vector_text(weak.way),
+        "direction": vector_text(weak.direction),
         "weaker": Quantity(multiplier_of(weak)),
         "weaker_d0": length_text(weak.displacement),
         "given": Quantity(uplift_multiplier(own)),
-        "given_d0": length_text(displacement_of(own, name=look.name)),
+        "given_d0": length_text(displacement_of(own, name=search.name)),
     }
-    yield message("direction-weaker", values, severity=Severity.WARNING, where=look.where)
+    yield message("direction-weaker", values, severity=Severity.WARNING, where=search.where)
 
 
 def length_text(length: float | None) -> Value:
@@ -217,31 +217,31 @@ def obstacle_messages(
         if each.multiplier is None or not each.touching:
             continue
         bodies, weaker = ", ".join(each.touching), Quantity(multiplier_of(each))
-        values: dict[str, Value] = {"direction": vector_text(each.way), "bodies": bodies, "weaker": weaker}
+        values: dict[str, Value] = {"direction": vector_text(each.direction), "bodies": bodies, "weaker": weaker}
         if not held:
             yield message("direction-stopped", values, where=where)
         elif each.angle == found.angle:
             yield message("direction-held", values, severity=Severity.WARNING, where=where)
 
 
-def sides_messages(behind: Sequence[str], look: DirectionSearch) -> Iterator[Message]:
+def sides_messages(behind: Sequence[str], search: DirectionSearch) -> Iterator[Message]:
     """Tell that it rocks to one side because of what stands behind it."""
-    if behind and look.definition.sides is None:
-        yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)
+    if behind and search.definition.sides is None:
+        yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=search.where)
 
 
 def left_out_warning(candidate: CandidateDirection, where: str) -> Message:
     """Say why a direction was left out."""
-    values = {"direction": vector_text(candidate.way), "why": candidate.why}
+    values = {"direction": vector_text(candidate.direction), "why": candidate.reason}
     return message("direction-left-out", values, severity=Severity.WARNING, where=where)
 
 
 def with_messages(
-    built: Built, candidates: Sequence[CandidateDirection], messages: Sequence[Message], look: DirectionSearch
+    built: Built, candidates: Sequence[CandidateDirection], messages: Sequence[Message], search: DirectionSearch
 ) -> Built:
     """Return the mechanism with its candidates, the bodies beside it and the messages on them."""
-    beside = tuple(obstacle.body for obstacle in look.obstacles)
-    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(messages))
+    beside = tuple(obstacle.body for obstacle in search.obstacles)
+    found = replace(built.mechanism, candidates=tuple(candidates), adjacent_bodies=beside, messages=tuple(messages))
     return replace(built, mechanism=found)
 
 
@@ -260,8 +260,8 @@ class DirectionSearch:
     """A mechanism whose directions are compared.
 
     definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
-    ways : angles of the candidates [deg]
-    at : the mechanism towards a direction, of one side and on rigid hinges
+    angles : of the candidates [deg]
+    mechanism_towards : the mechanism towards a direction, of one side and on rigid hinges
     """
 
     name: str
@@ -269,8 +269,8 @@ class DirectionSearch:
     bodies: Bodies
     foot: FloatArray
     obstacles: tuple[Obstacle, ...]
-    ways: tuple[float, ...]
-    at: Towards
+    angles: tuple[float, ...]
+    mechanism_towards: Towards
 
     @property
     def where(self) -> str:
@@ -283,15 +283,15 @@ def prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> Dir
     standing, bare = solids_of_blocks(name, definition, bodies), one_sided_definition(definition)
     if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
         block = standing_above_cut(name, bare, standing)
-        standing, foot, at = block.solids, block.foot, block_by_direction(name, bare, block, bodies)
+        standing, foot, towards = block.solids, block.foot, block_by_direction(name, bare, block, bodies)
     else:
         foot = lowest_corners(standing)
 
-        def at(way: Vector) -> Mechanism:
-            return on_rigid_hinges(name, turn_towards(bare, way), bodies)[0]
+        def towards(direction: Vector) -> Mechanism:
+            return on_rigid_hinges(name, turn_towards(bare, direction), bodies)[0]
 
-    ways = candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
-    return DirectionSearch(name, definition, bodies, foot, obstacles_of(definition, standing, bodies), ways, at)
+    angles = candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
+    return DirectionSearch(name, definition, bodies, foot, obstacles_of(definition, standing, bodies), angles, towards)
 
 
 def candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
@@ -324,43 +324,43 @@ def thinnest_normal(plan: FloatArray, normals: FloatArray) -> FloatArray:
     return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
 
 
-def evaluate_candidates(look: DirectionSearch) -> tuple[CandidateDirection, ...]:
+def evaluate_candidates(search: DirectionSearch) -> tuple[CandidateDirection, ...]:
     """Evaluate every candidate: its multiplier, or why it cannot rock that way, and what touches it there."""
-    return tuple(evaluate_candidate(angle, look) for angle in look.ways)
+    return tuple(evaluate_candidate(angle, search) for angle in search.angles)
 
 
-def evaluate_candidate(angle: float, look: DirectionSearch) -> CandidateDirection:
+def evaluate_candidate(angle: float, search: DirectionSearch) -> CandidateDirection:
     """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
     asked = CandidateDirection(angle)
-    asked = replace(asked, touching=bodies_that_stop(look.obstacles, asked.way))
-    if not hinge_on_side(look, asked.way):
-        return replace(asked, why=OTHER_SIDE)
+    asked = replace(asked, touching=bodies_that_stop(search.obstacles, asked.direction))
+    if not hinge_on_side(search, asked.direction):
+        return replace(asked, reason=OTHER_SIDE)
     try:
-        return replace(asked, multiplier=uplift_multiplier(look.at(asked.way).positive))
+        return replace(asked, multiplier=uplift_multiplier(search.mechanism_towards(asked.direction).positive))
     except FallingError as error:
-        if look.definition.direction is None and not asked.touching:
+        if search.definition.direction is None and not asked.touching:
             raise FallingError(
-                f"{error} (towards {vector_text(asked.way)}, looked at as `direction` is absent)"
+                f"{error} (towards {vector_text(asked.direction)}, looked at as `direction` is absent)"
             ) from None
-        return replace(asked, why=str(error))
+        return replace(asked, reason=str(error))
     except AssessError as error:
-        return replace(asked, why=str(error))
+        return replace(asked, reason=str(error))
 
 
-def hinge_on_side(look: DirectionSearch, way: Vector) -> bool:
-    """Return whether a hinge given in space lies on the side of the base towards `way`; true if none is given."""
-    hinges = look.definition.hinge_points
+def hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:
+    """Return whether a hinge given in space lies on the side of the base towards `direction`; true if none is given."""
+    hinges = search.definition.hinge_points
     if hinges is None or len(hinges[0]) == 2:
         return True
-    reach = look.foot @ np.array(way)
+    reach = search.foot @ np.array(direction)
     low, high = float(reach.min()), float(reach.max())
-    out = (point_in_plane(hinges[0], way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
+    out = (point_in_plane(hinges[0], direction)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
     return ON_SIDE[0] < out < ON_SIDE[1]
 
 
-def vector_text(way: Vector) -> str:
+def vector_text(direction: Vector) -> str:
     """Write a direction as the project file does."""
-    return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in way) + "]"
+    return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in direction) + "]"
 
 
 def uplift_multiplier(chain: Chain) -> float:
@@ -369,9 +369,12 @@ def uplift_multiplier(chain: Chain) -> float:
     return float(work.restoring[0] / (g * work.excitation[0]))
 
 
-def with_displacement(candidate: CandidateDirection, look: DirectionSearch) -> CandidateDirection:
+def with_displacement(candidate: CandidateDirection, search: DirectionSearch) -> CandidateDirection:
     """Return the candidate with d0* of its control point."""
-    return replace(candidate, displacement=displacement_of(look.at(candidate.way).positive, name=look.name))
+    return replace(
+        candidate,
+        displacement=displacement_of(search.mechanism_towards(candidate.direction).positive, name=search.name),
+    )
 
 
 def displacement_of(chain: Chain, *, name: str) -> float | None:
@@ -423,7 +426,7 @@ def weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
 
 def rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
     """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
-    x, y, _ = candidate.way
+    x, y, _ = candidate.direction
     return rounded(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
 
 
@@ -452,7 +455,7 @@ def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> B
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = resistance_by_direction(
-            lambda way: mechanism_of(name, turn_towards(definition, way), bodies).mechanism,
+            lambda direction: mechanism_of(name, turn_towards(definition, direction), bodies).mechanism,
             swept_angles(hull_edge_normals(plan)),
         )
     built = mechanism_of(name, turn_towards(definition, direction_at(found.weakest)), bodies)
@@ -582,9 +585,9 @@ class Obstacle:
     body: str
     faces: FacePatches
 
-    def stops(self, way: Vector) -> bool:
-        """Return whether it stops a motion towards `way`, a horizontal unit vector."""
-        ahead = self.faces.normal @ np.array(way) > AHEAD
+    def stops(self, direction: Vector) -> bool:
+        """Return whether it stops a motion towards `direction`, a horizontal unit vector."""
+        ahead = self.faces.normal @ np.array(direction) > AHEAD
         return float(self.faces.area[ahead].sum()) > SMALLEST
 
 
@@ -605,9 +608,9 @@ def obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: 
     return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
 
 
-def bodies_that_stop(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
-    """Return the bodies that stop a motion towards `way`."""
-    return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(way))
+def bodies_that_stop(obstacles: Sequence[Obstacle], direction: Vector) -> tuple[str, ...]:
+    """Return the bodies that stop a motion towards `direction`."""
+    return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(direction))
 
 
 def _box_reaches(standing: Sequence[Solid], other: Solid) -> bool:

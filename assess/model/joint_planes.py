@@ -42,7 +42,7 @@ class MotionPlane:
     sign: float
 
     @classmethod
-    def of(cls, direction: Sequence[float], *, sign: float) -> MotionPlane:
+    def towards(cls, direction: Sequence[float], *, sign: float) -> MotionPlane:
         """Return the plane of a direction, or of its opposite."""
         return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
 
@@ -162,11 +162,11 @@ def joint_plane_between(
             region = _parts_with_area(shapely.intersection(faces_in(over, plane), facing))
             if region.area <= SLIVER:
                 continue
-            bed = JointPlane(view.project_vector(-outward), plane, region)
+            joint_plane = JointPlane(view.project_vector(-outward), plane, region)
             way = heading(plane, view.world((outward[2], -float(outward @ view.along))), axis=view.axis)
-            ends = abs(bed.beyond(at, way)), abs(bed.beyond(at, -way))
+            ends = abs(joint_plane.beyond(at, way)), abs(joint_plane.beyond(at, -way))
             if min(ends) <= max(EDGE * max(ends), TOUCH):
-                return bed
+                return joint_plane
     raise GeometryError(
         f"{where}: no faces of its blocks touch with an edge at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; mend the "
         "hinge, or give shape"
@@ -238,7 +238,7 @@ def faces_of(
     return tuple(
         tuple(
             Face(
-                *hinge_normal(number, chain, definition, pieces, MotionPlane.of(definition.towards, sign=sign)),
+                *hinge_normal(number, chain, definition, pieces, MotionPlane.towards(definition.towards, sign=sign)),
                 *frictions[number],
             )
             for number in range(len(chain.hinges))
@@ -252,7 +252,8 @@ def hinge_normal(
 ) -> tuple[Vector, bool]:
     """Return the normal at a hinge, to the pressing block, and whether the geometry shows it; otherwise it is vertical.
 
-    What a block stands on is not part of the geometry: a face steeper than STEEP is no bed, as the intrados of a vault.
+    What a block stands on is not part of the geometry: a face steeper than STEEP, as the intrados of a vault, is no
+    joint plane.
     """
     ground = FACING_BLOCKS[len(chain.blocks)][number][0] is None
     if chain.joints and chain.joints[number] is not None:

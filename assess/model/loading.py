@@ -68,7 +68,7 @@ def loads_of(
     return LoadSet(
         loads=tuple(load for part in parts for load in part.loads),
         warnings=distinct(warnings),
-        follows=tuple(each for part in parts for each in part.follows),
+        block_by_place=tuple(each for part in parts for each in part.block_by_place),
     )
 
 
@@ -108,13 +108,13 @@ def loads_of_entry(
 
 def blocks_of(name: str, definition: BlockMechanism, pieces: Sequence[Piece]) -> MechanismBlocks:
     """Return the blocks as loads meet them; two blocks without geometry part at hinge B."""
-    parted = len(definition.blocks) == 1 and len(pieces) == 2
+    cracked = len(definition.blocks) == 1 and len(pieces) == 2
     foot, crack = pieces[-1].foot, None
-    if parted and foot is not None:
+    if cracked and foot is not None:
         crack = float(foot[0, 2])
     elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
         crack = None if (hinges := definition.hinge_points) is None else hinges[1][-1]
-    return MechanismBlocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
+    return MechanismBlocks(tuple(pieces), crack, cracked, definition.along, where=f'mechanism "{name}"')
 
 
 def loads_of_body(
@@ -212,7 +212,7 @@ def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -
 def misplaced_load_warnings(loads: Sequence[Load], blocks: MechanismBlocks) -> Iterator[Message]:
     """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
-        whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
+        whole = blocks.pieces if blocks.cracked else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
         outline = tuple(ring for piece in whole for ring in piece.body.outline)
         corners = [point for ring in outline for point in ring]
         size = float(np.ptp(corners, axis=0).max()) if corners else 0.0

@@ -144,8 +144,8 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
 def loads_above(load_set: LoadSet, elevation: float) -> tuple[Load, ...]:
     """Assign the loads of a wall to its blocks, if it cracks at an elevation [m]."""
     return tuple(
-        replace(load, block=UPPER if load.at[1] >= elevation else 0) if follows else load
-        for load, follows in zip(load_set.loads, load_set.follows, strict=True)
+        replace(load, block=UPPER if load.at[1] >= elevation else 0) if by_place else load
+        for load, by_place in zip(load_set.loads, load_set.block_by_place, strict=True)
     )
 
 
@@ -217,7 +217,9 @@ def consistent_cracks(
 
     A load within MARGIN of the top stands on it.
     """
-    heights = sorted({load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows})
+    heights = sorted(
+        {load.at[1] for load, by_place in zip(load_set.loads, load_set.block_by_place, strict=True) if by_place}
+    )
     for lowest, next_one in pairwise((-inf, *heights, inf)):
         loads = loads_above(load_set, next_one)
         panel = panel_of(definition, whole, loads, strength=strength)
@@ -272,7 +274,7 @@ def crack_by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, st
     def multiplier(elevation: float) -> float:
         return cracked_multiplier(definition, whole, panel, loads_above(load_set, elevation), elevation)
 
-    jumps = [load.at[1] for load, follows in zip(load_set.loads, load_set.follows, strict=True) if follows]
+    jumps = [load.at[1] for load, by_place in zip(load_set.loads, load_set.block_by_place, strict=True) if by_place]
     elevation = find_least_multiplier(
         multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * CONTACT_TOLERANCE
     )

@@ -151,7 +151,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=with_procedures_run(resolve(project), content),
         messages=(*input_messages(project, study, files, messages), *annex_messages),
         sweeps=tuple(
-            sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
+            sweep_of(variation, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
             for variation in project.variations
         ),
         survey=survey_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),

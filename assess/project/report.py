@@ -374,10 +374,10 @@ def _sizes_given(shape: ProjectSection) -> Iterator[str]:
 
 def _uses_of_mechanism(mechanism: Mechanism) -> Iterator[str]:
     """Yield sides, joints and the rule of restitution, as they came out with all defaults."""
-    rules = set(map(str, mechanism.restitution_said))
+    rules = set(map(str, mechanism.restitution_source_parts))
     if mechanism.sides == "one":
         yield "one-sided"
-        if any(getattr(each, "key", "") == "restitution-3-45" for each in mechanism.restitution_said):
+        if any(getattr(each, "key", "") == "restitution-3-45" for each in mechanism.restitution_source_parts):
             yield "restitution one-sided"
     yield from (word for rule, word in USE_OF_RESTITUTION.items() if rule in rules)
     joints = [joint for chain in (mechanism.positive, mechanism.negative) if chain for joint in chain.joints]

@@ -393,7 +393,7 @@ def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesO
     varied = {name for each in project.variations for name in dependents(project.content, each.path)}
     swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in varied]
     directed = reduce(fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
-    beside = {mechanism.name: mechanism.beside for mechanism in study.mechanisms}
+    beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
     numbers = [
         SampledNumber(
             value.given,

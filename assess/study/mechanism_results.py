@@ -141,7 +141,7 @@ def mechanism_result(
         sides=mechanism.sides,
         equation=equation,
         restitution_source=mechanism.restitution_source,
-        restitution_said=mechanism.restitution_said,
+        restitution_said=mechanism.restitution_source_parts,
         direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
         drawing=drawing,
         view=None if scene is None else view_in_space(mechanism, scene),
@@ -352,7 +352,7 @@ def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
 
 def load_result(load: Load) -> LoadResult:
     """Return a load as used, with its source."""
-    found = load.found or (Term("given"),)
+    found = load.source_parts or (Term("given"),)
     source = source_phrase(found)
     if isinstance(load, PointMass):
         seat, mass = load.seat if load.bearing else None, load.mass

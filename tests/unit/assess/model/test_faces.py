@@ -56,7 +56,7 @@ def single(more: str = "", *, blocks: str = '["tower"]') -> str:
 
 def test_a_tower_stands_on_level_faces(tmp_path: Path) -> None:
     for (face,) in mechanism(tmp_path, single()).faces:
-        assert (face.normal, face.found, face.friction) == ((0.0, 1.0), True, 0.6)
+        assert (face.normal, face.on_geometry, face.friction) == ((0.0, 1.0), True, 0.6)
 
 
 @pytest.mark.parametrize("more", [SLOPED, FLEXIBLE], ids=["rigid", "flexible"])
@@ -72,7 +72,7 @@ def test_the_faces_of_an_arch_are_its_radial_joints(tmp_path: Path) -> None:
     built = mechanism(tmp_path, ARCH)
     for chain, faces in zip((built.positive, built.negative), built.faces, strict=True):
         for (x, z), face in zip(chain.hinges, faces, strict=True):
-            assert face.found
+            assert face.on_geometry
             assert x * face.normal[0] + z * face.normal[1] == pytest.approx(0.0, abs=1e-6)
         a, b, c, d = (face.normal for face in faces)
         assert a[1] > 0.0 < d[1]
@@ -110,7 +110,7 @@ profile = [[0, 3], [0.2, 4], [1, 5], [1, 5.3], [0, 4.3]]
 """ + single("hinges = { A = [0, 3] }\nsides = 'one'\nloads = [{kind='mass', mass=1e5, at=[-1, 0, 4], bearing=true}]",
              blocks='["vault"]')  # fmt: skip
     ((face,),) = mechanism(tmp_path, text).faces
-    assert (face.normal, face.found) == ((0.0, 1.0), False)
+    assert (face.normal, face.on_geometry) == ((0.0, 1.0), False)
 
 
 def test_sliding_is_asked_where_a_material_has_friction_or_the_user_asks(tmp_path: Path) -> None:

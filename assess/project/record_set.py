@@ -198,7 +198,7 @@ def locked_records(path: Path, *, folder: Path, spectrum: Spectrum) -> RecordSet
         band=band_of(lock.chosen),
         selection=selection_of(lock),
         nga=tuple((one.id, one.nga) for one in lock.records if one.nga is not None),
-        given=given,
+        given_factors=given,
     )
     return RecordSet(tuple(record for record, _ in both), fitting)
 

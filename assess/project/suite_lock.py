@@ -355,7 +355,7 @@ def _position_in_file(record: Record, found: Sequence[Record]) -> int:
 
 def _locked_choice(fitting: Fitting, scale_to: ScaleTo, further_factor: float) -> LockedChoice:
     low, high = fitting.band.ends
-    code = None if fitting.given is None or not fitting.given.code else fitting.given.code
+    code = None if fitting.given_factors is None or not fitting.given_factors.code else fitting.given_factors.code
     found = fitting.selection
     if found is None:
         return LockedChoice(how="all", scale_to=scale_to, further_factor=further_factor, periods_s=(low, high))

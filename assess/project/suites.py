@@ -207,8 +207,8 @@ def select_for_target(
         found = select_for(offer.candidates, making, goal, criteria, read=suites.read_candidate)
         chosen = suites.record_set(found, criteria.band, folder=Path.cwd())
         chosen = suites.with_given_factors(chosen, found, spectrum, code=code)
-        assert chosen.fitting.given is not None
-        motions = apply_given_factors(chosen.records, spectrum, chosen.fitting.given, band=criteria.band)
+        assert chosen.fitting.given_factors is not None
+        motions = apply_given_factors(chosen.records, spectrum, chosen.fitting.given_factors, band=criteria.band)
     motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={}, own=own)
     messages = (*suites.offer_messages(offer), *suites.record_messages(chosen.records))
     suite = ScaledSuite(results_of(motions, spectrum, chosen.fitting), motion, messages)

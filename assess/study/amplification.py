@@ -175,13 +175,13 @@ def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> f
     if choice.height is not None:
         return choice.height
     mechanism = in_place.built.mechanism
-    base = in_place.ground.below(mechanism, in_place.base_elevation)
+    base = in_place.ground.base_height(mechanism, in_place.base_elevation)
     if base < -NEAR_GROUND:
         raise ProjectError(
             f"{in_place.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
             "building.ground_elevation"
         )
-    return max(base, 0.0) + height_of_support(mechanism) / 2.0
+    return mean_support_height(base, mechanism)
 
 
 def by_floor_factor(
@@ -345,7 +345,7 @@ class GroundLevel:
     lowest: float | None = None
     building_height: float = 0.0
 
-    def below(self, mechanism: Mechanism, base_elevation: float | None) -> float:
+    def base_height(self, mechanism: Mechanism, base_elevation: float | None) -> float:
         """Return how high the base of a mechanism is above the ground [m]: given for it alone, or by its elevation."""
         return mechanism.elevation - (self.elevation or 0.0) if base_elevation is None else base_elevation
 
@@ -357,7 +357,7 @@ def find_height(
 
     Parameters
     ----------
-    ground : Ground
+    ground : GroundLevel
         The level of the ground.
     mechanism : Mechanism
         The mechanism.
@@ -371,8 +371,8 @@ def find_height(
     HeightAboveGround
         With the source of the level of the ground.
     """
-    base = ground.below(mechanism, base_elevation)
-    support = max(base, 0.0) + height_of_support(mechanism) / 2.0
+    base = ground.base_height(mechanism, base_elevation)
+    support = mean_support_height(base, mechanism)
     source = _source_of_level(ground, base_elevation, by_table=by_table)
     lowest = mechanism.elevation if ground.lowest is None else ground.lowest
     if not source:
@@ -381,8 +381,13 @@ def find_height(
         (reason_message(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
     )
     if source == BY_MECHANISM and not unknown:
-        unknown = _contradicted_level(base, ground.below(mechanism, None), lowest, mechanism, ground)
+        unknown = _contradicted_level(base, ground.base_height(mechanism, None), lowest, mechanism, ground)
     return HeightAboveGround(base, support, is_above_ground(support, ground.building_height), source, unknown)
+
+
+def mean_support_height(base: float, mechanism: Mechanism) -> float:
+    """Return the height of the support above the ground [m]: of the base, or the mean of base and far support."""
+    return max(base, 0.0) + height_of_support(mechanism) / 2.0
 
 
 def _contradicted_level(
@@ -420,7 +425,9 @@ def lowest_body(definitions: Mapping[str, Definition], solids: Solids) -> float 
     solids : of the building's bodies by name
     """
     mechanisms = [each for each in definitions.values() if isinstance(each, BlockMechanism)]
-    moving = {body for each in mechanisms for body in each.bodies}
+    in_mechanisms = {body for each in mechanisms for body in each.bodies}
     loads = {body for each in mechanisms for load in each.loads for body in bodies_of(load)}
-    bodies = [solid for name, solid in solids.items() if solid is not None and (name in moving or name not in loads)]
+    bodies = [
+        solid for name, solid in solids.items() if solid is not None and (name in in_mechanisms or name not in loads)
+    ]
     return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

@@ -486,14 +486,14 @@ def resultant_steps(state: StressState) -> tuple[tuple[Step, ...], Step]:
         ((force, place),) = pairs
         return (force, _balance_step(force.symbol, force.value or 0.0, state.normal_force)), place
     lines = [line for pair in pairs for line in pair]
-    known: Given = {line.symbol: (line.value or 0.0, line.unit) for line in lines}
-    parts: Given = {force.symbol: known[force.symbol] for force, _ in pairs}
+    by_symbol: Given = {line.symbol: (line.value or 0.0, line.unit) for line in lines}
+    parts: Given = {force.symbol: by_symbol[force.symbol] for force, _ in pairs}
     name, total = f"R_{state.mark}", sum(force.value or 0.0 for force, _ in pairs)
     lines.append(step(name, "resultant of the stresses", BALANCE, " + ".join(parts), total, "N", given=parts))
     lines.append(_balance_step(name, total, state.normal_force))
     moment = " + ".join(f"{force.symbol} {place.symbol}" for force, place in pairs)
     arm = sum((force.value or 0.0) * (place.value or 0.0) for force, place in pairs) / total
-    whole: Given = {**known, name: (total, "N")}
+    whole: Given = {**by_symbol, name: (total, "N")}
     return tuple(lines), step("x", STRIP_PLACE, BALANCE, f"({moment}) / {name}", arm, "m", given=whole)
 
 
@@ -543,11 +543,11 @@ def _strip_steps(section: ContactSection, strip: Strip, end: str) -> tuple[Step,
     N = length * (2.0 * (first * here + last * there) + first * there + last * here) / 6.0
     moment = length**2 * (first * here + first * there + last * here + 3.0 * last * there) / 12.0
     force, place = _force_formula(strip.zone, (w, v)), _place_formula(strip.zone, (w, v), f"R_{end}")
-    known: Given = {p: (start, "m"), L: (length, "m"), w: (here, "m"), v: (there, "m"), s: (first, "Pa"),
+    symbols: Given = {p: (start, "m"), L: (length, "m"), w: (here, "m"), v: (there, "m"), s: (first, "Pa"),
                     t: (last, "Pa"), f"R_{end}": (N, "N")}  # fmt: skip
     return (
-        step(f"R_{end}", STRIP_FORCE, BALANCE, force, N, "N", given=_symbols_of(force, known)),
-        step(f"x_{end}", STRIP_PLACE, BALANCE, place, start + moment / N, "m", given=_symbols_of(place, known)),
+        step(f"R_{end}", STRIP_FORCE, BALANCE, force, N, "N", given=_symbols_of(force, symbols)),
+        step(f"x_{end}", STRIP_PLACE, BALANCE, place, start + moment / N, "m", given=_symbols_of(place, symbols)),
     )
 
 

@@ -112,19 +112,19 @@ def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark
     """Draw the chain after the rotation at which it is shown, in its own sign."""
     rotation = display_rotation(chain, branch.overturning, pieces)
 
-    def at(points: Sequence[Point], block: int) -> Ring:
+    def turned(points: Sequence[Point], block: int) -> Ring:
         return as_points(move_points(chain, np.array(points), block=block, rotation=rotation))
 
     return DisplacedDrawing(
         rotation_rad=rotation,
-        blocks=tuple(at(ring, block) for ring, block in pieces),
+        blocks=tuple(turned(ring, block) for ring, block in pieces),
         block_of=tuple(block for _, block in pieces),
         hinges=tuple(
-            NamedPoint(hinge.name, at([hinge.at], max(before, 0))[0])
+            NamedPoint(hinge.name, turned([hinge.at], max(before, 0))[0])
             for before, hinge in enumerate(hinges_of_chain(chain, mark), start=-1)
         ),
-        loads=tuple(drawn_load(load, at([load.at], load.block)[0]) for load in chain.loads),
-        centroids=tuple(at([block.centroid], number)[0] for number, block in enumerate(chain.blocks)),
+        loads=tuple(drawn_load(load, turned([load.at], load.block)[0]) for load in chain.loads),
+        centroids=tuple(turned([block.centroid], number)[0] for number, block in enumerate(chain.blocks)),
     )
 
 

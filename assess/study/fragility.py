@@ -80,13 +80,14 @@ from records.scaling import Scaling
 class MechanismRuns(ShortRepr):
     """A mechanism with its histories.
 
-    by : every measure, the primary one first; at the ground, then at the base where the motion there differs
+    all_intensities : by every measure, the primary one first; at the ground, then at the base where the motion there
+        differs
     """
 
     mechanism: Mechanism
     case: RockingCase
     rocker: Rocker
-    by: tuple[Intensities, ...]
+    all_intensities: tuple[Intensities, ...]
     runs: FragilityRuns
 
 
@@ -199,15 +200,15 @@ def run_records(
         (each, tuple(at_base.record for at_base in base)) for each in measures_at_base(question.measures) if above
     ]
     units = [intensities(each, where, rocker) for each, where in places]
-    by = tuple(
+    all_intensities = tuple(
         Intensities(each, unit, primary=factor_between(units[0], unit) is not None)
         for (each, _), unit in zip(places, units, strict=True)
     )
     if question.method == "cloud":
         runs = run_once(case, study.record_factor, threads=jobs)
     else:
-        runs = run_levels(case, by[0].unit, question, threads=jobs)
-    return MechanismRuns(mechanism, case, rocker, by, runs)
+        runs = run_levels(case, all_intensities[0].unit, question, threads=jobs)
+    return MechanismRuns(mechanism, case, rocker, all_intensities, runs)
 
 
 def mechanism_fragility(
@@ -219,11 +220,11 @@ def mechanism_fragility(
 ) -> MechanismFragility:
     """Return the curves, comparison and risk of a mechanism that has been run."""
     mechanism, runs = mechanism_runs.mechanism, mechanism_runs.runs
-    by = mechanism_runs.by[:1] if question.method == "stripes" else mechanism_runs.by
+    compared = mechanism_runs.all_intensities[:1] if question.method == "stripes" else mechanism_runs.all_intensities
     curves = [
         each
         for state in applicable_states(mechanism_runs.case, question)
-        for each in curves_of_state(runs, by, state, origins.event, question)
+        for each in curves_of_state(runs, compared, state, origins.event, question)
     ]
     epistemic = hypot(*question.epistemic.values()) if question.epistemic else None
     return MechanismFragility(
@@ -236,19 +237,19 @@ def mechanism_fragility(
         curves=tuple(curves),
         comparison=tuple(
             compare_measure(runs, intensities, curve, origins)
-            for intensities, curve in zip(cycle(by), curves, strict=False)
+            for intensities, curve in zip(cycle(compared), curves, strict=False)
         ),
         risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=base_motion_known(study, mechanism))),
         epistemic=epistemic,
         epistemic_sources=dict(question.epistemic) or None,
-        measures=tuple(intensities.measure for intensities in mechanism_runs.by),
+        measures=tuple(intensities.measure for intensities in mechanism_runs.all_intensities),
         notes=mechanism_notes(study, mechanism, runs, question),
     )
 
 
 def curves_of_state(
     runs: FragilityRuns,
-    by: Sequence[Intensities],
+    all_intensities: Sequence[Intensities],
     state: StateResult,
     events: Sequence[str],
     question: FragilityQuestion,
@@ -259,7 +260,7 @@ def curves_of_state(
     ----------
     runs : FragilityRuns
         Of all records.
-    by : sequence of Intensities
+    all_intensities : sequence of Intensities
         The measures.
     state : StateResult
         To be reached.
@@ -269,8 +270,8 @@ def curves_of_state(
         Method, seed and draws.
     """
     found: list[FragilityCurve] = []
-    for place, one in enumerate(by):
-        factors = ((at, factor_between(earlier.unit, one.unit)) for at, earlier in enumerate(by[:place]))
+    for place, one in enumerate(all_intensities):
+        factors = ((at, factor_between(earlier.unit, one.unit)) for at, earlier in enumerate(all_intensities[:place]))
         same = next(((at, factor) for at, factor in factors if factor is not None), None)
         if same is None:
             found.append(fragility_curve(runs, one, state, events, question))
@@ -305,7 +306,7 @@ def record_runs(mechanism_runs: MechanismRuns, place: int, record: Record, origi
         event=origins.event[place],
         magnitude=record.earthquake.magnitude,
         distance_km=None if record.distance is None else record.distance / 1000.0,
-        intensity=tuple(float(intensities.unit[place]) for intensities in mechanism_runs.by),
+        intensity=tuple(float(intensities.unit[place]) for intensities in mechanism_runs.all_intensities),
         scale=tuple(scale.tolist()),
         ratio=tuple(None if np.isinf(each) else each for each in ratio.tolist()),
         islands=islands(scale, np.isinf(ratio)),
@@ -441,9 +442,9 @@ def export_curves(results: FragilityResults, formats: Sequence[str]) -> tuple[di
     formats : of `EXPORT_FORMATS`
     """
     curves = [each for mechanism in results.mechanisms for each in exported_curves(mechanism)]
-    made = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}
-    said = [_left_out_note(name, one) for name, file in made.items() for one in file.left_out]
-    return {name: file.text for name, file in made.items()}, tuple(dict.fromkeys(said))
+    files = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}
+    notes = [_left_out_note(name, one) for name, file in files.items() for one in file.left_out]
+    return {name: file.text for name, file in files.items()}, tuple(dict.fromkeys(notes))
 
 
 def _left_out_note(file: str, one: LeftOut) -> Message:
@@ -456,14 +457,14 @@ def _left_out_note(file: str, one: LeftOut) -> Message:
 
 def exported_curves(mechanism: MechanismFragility) -> list[ExportedCurve]:
     """Return the curves of a mechanism by each measure of the motion of the ground, the mildest state first."""
-    found = []
+    exported = []
     for measure in (each for each in mechanism.measures if each.at == "ground"):
-        own = sorted((each for each in mechanism.curves if each.measure == measure), key=_state_severity)
-        if own:
+        curves = sorted((each for each in mechanism.curves if each.measure == measure), key=_state_severity)
+        if curves:
             period = measure.periods_s[0] if measure.key == "sa" else None
-            states = tuple(map(_exported_state, own))
-            found.append(ExportedCurve(mechanism.name, measure.key, period, EXPORT_UNITS[measure.dimension], states))
-    return found
+            states = tuple(map(_exported_state, curves))
+            exported.append(ExportedCurve(mechanism.name, measure.key, period, EXPORT_UNITS[measure.dimension], states))
+    return exported
 
 
 def _state_severity(curve: FragilityCurve) -> float:

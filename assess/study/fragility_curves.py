@@ -66,29 +66,37 @@ LEAST_DISPERSION = 1e-3
 
 
 def fragility_curve(
-    runs: FragilityRuns, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+    runs: FragilityRuns,
+    intensities: Intensities,
+    state: StateResult,
+    events: Sequence[str],
+    question: FragilityQuestion,
 ) -> FragilityCurve:
     """Return the fragility curve of a mechanism in one state by one measure.
 
     Parameters
     ----------
     runs : of all records
-    by : the measure
+    intensities : the measure
     state : to be reached
     events : earthquake of each record [records]
     question : method, seed and draws
     """
     make = cloud_curve if question.method == "cloud" else level_curve
-    return make(runs, by, state, events, question)
+    return make(runs, intensities, state, events, question)
 
 
 def level_curve(
-    runs: FragilityRuns, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+    runs: FragilityRuns,
+    intensities: Intensities,
+    state: StateResult,
+    events: Sequence[str],
+    question: FragilityQuestion,
 ) -> FragilityCurve:
     """Return the curve of records at many scales; arguments are those of `fragility_curve`."""
     reached = reaches(runs, state)
-    found = state_outcomes(runs, by.unit, reached, primary=by.primary)
-    stands, falls = first_bounds(runs, by.unit, reached)
+    found = state_outcomes(runs, intensities.unit, reached, primary=intensities.primary)
+    stands, falls = first_bounds(runs, intensities.unit, reached)
 
     reaching, known = found.reached.astype(np.float64), found.known.astype(np.float64)
 
@@ -98,7 +106,7 @@ def level_curve(
     yes, n = found.reached.sum(axis=0), found.known.sum(axis=0)
     return _curve(
         runs,
-        by,
+        intensities,
         state,
         events,
         question,
@@ -110,14 +118,18 @@ def level_curve(
 
 
 def cloud_curve(
-    runs: FragilityRuns, by: Intensities, state: StateResult, events: Sequence[str], question: FragilityQuestion
+    runs: FragilityRuns,
+    intensities: Intensities,
+    state: StateResult,
+    events: Sequence[str],
+    question: FragilityQuestion,
 ) -> FragilityCurve:
     """Return the curve of records that are run once; arguments are those of `fragility_curve`.
 
     The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.regression`); there is none
     where a single intensity parts the records that reach the state from the others.
     """
-    at, ratio, reached = runs.scale[:, 0] * by.unit, runs.ratio[:, 0], reaches(runs, state)
+    at, ratio, reached = runs.scale[:, 0] * intensities.unit, runs.ratio[:, 0], reaches(runs, state)
     threshold = {"rocking": 0.0, "overturning": np.inf}.get(state.name, state.share or 0.0)
 
     def equivalent(counts: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -127,7 +139,7 @@ def cloud_curve(
     why = unbounded_reason(at, reached[:, 0], np.ones(at.size))
     found = _curve(
         runs,
-        by,
+        intensities,
         state,
         events,
         question,
@@ -141,7 +153,7 @@ def cloud_curve(
 
 def _curve(
     runs: FragilityRuns,
-    by: Intensities,
+    intensities: Intensities,
     state: StateResult,
     events: Sequence[str],
     question: FragilityQuestion,
@@ -153,7 +165,7 @@ def _curve(
 ) -> FragilityCurve:
     fitted = _fitted(lognormal, events, question)
     return FragilityCurve(
-        measure=by.measure,
+        measure=intensities.measure,
         state=state,
         method=question.method,
         records=len(events),
@@ -356,7 +368,9 @@ def event_of(record: Record) -> str:
     return record.event or record.earthquake.time or record.id
 
 
-def compare_measure(runs: FragilityRuns, by: Intensities, curve: FragilityCurve, origins: Origins) -> MeasureComparison:
+def compare_measure(
+    runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve, origins: Origins
+) -> MeasureComparison:
     """Return how well a measure explains a state.
 
     Residuals are those of records that reach the state, at their first exceedance; a cloud has none.
@@ -364,17 +378,17 @@ def compare_measure(runs: FragilityRuns, by: Intensities, curve: FragilityCurve,
     Parameters
     ----------
     runs : of all records
-    by : the measure
+    intensities : the measure
     curve : of the measure, in the state
     origins : of the records
     """
     fitted = curve.lognormal or curve.first
-    trends = () if curve.method == "cloud" else tuple(_trends(runs, by, curve, origins))
-    return MeasureComparison(by.measure, curve.state, None if fitted is None else fitted.dispersion, trends)
+    trends = () if curve.method == "cloud" else tuple(_trends(runs, intensities, curve, origins))
+    return MeasureComparison(intensities.measure, curve.state, None if fitted is None else fitted.dispersion, trends)
 
 
-def _trends(runs: FragilityRuns, by: Intensities, curve: FragilityCurve, origins: Origins) -> Iterator[Trend]:
-    lower, upper = first_bounds(runs, by.unit, reaches(runs, curve.state))
+def _trends(runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve, origins: Origins) -> Iterator[Trend]:
+    lower, upper = first_bounds(runs, intensities.unit, reaches(runs, curve.state))
     reached = np.isfinite(upper) & (lower > 0.0)
     log = 0.5 * np.log(lower[reached] * upper[reached])
     if log.size == 0 or np.std(log) < LEAST_SCATTER:
@@ -382,7 +396,7 @@ def _trends(runs: FragilityRuns, by: Intensities, curve: FragilityCurve, origins
     properties: Mapping[Property, FloatArray] = {
         "magnitude": origins.magnitude[reached],
         "distance": origins.log_distance[reached],
-        "scale": log - np.log(by.unit[reached]),
+        "scale": log - np.log(intensities.unit[reached]),
     }
     event = [each for each, counts in zip(origins.event, reached, strict=True) if counts]
     for name, values in properties.items():
@@ -437,11 +451,11 @@ def _risks_of_curve(
     curve: FragilityCurve, hazard: HazardCurve, question: FragilityQuestion, epistemic: float | None
 ) -> Iterator[RiskResult]:
     counts = "lognormal" if curve.method == "cloud" else "empirical"
-    for name, drawn in _exceedance_curves(curve):
-        risk = _risk(curve, name, drawn, hazard, question)
+    for name, exceedance in _exceedance_curves(curve):
+        risk = _risk(curve, name, exceedance, hazard, question)
         if epistemic is not None:
-            risk = _with_epistemic(risk, curve, drawn, hazard, epistemic)
-        yield replace(risk, notes=_risk_notes(curve, risk, hazard, drawn.probability)) if name == counts else risk
+            risk = _with_epistemic(risk, curve, exceedance, hazard, epistemic)
+        yield replace(risk, notes=_risk_notes(curve, risk, hazard, exceedance.probability)) if name == counts else risk
 
 
 def _exceedance_curves(curve: FragilityCurve) -> Iterator[tuple[CurveName, ExceedanceCurve]]:
@@ -456,10 +470,14 @@ def _exceedance_curves(curve: FragilityCurve) -> Iterator[tuple[CurveName, Excee
 
 
 def _risk(
-    curve: FragilityCurve, name: CurveName, drawn: ExceedanceCurve, hazard: HazardCurve, question: FragilityQuestion
+    curve: FragilityCurve,
+    name: CurveName,
+    exceedance: ExceedanceCurve,
+    hazard: HazardCurve,
+    question: FragilityQuestion,
 ) -> RiskResult:
     edges = np.geomspace(hazard.intensity[0], hazard.intensity[-1], INTENSITY_RANGES + 1)
-    found = rate(drawn.probability, hazard, breaks=_kinks(drawn), edges=edges)
+    found = rate(exceedance.probability, hazard, breaks=_kinks(exceedance), edges=edges)
     return RiskResult(
         measure=curve.measure,
         state=curve.state,
@@ -471,12 +489,12 @@ def _risk(
         beyond=found.beyond,
         below=_finite(found.below),
         target_rate=question.target_rate,
-        above_runs=_above_runs(curve, drawn.probability, hazard),
+        above_runs=_above_runs(curve, exceedance.probability, hazard),
     )
 
 
-def _kinks(drawn: ExceedanceCurve) -> FloatArray:
-    return drawn.intensity if isinstance(drawn, EmpiricalCurve) else np.empty(0)
+def _kinks(exceedance: ExceedanceCurve) -> FloatArray:
+    return exceedance.intensity if isinstance(exceedance, EmpiricalCurve) else np.empty(0)
 
 
 def _finite(below: float) -> float | None:
@@ -484,7 +502,7 @@ def _finite(below: float) -> float | None:
 
 
 def _with_epistemic(
-    risk: RiskResult, curve: FragilityCurve, drawn: ExceedanceCurve, hazard: HazardCurve, epistemic: float
+    risk: RiskResult, curve: FragilityCurve, exceedance: ExceedanceCurve, hazard: HazardCurve, epistemic: float
 ) -> RiskResult:
     """Return a risk with the rate of its widened curve, and with what that may lack at most.
 
@@ -499,8 +517,8 @@ def _with_epistemic(
             below_with_epistemic=risk.below,
             above_runs_with_epistemic=risk.above_runs,
         )
-    wide, kinks = drawn.convolve(epistemic).probability, _kinks(drawn)
-    left = 1.0 - float(drawn.probability(curve.end))
+    wide, kinks = exceedance.convolve(epistemic).probability, _kinks(exceedance)
+    left = 1.0 - float(exceedance.probability(curve.end))
 
     def lacking(at: FloatArray) -> FloatArray:
         return np.minimum(left * ndtr(np.log(at / curve.end) / epistemic), 1.0 - wide(at))
@@ -532,16 +550,18 @@ def _risk_notes(
     """Tell where the hazard or the runs end too soon for the rate."""
     first, last = float(hazard.intensity[0]), float(hazard.intensity[-1])
     starts, ends = (Quantity(float(probability(np.array([at]))[0]), "ratio", 2) for at in (first, last))
-    dimension, said = curve.measure.dimension, []
+    dimension, notes = curve.measure.dimension, []
     if risk.beyond > NOTABLE * risk.annual_rate:
         beyond = Quantity(risk.beyond, "ratio", 2)
-        said.append(warning("fragility-hazard-ends", intensity=Quantity(last, dimension, 3), share=ends, beyond=beyond))
+        notes.append(
+            warning("fragility-hazard-ends", intensity=Quantity(last, dimension, 3), share=ends, beyond=beyond)
+        )
     if risk.below is None or risk.below > NOTABLE * risk.annual_rate:
-        said.append(warning("fragility-hazard-starts", intensity=Quantity(first, dimension, 3), share=starts))
-    said.extend(_beyond_runs(curve, risk, hazard, probability))
+        notes.append(warning("fragility-hazard-starts", intensity=Quantity(first, dimension, 3), share=starts))
+    notes.extend(_beyond_runs(curve, risk, hazard, probability))
     if risk.gap == "epistemic" and risk.with_epistemic is not None:
-        said.append(warning("fragility-epistemic-above", rate=Quantity(risk.with_epistemic, "ratio", 2)))
-    return tuple(said)
+        notes.append(warning("fragility-epistemic-above", rate=Quantity(risk.with_epistemic, "ratio", 2)))
+    return tuple(notes)
 
 
 def _beyond_runs(

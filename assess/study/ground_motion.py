@@ -99,7 +99,7 @@ def ground_motion_result(
     GroundMotionResult
         With the requirements of every code.
     """
-    factors = fitting.given
+    factors = fitting.given_factors
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
     shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = display_periods(spectrum)
@@ -110,7 +110,7 @@ def ground_motion_result(
         from_s=low,
         to_s=high,
         source=source,
-        equivalent_periods=tuple(EquivalentPeriods(name, *of) for name, of in equivalent.items()),
+        equivalent_periods=tuple(EquivalentPeriods(name, *periods) for name, periods in equivalent.items()),
         period_s=tuple(period.tolist()),
         target_g=tuple((spectrum.acceleration(period, damping=DAMPING) / g).tolist()),
         mean_g=tuple((spectra.mean(axis=0) / g).tolist()),
@@ -125,14 +125,14 @@ def ground_motion_result(
 
 def source_of(study: Study) -> str:
     """Return the source of the range of periods, in words."""
-    if study.fitting.given is not None and study.fitting.given.lock:
+    if study.fitting.given_factors is not None and study.fitting.given_factors.lock:
         return "as the suite was locked"
     if study.fitting.selection is None:
         return "default of the scaling by least squares"
     periods = study.resolved.get("records.select.periods")
     if periods is not None and periods.given:
         return "given"
-    if study.fitting.given is not None:
+    if study.fitting.given_factors is not None:
         return "the range of the code whose rules the suite was made to meet"
     return FITTED_OVER
 

@@ -266,9 +266,9 @@ def work_of_ground(
 def _at_samples(path: Trace, sides: tuple[EnergiesAt, ...]) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return kinetic and potential energy, S and its rate at the samples of a history [n]."""
     kinetic, potential, excitation_integral, excitation_rate = np.zeros((4, path.time.size))
-    moving = (path.rotation != 0.0) | (path.velocity != 0.0)
+    in_motion = (path.rotation != 0.0) | (path.velocity != 0.0)
     for sign, store in zip((1.0, -1.0), sides, strict=False):
-        here = np.flatnonzero(moving & ((path.rotation < 0.0) == (sign < 0.0)))
+        here = np.flatnonzero(in_motion & ((path.rotation < 0.0) == (sign < 0.0)))
         energies = store(sign * path.rotation[here])
         kinetic[here], potential[here] = 0.5 * energies.inertia * path.velocity[here] ** 2, energies.potential
         excitation_integral[here], excitation_rate[here] = (
@@ -281,9 +281,9 @@ def _at_samples(path: Trace, sides: tuple[EnergiesAt, ...]) -> tuple[FloatArray,
 def _comes_to_rest(times: FloatArray, impact: BoolArray, path: Trace) -> BoolArray:
     """Return whether the body comes to rest at each event: until it lifts again, or at the next sample [events]."""
     following = np.minimum(np.searchsorted(path.time, times), path.time.size - 1)
-    still = (path.rotation[following] == 0.0) & (path.velocity[following] == 0.0)
+    rests = (path.rotation[following] == 0.0) & (path.velocity[following] == 0.0)
     sooner = np.append(times[1:] <= path.time[following[:-1]], [False])  # another event comes before that sample
-    return np.asarray(np.where(sooner, ~np.append(impact[1:], [True]), still))
+    return np.asarray(np.where(sooner, ~np.append(impact[1:], [True]), rests))
 
 
 def _free_rocking_control(mechanism: Mechanism, *, equation: Equation) -> Control:
@@ -348,7 +348,7 @@ EnergiesAt = Callable[[FloatArray], Energies]
 def energies_of_masses(chain: Chain) -> EnergiesAt:
     """Return the energies of a rigid chain over its rotation, whose forces and ties act throughout."""
 
-    def at(rotation: FloatArray) -> Energies:
+    def energies_at(rotation: FloatArray) -> Energies:
         motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: heights count from it
         inertia, potential, excitation_integral, excitation = np.zeros((4, rotation.size + 1))
         for rate, block in zip(motion.rate, chain.blocks, strict=True):
@@ -368,7 +368,7 @@ def energies_of_masses(chain: Chain) -> EnergiesAt:
                 potential -= _work_of_load(load, trace_point(motion, block=load.block, at=load.at))
         return Energies(inertia[1:], potential[1:], excitation_integral[1:], excitation[1:])
 
-    return at
+    return energies_at
 
 
 def energies_of_table(branch: Branch) -> EnergiesAt:

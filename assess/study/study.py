@@ -173,14 +173,14 @@ class Fitting:
     band : periods over which they are scaled; together : ids of records that share one factor
     selection : how they were chosen, with its criteria; None if all records of the project are used
     nga : (id, number in the NGA database) of records that have one
-    given : factors that are given; None if they follow from the target
+    given_factors : None if they follow from the target
     """
 
     band: Band
     together: tuple[tuple[str, ...], ...] = ()
     selection: Selection | None = None
     nga: tuple[tuple[str, int], ...] = ()
-    given: GivenFactors | None = None
+    given_factors: GivenFactors | None = None
 
 
 @dataclass(frozen=True)

@@ -85,14 +85,14 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
     tuple of ScaledRecord
         In the order of the study.
     """
-    made = study.artificial
-    if made is None:
+    to_make = study.artificial
+    if to_make is None:
         return apply_record_factor(scale_records(study, study.records, spectrum), spectrum, study)
-    band = made_band(study, spectrum, duration=made.duration)
-    own = artificial_records(
-        spectrum, count=made.count, seed=made.seed, duration=made.duration, band=band, threads=jobs
+    band = made_band(study, spectrum, duration=to_make.duration)
+    made_records = artificial_records(
+        spectrum, count=to_make.count, seed=to_make.seed, duration=to_make.duration, band=band, threads=jobs
     )
-    motions = scale_records(study, (*study.records, *own), spectrum)
+    motions = scale_records(study, (*study.records, *made_records), spectrum)
     if not study.records and study.scale_to == "spectrum":
         motions = raise_artificial(motions, spectrum, band, fitting=study.fitting)
     return apply_record_factor(motions, spectrum, study)
@@ -100,14 +100,14 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
 
 def scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
     """Return the records as the study scales them."""
-    given = study.fitting.given
-    if given is not None:
-        return apply_given_factors(records, spectrum, given, band=study.fitting.band)
+    factors = study.fitting.given_factors
+    if factors is not None:
+        return apply_given_factors(records, spectrum, factors, band=study.fitting.band)
     return scale_together(records, spectrum, study.fitting, scale_to=study.scale_to)
 
 
 def apply_given_factors(
-    records: Sequence[Record], spectrum: Spectrum, given: GivenFactors, *, band: Band
+    records: Sequence[Record], spectrum: Spectrum, given_factors: GivenFactors, *, band: Band
 ) -> tuple[ScaledRecord, ...]:
     """Scale each record by its given factor, times the PGA of the target over the PGA that the factors refer to.
 
@@ -117,7 +117,7 @@ def apply_given_factors(
         The records.
     spectrum : Spectrum
         The target.
-    given : GivenFactors
+    given_factors : GivenFactors
         Factors by id, and the target that they refer to.
     band : Band
         Periods at which the misfit is taken.
@@ -127,11 +127,15 @@ def apply_given_factors(
     ProjectError
         If the target has another shape than the one that the factors refer to.
     """
-    if target_mark(spectrum).sha256 != given.target.sha256:
-        what = "records.lock: the suite is locked" if given.lock else "records.select: the suite is made for a code"
+    if target_mark(spectrum).sha256 != given_factors.target.sha256:
+        what = (
+            "records.lock: the suite is locked"
+            if given_factors.lock
+            else "records.select: the suite is made for a code"
+        )
         raise ProjectError(f"{what}, for a spectrum of another shape; sweep the PGA or another key")
-    share = 1.0 if given.target.is_of(spectrum) else spectrum.pga / given.target.pga
-    factors, over = dict(given.factors), truncate_band(band, spectrum.longest_period)
+    share = 1.0 if given_factors.target.is_of(spectrum) else spectrum.pga / given_factors.target.pga
+    factors, over = dict(given_factors.factors), truncate_band(band, spectrum.longest_period)
     return tuple(
         ScaledRecord(record, _scaling(record, spectrum, over, factors.get(record.id, 1.0) * share))
         for record in records
@@ -344,8 +348,8 @@ def with_given_factors(suite: RecordSet, selection: Selection, spectrum: Spectru
     """
     factors = [choice.factor for choice in selection.choices for _ in choice.components]
     ids = [record.id for record in suite.records]
-    given = GivenFactors(tuple(zip(ids, factors, strict=True)), target_mark(spectrum), code=code)
-    return replace(suite, fitting=replace(suite.fitting, given=given))
+    given_factors = GivenFactors(tuple(zip(ids, factors, strict=True)), target_mark(spectrum), code=code)
+    return replace(suite, fitting=replace(suite.fitting, given_factors=given_factors))
 
 
 def read_candidate(candidate: Candidate) -> Record:
@@ -506,8 +510,8 @@ def _out_of_reach(requirement: Requirement, review: SuiteReview) -> Message:
 
 
 def _message_with_remedy(key: str, values: Mapping[str, Value], remedy: Remedy) -> Message:
-    said: dict[str, Value] = {**values, "remedy": remedy.text, "toml": remedy.toml}
-    return message(key, said, severity=Severity.WARNING, where=remedy.key)
+    all_values: dict[str, Value] = {**values, "remedy": remedy.text, "toml": remedy.toml}
+    return message(key, all_values, severity=Severity.WARNING, where=remedy.key)
 
 
 def _quantity_of(requirement: Requirement, value: float) -> Quantity:
@@ -602,15 +606,15 @@ REMEDIES: Mapping[RequirementKind, Callable[[Requirement, SuiteReview], Remedy]]
 
 def _remake(text: Term | Message, review: SuiteReview) -> Remedy | None:
     """Return the line that makes artificial records as all rules require; None if records come from files."""
-    made = review.study.artificial
-    if made is None:
+    to_make = review.study.artificial
+    if to_make is None:
         return None
-    improved = improve_artificial(made, review)
+    improved = improve_artificial(to_make, review)
     line = f'synthetic = {{ count = {improved.count}, seed = {improved.seed}, duration = "{improved.duration:g} s" }}'
     return Remedy("records.synthetic", text, line)
 
 
-def improve_artificial(made: ArtificialRecords, review: SuiteReview) -> ArtificialRecords:
+def improve_artificial(to_make: ArtificialRecords, review: SuiteReview) -> ArtificialRecords:
     """Return the artificial records with the number and the duration that the rules require."""
     missing = [
         round(requirement.limit - (requirement.value or 0.0))
@@ -618,7 +622,7 @@ def improve_artificial(made: ArtificialRecords, review: SuiteReview) -> Artifici
         if requirement.kind == RequirementKind.COUNT
     ]
     durations = [_required_duration(requirement, review) for requirement in review.unmet]
-    return replace(made, count=made.count + max(missing, default=0), duration=max([made.duration, *durations]))
+    return replace(to_make, count=to_make.count + max(missing, default=0), duration=max([to_make.duration, *durations]))
 
 
 def _required_duration(requirement: Requirement, review: SuiteReview) -> float:
@@ -627,9 +631,11 @@ def _required_duration(requirement: Requirement, review: SuiteReview) -> float:
         return requirement.limit
     if requirement.kind == RequirementKind.STATIONARY:
         return requirement.limit / STATIONARY
-    made, end = review.study.artificial, 0.0 if requirement.periods is None else requirement.periods[1]
+    to_make, end = review.study.artificial, 0.0 if requirement.periods is None else requirement.periods[1]
     return (
-        0.0 if made is None or end * LONGEST_PERIOD_SHARE <= made.duration else float(ceil(end * LONGEST_PERIOD_SHARE))
+        0.0
+        if to_make is None or end * LONGEST_PERIOD_SHARE <= to_make.duration
+        else float(ceil(end * LONGEST_PERIOD_SHARE))
     )
 
 

@@ -82,7 +82,7 @@ def uncertainty(
     tallies = {name: Tally(sampling.samples, tuple(checks)) for name, checks in questions.items()}
     for sample, point in enumerate(points):
         progress("samples", sample, len(points))
-        for name, answer in sampler.at(point).items():
+        for name, answer in sampler.answers_at(point).items():
             tallies[name].put(sample, answer)
     changed = find_changed_answers(sampler, points)
     answers = tuple(
@@ -133,7 +133,7 @@ class Sampler:
         self.study, self.sampling, self.spectrum, self.motions = study, sampling, spectrum, motions
         self.questions, self.jobs = questions, jobs
 
-    def at(self, point: FloatArray, only: Sequence[str] | None = None) -> dict[str, SampleAnswers]:
+    def answers_at(self, point: FloatArray, only: Sequence[str] | None = None) -> dict[str, SampleAnswers]:
         """Return the answers at the probability of each group [groups], nan for the means.
 
         only : the mechanisms to assess; all if None
@@ -169,19 +169,19 @@ def find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str
     """
     groups = sampler.sampling.groups
     by_histories = {
-        name: np.array([uses_histories(procedure) for procedure, _, _ in asked], dtype=np.bool_)
-        for name, asked in sampler.questions.items()
+        name: np.array([uses_histories(procedure) for procedure, _, _ in questions], dtype=np.bool_)
+        for name, questions in sampler.questions.items()
     }
     changed: dict[tuple[str, str], Flags] = {}
     for base in (np.full(len(groups), np.nan), points[0]):
-        names = [[each for each in sampler.questions if group in sampler.sampling.groups_of(each)] for group in groups]
-        asked = [(place, end) for place in range(len(groups)) for end in END_PROBABILITIES if names[place]]
-        moved = [np.where(np.arange(len(groups)) == place, end, base) for place, end in asked]
-        at_base = sampler.at(base)
-        for (place, _), point in zip(asked, moved, strict=True):
-            for name, each in sampler.at(point, names[place]).items():
+        names = [[name for name in sampler.questions if group in sampler.sampling.groups_of(name)] for group in groups]
+        ends = [(place, end) for place in range(len(groups)) for end in END_PROBABILITIES if names[place]]
+        moved = [np.where(np.arange(len(groups)) == place, end, base) for place, end in ends]
+        at_base = sampler.answers_at(base)
+        for (place, _), point in zip(ends, moved, strict=True):
+            for name, answers in sampler.answers_at(point, names[place]).items():
                 key, of_histories = (name, groups[place]), by_histories[name]
-                differs = ~same_answers(at_base[name], each, histories=of_histories)
+                differs = ~same_answers(at_base[name], answers, histories=of_histories)
                 changed[key] = changed.get(key, np.zeros_like(of_histories)) | differs
     return changed
 

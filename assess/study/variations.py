@@ -61,8 +61,8 @@ def run_sweeps(
             with locate_errors(case.name):
                 cases.append(assess_case(case, study, motions, jobs=jobs))
             done += 1
-        each = zip(*cases, strict=True)  # mechanism by mechanism
-        found += [MechanismSweep(sweep, judged, controlling_index(judged)) for judged in each]
+        by_mechanism = zip(*cases, strict=True)  # mechanism by mechanism
+        found += [MechanismSweep(sweep, of_mechanism, controlling_index(of_mechanism)) for of_mechanism in by_mechanism]
     return tuple(found)
 
 
@@ -418,9 +418,9 @@ def remarks_on(variable: Variable, low: CaseChecks, high: CaseChecks) -> Iterato
 
 def unvaried_row(unvaried: UnvariedNumber) -> SensitivityResult:
     """Return the row of a number that is not varied."""
-    said = message("not-varied", {"why": Term(unvaried.why)})
+    remark = message("not-varied", {"why": Term(unvaried.why)})
     return SensitivityResult(
-        mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=said.text, remarks=(said,)
+        mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=remark.text, remarks=(remark,)
     )
 
 

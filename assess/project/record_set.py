@@ -20,10 +20,10 @@ from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, Loc
 from assess.results.provenance import file_sha256
 from assess.study.study import Fitting, GivenFactors, Study
 from assess.study.suites import (
-    ABOVE,
     ALL_PERIODS,
-    BELOW,
+    MULTIPLE_OF_LONGEST,
     RULES,
+    SHARE_OF_SHORTEST,
     RecordSet,
     candidate_records,
     equivalent_periods,
@@ -122,7 +122,7 @@ def periods_of(selection: sections.Select, spectrum: Spectrum, mechanisms: Itera
         return selection.periods
     least, largest = extreme_periods(equivalent_periods(mechanisms))
     longest = min(float(PERIODS[-1]), spectrum.longest_period)
-    return max(BELOW * least, float(PERIODS[0])), min(ABOVE * largest, longest)
+    return max(SHARE_OF_SHORTEST * least, float(PERIODS[0])), min(MULTIPLE_OF_LONGEST * largest, longest)
 
 
 def criteria_of(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:

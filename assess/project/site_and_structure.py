@@ -41,7 +41,7 @@ from assess.study.amplification import (
     HeightAboveGround,
     Structure,
     find_height,
-    lowest_body,
+    lowest_body_elevation,
 )
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
@@ -175,7 +175,7 @@ def ground_of(
     building: sections.BuildingSection | None, definitions: Mapping[str, Definition], solids: Solids
 ) -> GroundLevel:
     """Return what the project says of the ground."""
-    lowest = lowest_body(definitions, solids)
+    lowest = lowest_body_elevation(definitions, solids)
     if building is None:
         return GroundLevel(lowest=lowest)
     return GroundLevel(building.ground_elevation, lowest, building.height or 0.0)

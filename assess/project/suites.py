@@ -22,7 +22,14 @@ from assess.results import GroundMotionResult, RecordResult
 from assess.study import suites
 from assess.study.ground_motion import ground_motion, ground_motion_result, record_result
 from assess.study.study import Fitting, ScaledRecord, Study, require_spectrum
-from assess.study.suites import ABOVE, BELOW, apply_given_factors, made_band, motions_of, scale_together
+from assess.study.suites import (
+    MULTIPLE_OF_LONGEST,
+    SHARE_OF_SHORTEST,
+    apply_given_factors,
+    artificial_band,
+    motions_of,
+    scale_together,
+)
 from records.candidates import PERIODS
 from records.code_suites import SuiteTarget, band_for, select_for
 from records.compliance import REQUIREMENTS, SELECTION_RULES, CodeName
@@ -122,7 +129,7 @@ def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Scale
         scale_to=study.scale_to,
         further_factor=study.record_factor,
         overrides=overrides_of(section),
-        recipe=None if made is None else (made, made_band(study, spectrum, duration=made.duration)),
+        recipe=None if made is None else (made, artificial_band(study, spectrum, duration=made.duration)),
     )
     write_lock(lock, text)
     return _suite_of(study, motions), lock
@@ -201,7 +208,7 @@ def select_for_target(
         code: CodeName = _one_of("for", options.code, CodeName)
         making = SELECTION_RULES[code]
         low, high = truncate_band(criteria.band, spectrum.longest_period).ends
-        goal = SuiteTarget(spectrum, spectrum, low / BELOW, high / ABOVE)
+        goal = SuiteTarget(spectrum, spectrum, low / SHARE_OF_SHORTEST, high / MULTIPLE_OF_LONGEST)
         criteria = replace(criteria, band=band_for(making, goal))
         own = dict.fromkeys(REQUIREMENTS, (goal.shortest, goal.longest))
         found = select_for(offer.candidates, making, goal, criteria, read=suites.read_candidate)

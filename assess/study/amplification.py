@@ -166,8 +166,8 @@ def amplify(choice: AmplificationChoice | None, in_place: MechanismInPlace) -> M
         return NOT_AMPLIFIED
     height = support_height(choice, in_place)
     if choice.method in FIRST_MODES:
-        return by_first_mode(choice, in_place, height=height)
-    return by_floor_factor(choice, in_place, height=height)
+        return amplify_by_first_mode(choice, in_place, height=height)
+    return amplify_by_floor_factor(choice, in_place, height=height)
 
 
 def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> float:
@@ -184,7 +184,7 @@ def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> f
     return mean_support_height(base, mechanism)
 
 
-def by_floor_factor(
+def amplify_by_floor_factor(
     choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
 ) -> MechanismAmplification:
     """Return the amplification by the factor of a code for the height [m]."""
@@ -221,7 +221,9 @@ def by_floor_factor(
     )
 
 
-def by_first_mode(choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float) -> MechanismAmplification:
+def amplify_by_first_mode(
+    choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
+) -> MechanismAmplification:
     """Return the amplification by the first mode, with values given or by Rayleigh's method."""
     structure = in_place.structure
     frequency, effective = given_frequency(choice, structure), given_effective_height(choice, structure)
@@ -416,7 +418,7 @@ def _source_of_level(ground: GroundLevel, base_elevation: float | None, *, by_ta
     return BY_TABLE if by_table else ""
 
 
-def lowest_body(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
+def lowest_body_elevation(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
     """Return the elevation of the lowest body [m] that is more than a load; None where there is none.
 
     Parameters

@@ -36,7 +36,7 @@ from assess.model.check import check_definition, with_floats
 from assess.model.directions import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
-from assess.study.amplification import NOT_AMPLIFIED, GroundLevel, HeightAboveGround, find_height, lowest_body
+from assess.study.amplification import NOT_AMPLIFIED, GroundLevel, HeightAboveGround, find_height, lowest_body_elevation
 from assess.study.checks import checks_of, context_of
 from assess.study.histories import (
     RockingCase,
@@ -145,7 +145,7 @@ class Block:
     @cached_property
     def lowest(self) -> float | None:
         """The elevation of the lowest body that is more than a load [m]; None without bodies."""
-        return lowest_body({self.name: self.definition}, solids_of(self.bodies))
+        return lowest_body_elevation({self.name: self.definition}, solids_of(self.bodies))
 
     @cached_property
     def messages(self) -> tuple[Message, ...]:

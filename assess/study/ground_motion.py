@@ -25,7 +25,14 @@ from assess.results import (
     SpectrumResult,
 )
 from assess.study.study import Fitting, PulseGrid, ScaledRecord, Study
-from assess.study.suites import ABOVE, BELOW, FITTED_OVER, RULES, equivalent_periods, extreme_periods
+from assess.study.suites import (
+    FITTED_OVER,
+    MULTIPLE_OF_LONGEST,
+    RULES,
+    SHARE_OF_SHORTEST,
+    equivalent_periods,
+    extreme_periods,
+)
 from records.candidates import sequence_number
 from records.compliance import SELECTION_RULES, all_requirements
 from records.compliance.suite import DAMPING, Requirement, suite_of
@@ -101,7 +108,9 @@ def ground_motion_result(
     """
     factors = fitting.given_factors
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
-    shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
+    shortest, longest = (
+        extreme_periods(equivalent) if equivalent else (low / SHARE_OF_SHORTEST, high / MULTIPLE_OF_LONGEST)
+    )
     period = display_periods(spectrum)
     spectra = np.array(
         [motion.scaling.factor * response_spectrum(motion.record, period, damping=DAMPING) for motion in motions]

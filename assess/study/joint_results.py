@@ -134,7 +134,7 @@ AT_ROTATION = "equilibrium of each block at that rotation"
 OF_BLOCKS = "the rotations of the blocks that it joins"
 MULTIPLIER = "rotation at the largest multiplier"
 OVERTURNING = "rotation at overturning"
-STATES = {"m": MULTIPLIER, "u": OVERTURNING}
+STATE_DESCRIPTIONS = {"m": MULTIPLIER, "u": OVERTURNING}
 
 VerticalForces = dict[str, tuple[float, str]]
 """Vertical forces by symbol, down positive [N]."""
@@ -211,7 +211,7 @@ def _state_steps(joint: Joint, number: int, N: float, joints: RotatedJoints) -> 
 def _rotation_steps(rotated: RotatedJoint, rotation: float, relative: float) -> tuple[Step, ...]:
     mark, (N, force) = rotated.mark, rotated.force
     return (
-        step(f"φ_{mark}", STATES[mark], "capacity curve", "from the geometry", rotation, "rad"),
+        step(f"φ_{mark}", STATE_DESCRIPTIONS[mark], "capacity curve", "from the geometry", rotation, "rad"),
         step(N, "normal force then", BALANCE, AT_ROTATION, force, "N"),
         step(f"ψ_{mark}", "rotation of the joint then", BALANCE, OF_BLOCKS, relative, "rad"),
         step(f"s_{mark}", "slope of its faces to each other", BALANCE, f"sin(ψ_{mark})", rotated.slope,

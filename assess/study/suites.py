@@ -88,7 +88,7 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
     to_make = study.artificial
     if to_make is None:
         return apply_record_factor(scale_records(study, study.records, spectrum), spectrum, study)
-    band = made_band(study, spectrum, duration=to_make.duration)
+    band = artificial_band(study, spectrum, duration=to_make.duration)
     made_records = artificial_records(
         spectrum, count=to_make.count, seed=to_make.seed, duration=to_make.duration, band=band, threads=jobs
     )
@@ -727,7 +727,7 @@ def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
     return study.hazard.spectra.get(deciding_state(study), spectrum)
 
 
-def made_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
+def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
     """Return the range of periods over which artificial records are made to fit [s]: as the rules require, if possible.
 
     A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
@@ -747,7 +747,10 @@ def made_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
 
 
 LARGEST_FC = 1.35  # of LC1, which makes the longest periods
-BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range that spectra are fitted over
+SHARE_OF_SHORTEST, MULTIPLE_OF_LONGEST = (
+    0.2,
+    1.2,
+)  # of the least and the largest equivalent period: range that spectra are fitted over
 FITTED_OVER = "0.2 times the least to 1.2 times the largest equivalent period of the mechanisms"
 
 

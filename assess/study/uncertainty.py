@@ -243,7 +243,7 @@ def no_effect_messages(
 
 PASSED, FAILED, OPEN = 0, 1, -1
 """Outcomes of a sample; open: not answered."""
-SAME = 1e-9  # two ratios that differ by less are one
+SAME_RATIO = 1e-9  # two ratios that differ by less are one
 Flags = NDArray[np.bool_]
 SampleOutcomes = NDArray[np.int8]
 
@@ -275,7 +275,7 @@ class RockingTables:
     def same(self, other: RockingTables) -> bool:
         """Return whether two mechanisms rock alike, but for rounding."""
         pairs = list(zip(self.numbers, other.numbers, strict=False))
-        alike = all(a.shape == b.shape and np.allclose(a, b, rtol=SAME, atol=SAME) for a, b in pairs)
+        alike = all(a.shape == b.shape and np.allclose(a, b, rtol=SAME_RATIO, atol=SAME_RATIO) for a, b in pairs)
         return alike and len(self.numbers) == len(other.numbers) and self.amplification == other.amplification
 
 
@@ -328,7 +328,9 @@ def same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags) 
     histories : which answers follow from histories, that may amplify rounding; they are the same where the mechanism
         rocks alike
     """
-    near = np.isclose(one.ratio, other.ratio, rtol=SAME, atol=SAME, equal_nan=True) & (one.outcome == other.outcome)
+    near = np.isclose(one.ratio, other.ratio, rtol=SAME_RATIO, atol=SAME_RATIO, equal_nan=True) & (
+        one.outcome == other.outcome
+    )
     alike = one.rocking is not None and other.rocking is not None and one.rocking.same(other.rocking)
     return np.asarray(near | (histories & alike), dtype=np.bool_)
 

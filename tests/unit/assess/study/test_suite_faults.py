@@ -16,7 +16,7 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.run import run_study
 from assess.study.study import ScaledRecord, Study
-from assess.study.suites import made_band, motions_of, raise_artificial, spectrum_of_rules, suite_faults
+from assess.study.suites import artificial_band, motions_of, raise_artificial, spectrum_of_rules, suite_faults
 from records.record import Record
 from records.scaling import Scaling
 from records.synthetic import artificial_records
@@ -198,7 +198,7 @@ def test_the_band_reaches_the_slowest_mechanism_and_the_artificial_records_with_
     study = study_of(tmp_path, height=50.0, records='synthetic = { duration = "40 s" }')
     assert study.spectrum is not None
     slow = 2 * np.pi / np.sqrt(3) / np.sqrt(3 * g / 4 / np.hypot(0.3, 25.0))
-    assert made_band(study, study.spectrum, duration=40.0) == pytest.approx((0.04, slow), rel=1e-3)
+    assert artificial_band(study, study.spectrum, duration=40.0) == pytest.approx((0.04, slow), rel=1e-3)
     for low in faults(study, moved(made(7))):
         assert f"{slow:.3g} s" in low.text
         assert low.where == "records.factor"
@@ -212,7 +212,7 @@ def test_the_band_reaches_the_slowest_mechanism_and_the_artificial_records_with_
 def test_the_italian_band_counts_the_building_below_a_mechanism(tmp_path: Path) -> None:
     study = study_of(tmp_path, code="ntc2018", base=6.0, building='height = "9 m"\nperiod = "4 s"')
     assert study.spectrum is not None
-    assert made_band(study, study.spectrum, duration=40.0) == pytest.approx((0.04, 8.0))
+    assert artificial_band(study, study.spectrum, duration=40.0) == pytest.approx((0.04, 8.0))
 
 
 def test_a_range_beyond_the_target_is_told(tmp_path: Path) -> None:

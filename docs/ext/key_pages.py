@@ -8,7 +8,7 @@ from itertools import groupby
 from docs.ext.key_values import default_words, value_words
 from docs.ext.markdown import cell, escape
 from docs.ext.schema_examples import example
-from docs.ext.schema_tables import Place, Table, form, keys, places, target, title
+from docs.ext.schema_tables import Place, Table, anchor, form, keys, places, target, title
 
 FOLDER = "keys"
 TITLES = {"project": "Top of the file"}
@@ -50,7 +50,7 @@ def _rows(table: Table) -> list[str]:
     rows = ["| key | what it is | value | default |", "|---|---|---|---|"]
     for key, field in keys(table).items():
         cells = (
-            f"[`{key}`]{{#{table.__name__.lower()}-{key.lower().replace('_', '-')}}}",
+            f"[`{key}`]{{#{anchor(table)}-{key.lower().replace('_', '-')}}}",
             escape(meanings.get(key, "")),
             value_words(field),
             default_words(field),

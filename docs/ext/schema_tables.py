@@ -75,7 +75,12 @@ def title(table: Table) -> str:
 
 def target(table: Table) -> str:
     """Return the name by which pages link to a table."""
-    return f"table-{table.__name__.lower()}"
+    return f"table-{anchor(table)}"
+
+
+def anchor(table: Table) -> str:
+    """Return the title of a table in the schema, as links write it."""
+    return str(table.model_config.get("title") or table.__name__.removesuffix("Section")).lower()
 
 
 def form(table: Table) -> tuple[str, str] | None:

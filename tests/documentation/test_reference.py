@@ -29,7 +29,7 @@ def test_every_table_of_the_schema_has_its_keys_in_the_reference(keys):
     assert {name for name in defined if not name.startswith("UncertainNumber")} <= set(tables)
     for name in defined.keys() & tables.keys():
         for key in defined[name]:
-            assert f"[`{key}`]{{#{name.lower()}-" in text, (name, key)
+            assert f"[`{key}`]{{#{schema['$defs'][name]['title'].lower()}-" in text, (name, key)
     for key in schema["properties"]:
         assert f"[`{key}`]" in keys["keys/project.md"], key
 

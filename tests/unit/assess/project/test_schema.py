@@ -306,7 +306,7 @@ def test_json_schema_is_closed_and_strict() -> None:
         assert table["additionalProperties"] is False
         assert set(table.get("required", [])) <= set(table["properties"])
         assert [key for key in table.get("required", []) if not table["properties"][key].get("description")] == []
-    thickness = definitions["Box"]["properties"]["thickness"]
+    thickness = definitions["BoxSection"]["properties"]["thickness"]
     length = {"$ref": "#/$defs/quantity-of-length"}
     assert thickness["anyOf"] == [length, {"$ref": "#/$defs/UncertainNumber-of-length"}]
     assert thickness["description"] == 'size along x, like "1.25 m"'

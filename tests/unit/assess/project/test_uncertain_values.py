@@ -179,8 +179,8 @@ def test_the_json_schema_takes_a_scatter_where_the_program_does() -> None:
         assert definitions[f"UncertainNumber-of-{kind}"]["required"] == ["mean"]
         return {"$ref": f"#/$defs/UncertainNumber-of-{kind}"}
 
-    assert number("density") in definitions["Material"]["properties"]["density"]["anyOf"]
-    assert number("length") in definitions["Hinges"]["properties"]["A"]["items"]["anyOf"]
-    assert number("ratio") in definitions["SingleBlock"]["properties"]["restitution"]["anyOf"]
-    assert "anyOf" not in definitions["BodyLoad"]["properties"]["tolerance"]
+    assert number("density") in definitions["MaterialSection"]["properties"]["density"]["anyOf"]
+    assert number("length") in definitions["HingesSection"]["properties"]["A"]["items"]["anyOf"]
+    assert number("ratio") in definitions["SingleBlockSection"]["properties"]["restitution"]["anyOf"]
+    assert "anyOf" not in definitions["BodyLoadSection"]["properties"]["tolerance"]
     assert "or { mean, cov }" not in str(schema)

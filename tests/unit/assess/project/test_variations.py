@@ -225,7 +225,7 @@ def test_the_sweep_is_resolved_as_it_was_written(tmp_path: Path) -> None:
 
 
 def test_the_schema_for_editors_knows_the_keys() -> None:
-    assert {"key", "values", "from", "to", "count"} == set(json_schema()["$defs"]["Sweep"]["properties"])
+    assert {"key", "values", "from", "to", "count"} == set(json_schema()["$defs"]["SweepSection"]["properties"])
 
 
 def test_a_project_without_sweeps_has_no_variations(tmp_path: Path) -> None:

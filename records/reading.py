@@ -1,5 +1,6 @@
-"""Reading of record files: which files below a folder may be read, and their format, recognised from the first
-bytes.
+"""Reading of record files, the format recognised from the first bytes; which files below a folder may be read.
+
+`relative_path` is how a project file writes the path of a file.
 """
 
 from __future__ import annotations
@@ -191,6 +192,7 @@ def _unreadable(error: OSError) -> None:
 
 
 def _record_file(file: Path, path: str, root: Path) -> RecordFile:
+    """Return a file with the reason why it may not be read; `path` from the folder, `root` the folder resolved."""
     shown = path.encode("utf-8", "replace").decode()
     try:
         status = file.stat()

@@ -8,14 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from records.candidates import PERIODS
+from records.candidates import DAMPING, PERIODS
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
-DAMPING = 0.05
 LARGEST_FACTOR = 1e9
 SCALING_PERIODS: tuple[float, ...] = tuple(float(period) for period in np.geomspace(0.1, 2.0, 41))
 

@@ -27,7 +27,7 @@ def find_folder(key: str, *, given: str, user: str) -> Path | None:
 
     given : by NUMBA_CACHE_DIR, "" if not set; user : the user's folder for caches. Then the one for temporary files.
     """
-    for place in _places(given, user):
+    for place in _possible_folders(given, user):
         if not is_private(place):
             continue
         folder = place / key
@@ -45,13 +45,13 @@ def is_private(folder: Path) -> bool:
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         folder.mkdir(mode=0o700, exist_ok=True)
-        found = folder.lstat()
-        if not stat.S_ISDIR(found.st_mode) or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
+        status = folder.lstat()
+        if not stat.S_ISDIR(status.st_mode) or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
             return False
         if os.name == "posix":
-            if found.st_uid != os.getuid() or found.st_mode & 0o022:
+            if status.st_uid != os.getuid() or status.st_mode & 0o022:
                 return False
-            if found.st_mode & 0o077:
+            if status.st_mode & 0o077:
                 folder.chmod(0o700)
     except OSError:
         return False
@@ -71,10 +71,10 @@ def remove_unused(place: Path) -> None:
         return
 
 
-def _places(given: str, user: str) -> Iterator[Path]:
+def _possible_folders(given: str, user: str) -> Iterator[Path]:
     if given:
         yield Path(given).absolute() / CACHE_NAME
-    if os.path.isabs(user) and _mine(Path(user)):
+    if os.path.isabs(user) and _is_users(Path(user)):
         yield Path(user)
     try:
         yield Path(tempfile.gettempdir()) / (f"{CACHE_NAME}-{os.getuid()}" if os.name == "posix" else CACHE_NAME)
@@ -82,7 +82,7 @@ def _places(given: str, user: str) -> Iterator[Path]:
         return
 
 
-def _mine(folder: Path) -> bool:
+def _is_users(folder: Path) -> bool:
     """Return whether the nearest folder that exists is the user's: not so in the home of another, as under sudo."""
     there = next(one for one in (folder, *folder.parents) if one.exists())
     return os.name != "posix" or there.stat().st_uid == os.getuid()

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.header import HeaderOverrides, check_count, check_peak, iso_of
+from records.formats.header import HeaderOverrides, check_count, check_peak, iso_time_of_text
 from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
 from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 from spectra.arrays import FloatArray
@@ -84,7 +84,7 @@ def _record(
         azimuth=azimuth_of(name),
         earthquake=_earthquake(text),
         site=_site(text),
-        start=iso_of(text.get("RECORD TIME", "")),
+        start=iso_time_of_text(text.get("RECORD TIME", "")),
         warnings=warnings,
     )
 
@@ -130,7 +130,7 @@ def _earthquake(text: dict[str, str]) -> Earthquake:
     depth = number(text.get("EARTHQUAKE DEPTH (km)", ""))
     latitude, longitude = _degrees(text.get("EPICENTER COORDINATES", ""))
     return Earthquake(
-        time=iso_of(text.get("EARTHQUAKE DATE", "")),
+        time=iso_time_of_text(text.get("EARTHQUAKE DATE", "")),
         magnitude=number(size),
         scale=scale.strip() if number(size) is not None else "",
         latitude=latitude,

@@ -26,7 +26,7 @@ from records.formats.header import (
     check_same,
     check_time_of_peak,
     describe_disagreement,
-    iso,
+    iso_time,
     nyquist_warning,
     warn_of_difference,
 )
@@ -195,7 +195,7 @@ def _earthquake(header: list[str], reals: FloatArray) -> Earthquake:
 def _time(date_and_clock: re.Match[str]) -> str:
     """Return the time as ISO 8601; dates are month/day/year, or year/month/day where the year comes first."""
     one, two, three, *clock = date_and_clock.groups()
-    return iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
+    return iso_time(one, two, three, *clock) if len(one) == 4 else iso_time(three, one, two, *clock)
 
 
 def _check_header(
@@ -255,6 +255,6 @@ def _start_warning(words: str, integers: FloatArray, reals: FloatArray) -> Messa
     seconds, start = _finite_value(reals, SECONDS), [_finite_value(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
     if found is None or seconds is None or None in start:
         return None
-    again = iso(*(f"{each:.0f}" for each in start), str(seconds))
+    again = iso_time(*(f"{each:.0f}" for each in start), str(seconds))
     printed = _time(found)
     return describe_disagreement("start", printed, NUMBER, again) if printed[:19] != again[:19] else None

@@ -27,7 +27,7 @@ from records.formats.header import (
     check_peak,
     check_same,
     check_time_of_peak,
-    iso,
+    iso_time,
     nyquist_warning,
 )
 from records.formats.samples import (
@@ -209,7 +209,7 @@ def _earthquake(header: list[str]) -> Earthquake:
 def _time(month: str, day: str, year: str, *clock: str) -> str:
     """Return the time as ISO 8601; two digits are a year of 1933 to 2032, as the first accelerograms are of 1933."""
     full = year if len(year) == 4 else str(1900 + int(year) + (100 if int(year) < 33 else 0))
-    return iso(full, month, day, *clock)
+    return iso_time(full, month, day, *clock)
 
 
 def _site(header: list[str]) -> StationSite:

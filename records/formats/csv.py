@@ -164,8 +164,8 @@ KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
 
 def comments(record: Record) -> Iterator[str]:
     """Yield a line for each thing that is known of `record`."""
-    for key, of in KNOWN.items():
-        value = of(record)
+    for key, value_of in KNOWN.items():
+        value = value_of(record)
         text = f"{value:.12g}" if isinstance(value, float | int) else value
         if text:
             yield f"# {key}: {mark_formulas(_on_one_line(text))}\n"

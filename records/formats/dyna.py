@@ -22,7 +22,7 @@ from records.formats.header import (
     check_time_of_peak,
     describe_disagreement,
     filter_warning,
-    iso_of,
+    iso_time_of_text,
 )
 from records.formats.samples import (
     acceleration_factor,
@@ -84,7 +84,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
             distance=_metres(text.get("EPICENTRAL_DISTANCE_KM", "")),
             earthquake=_earthquake(text),
             site=_site(text),
-            start=iso_of(text.get("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", "")),
+            start=iso_time_of_text(text.get("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", "")),
             warnings=(
                 uneven,
                 odd,
@@ -154,7 +154,7 @@ def _metres(kilometres: str) -> float | None:
 def _earthquake(text: dict[str, str]) -> Earthquake:
     moment, local = number(text.get("MAGNITUDE_W", "")), number(text.get("MAGNITUDE_L", ""))
     return Earthquake(
-        time=iso_of(f"{text.get('EVENT_DATE_YYYYMMDD', '')} {text.get('EVENT_TIME_HHMMSS', '')}"),
+        time=iso_time_of_text(f"{text.get('EVENT_DATE_YYYYMMDD', '')} {text.get('EVENT_TIME_HHMMSS', '')}"),
         magnitude=local if moment is None else moment,
         scale="Mw" if moment is not None else "ML" if local is not None else "",
         latitude=number(text.get("EVENT_LATITUDE_DEGREE", "")),

@@ -31,7 +31,7 @@ from records.formats.header import (
     check_peak,
     check_same,
     check_time_of_peak,
-    iso,
+    iso_time,
     warn_of_difference,
 )
 from records.formats.samples import (
@@ -170,7 +170,7 @@ def _earthquake(date: str, place: str) -> Earthquake:
     at, size = DATE.match(date), re.search(r"\b(M[A-Za-z]*)\s+([\d.]+)\s*$", place)
     latitude, longitude = _coordinates(place)
     return Earthquake(
-        time=iso(at[1], _month(at[2]), at[3], at[4], at[5], at[6]) if at else "",
+        time=iso_time(at[1], _month(at[2]), at[3], at[4], at[5], at[6]) if at else "",
         magnitude=number(size[2]) if size else None,
         scale=size[1] if size else "",
         latitude=latitude,

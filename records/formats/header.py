@@ -222,7 +222,7 @@ DAY_FIRST = re.compile(r"\s*\d{1,2}/\d{1,2}/\d{4}\b")
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 
 
-def iso(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str:
+def iso_time(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str:
     """Return a date as ISO 8601 from its parts as printed, like "2018-01-24T10:51:00Z"; the date alone without a clock.
 
     ahead : hours before UTC. "" for what is no date.
@@ -238,7 +238,7 @@ def iso(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str
     return at.strftime("%Y-%m-%dT%H:%M:%S") + f".{at.microsecond // 1000:03d}".rstrip("0").rstrip(".") + "Z"
 
 
-def iso_of(text: str, *, ahead: float = 0.0) -> str:
+def iso_time_of_text(text: str, *, ahead: float = 0.0) -> str:
     """Return the same from text in the order year, month, day, hour, minute, second, whatever separates the numbers.
 
     "20/07/2017 22:30:59", with the year in third place, has the day first.
@@ -247,4 +247,4 @@ def iso_of(text: str, *, ahead: float = 0.0) -> str:
     parts = [part for part in compact.groups() if part] if compact else NUMBERS.findall(text)
     if DAY_FIRST.match(text):
         parts[:3] = parts[2::-1]
-    return iso(*parts[:6], ahead=ahead) if len(parts) >= 3 else ""
+    return iso_time(*parts[:6], ahead=ahead) if len(parts) >= 3 else ""

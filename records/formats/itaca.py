@@ -15,7 +15,7 @@ from pathlib import Path
 
 from assess.messages.message import note
 from records.errors import RecordError
-from records.formats.header import HeaderOverrides, check_count, check_peak, filter_warning, iso_of
+from records.formats.header import HeaderOverrides, check_count, check_peak, filter_warning, iso_time_of_text
 from records.formats.samples import (
     acceleration_factor,
     number,
@@ -70,7 +70,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
                 *([note("filtered-by-source-as", corners=cut)] if cut else []),
             ),
             azimuth=azimuth_of(component),
-            earthquake=Earthquake(time=iso_of(text.get("Event Date & Time", ""))),
+            earthquake=Earthquake(time=iso_time_of_text(text.get("Event Date & Time", ""))),
             site=StationSite(),
             longest_period=usable_period(number(low)),
             warnings=(uneven, peak, filter_warning(samples, dt, low=number(low), high=number(high))),

@@ -17,7 +17,7 @@ import numpy as np
 
 from assess.messages.message import Quantity, note
 from records.errors import RecordError
-from records.formats.header import HeaderOverrides, check_count, check_peak, iso_of
+from records.formats.header import HeaderOverrides, check_count, check_peak, iso_time_of_text
 from records.formats.samples import acceleration_factor, check_layout, number, numbers, positive_number, text_lines
 from records.record import Earthquake, Record, StationSite, azimuth_of, make_record
 
@@ -113,7 +113,7 @@ def _scale(text: str, *, path: Path) -> tuple[str, float]:
 def _earthquake(header: dict[str, str]) -> Earthquake:
     depth, magnitude = number(header.get("Depth. (km)", "")), number(header.get("Mag.", ""))
     return Earthquake(
-        time=iso_of(header.get("Origin Time", ""), ahead=AHEAD),
+        time=iso_time_of_text(header.get("Origin Time", ""), ahead=AHEAD),
         magnitude=magnitude,
         scale="" if magnitude is None else "MJMA",
         latitude=number(header.get("Lat.", "")),

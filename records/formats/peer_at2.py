@@ -20,7 +20,14 @@ import numpy as np
 
 from assess.messages.message import Message, note
 from records.errors import RecordError
-from records.formats.header import HeaderOverrides, check_count, check_same, describe_disagreement, filter_warning, iso
+from records.formats.header import (
+    HeaderOverrides,
+    check_count,
+    check_same,
+    describe_disagreement,
+    filter_warning,
+    iso_time,
+)
 from records.formats.samples import acceleration_factor, number, text_lines, uniform_numbers
 from records.record import Earthquake, Record, azimuth_of, make_record
 
@@ -139,7 +146,7 @@ def _check_beside(dt: float, *, path: Path) -> None:
 def _iso(date: str) -> str:
     """Convert mm/dd/yy or m/d/yyyy to ISO 8601; two digits are of the older database, which ends in 1999."""
     month, day, year = (*date.split("/"), "", "", "")[:3]
-    return iso(year if len(year) == 4 else f"19{year}", month, day)
+    return iso_time(year if len(year) == 4 else f"19{year}", month, day)
 
 
 def _steps(line: str, *, path: Path) -> tuple[str, float]:

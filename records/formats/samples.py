@@ -21,7 +21,7 @@ from spectra.arrays import FloatArray
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
-BATCH = 20_000  # lines that are turned into numbers at once
+LINES_AT_ONCE = 20_000
 NUMERIC = re.compile(r"[\s0-9.eEdD+-]+")
 
 
@@ -40,14 +40,14 @@ def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
     `first` is the number of the first of these lines in the file, from 1. RecordError names the line of a field that
     is not a number.
     """
-    parts = [_parsed("\n".join(lines[i : i + BATCH])) for i in range(0, len(lines), BATCH)]
+    parts = [_parse_numbers("\n".join(lines[i : i + LINES_AT_ONCE])) for i in range(0, len(lines), LINES_AT_ONCE)]
     held = [part for part in parts if part is not None]
     if len(held) < len(parts):
         raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
     return np.concatenate([np.empty(0), *held])
 
 
-def _parsed(text: str) -> FloatArray | None:
+def _parse_numbers(text: str) -> FloatArray | None:
     """Return all numbers in a text; None where a field is not a number."""
     for separated in (text.split(), TOUCHING.sub(" ", text).split()):
         try:
@@ -114,7 +114,6 @@ def _first_bad(lines: Sequence[str], *, first: int) -> str:
 
 
 UNIFORM = 0.99  # of the lines, from which on a format is one
-LINES_AT_ONCE = 20_000  # lines that are looked at at once
 FEW = 3  # lines or numbers that show a format
 SHAPE = str.maketrans("123456789eDd\t", "000000000EEE ")
 ZERO = re.compile(r"[-+]?(0+\.?0*|\.0+)([EeDd][-+]?\d+)?")

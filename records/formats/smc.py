@@ -22,7 +22,7 @@ from records.formats.header import (
     check_peak,
     check_same,
     check_time_of_peak,
-    iso,
+    iso_time,
     warn_of_difference,
 )
 from records.formats.samples import number, numbers, text_lines, uniform_numbers
@@ -159,7 +159,7 @@ def _metres(kilometres: float | None) -> float | None:
 def _earthquake(event: re.Match[str] | None, reals: FloatArray) -> Earthquake:
     first = next(((_known(reals, i), scale) for i, scale in MAGNITUDES.items() if _known(reals, i)), (None, ""))
     return Earthquake(
-        time=iso(*event.groups()[:5]) if event else "",
+        time=iso_time(*event.groups()[:5]) if event else "",
         magnitude=first[0],
         scale=first[1],
         latitude=_known(reals, 2),

@@ -20,8 +20,8 @@ from assess.geometry.surface import Surface, merge_vertices, volume
 from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import BoolArray, FloatArray
 
-NEAR_FINE_MESHES = 0.05  # m: how far apart fine meshes are looked at face by face
-MANY_PAIRS = 1e8  # pairs of triangles: to look at more of them takes seconds
+NEAR_FINE_MESHES = 0.05  # m: fine meshes nearer than this are measured face by face
+MANY_PAIRS = 1e8  # pairs of triangles: to compare more of them takes seconds
 
 
 @dataclass(frozen=True)

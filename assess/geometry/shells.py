@@ -301,7 +301,7 @@ def _extreme(cells: FloatArray, triangles: IntArray, of: np.ufunc) -> NDArray[np
 
 
 OVERLAP = 1e-6  # of the body's size: shells that enter one another by less are taken to touch
-MAX_SEGMENTS = 20_000  # longest lines where two shells meet that are looked at for overlap
+MAX_SEGMENTS = 20_000  # segments examined for overlap, the longest first
 _TURNS = np.linspace(0.0, 2.0 * np.pi, 17)[:-1] + np.pi / 16.0
 _AROUND = np.column_stack([np.cos(_TURNS), np.sin(_TURNS)])  # directions around a seam [16, 2]
 

@@ -44,7 +44,7 @@ NAME_LENGTH, LEGEND_NAME_LENGTH = 26, 38  # characters of a line beside a row, o
 
 @dataclass(frozen=True)
 class ResultMark:
-    """One answer: row, value on the axis, and the procedure's pen; marker: another than the procedure's, or empty."""
+    """One result: row, value on the axis, and the procedure; marker: in place of the procedure's own, or empty."""
 
     row: float
     at: float
@@ -77,7 +77,7 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
 
 
 def _set_pga_axis(axes: Axes, values: Sequence[float], locale: Locale) -> None:
-    """Set the axis from zero, or a logarithmic one where the values are too far apart to be told on it."""
+    """Start the axis at zero, or make it logarithmic where the values are too far apart for a linear one."""
     if max(values) <= LOGARITHMIC_FROM * min(values):
         axes.set_xlim(0.0, 1.05 * max(values))
         return
@@ -189,7 +189,7 @@ def _label_rows(axes: Axes, results: Results, order: Sequence[MechanismResult], 
 
 
 def _demand_marks(order: Sequence[MechanismResult], level: float, procedures: Sequence[str]) -> list[ResultMark]:
-    """Return the worst answer of each procedure at a level."""
+    """Return the worst result of each procedure at a level."""
     made = []
     for row, mechanism in enumerate(order):
         for check in governing.worst_per_procedure(governing.checks_at_level(mechanism.checks, level)):
@@ -202,7 +202,7 @@ def _demand_marks(order: Sequence[MechanismResult], level: float, procedures: Se
 
 
 def marker_kind(check: Check) -> str:
-    """Return how an answer is drawn: "overturned", "beyond" the scale or "inside" it; empty without an answer."""
+    """Return how a result is drawn: "overturned", "beyond" the scale or "inside" it; empty without a result."""
     if governing.is_overturned(check):
         return "overturned"
     if check.verdict in (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE):
@@ -213,7 +213,7 @@ def marker_kind(check: Check) -> str:
 
 
 def _draw_marks(axes: Axes, dots: Sequence[ResultMark]) -> None:
-    """Draw the answers that look alike as one line without ink between them."""
+    """Draw the results that share a marker as one line without ink between them."""
     alike: dict[tuple[str, str], list[ResultMark]] = {}
     for dot in dots:
         alike.setdefault((dot.procedure, dot.marker), []).append(dot)

@@ -262,7 +262,7 @@ def _join_surfaces(surfaces: Sequence[TriangleSurface], steps: Sequence[FloatArr
 
 
 def building_of_mechanism(building: BuildingScene, place: int) -> BuildingScene:
-    """Return the building with all that one mechanism moves as its own, and nothing as others'.
+    """Return the building with what one mechanism moves marked, and nothing that only others move.
 
     Where bodies have no common position, only the group of bodies that it belongs to.
     """
@@ -310,7 +310,7 @@ def _bodies_cut_at_cracks(regions: Sequence[MovingRegion]) -> TriangleSurface:
 
 
 def _group_alike(regions: Sequence[MovingRegion]) -> list[list[MovingRegion]]:
-    """Return the regions in groups that are the same to the eye."""
+    """Group the regions that would look the same."""
     groups: list[list[MovingRegion]] = []
     for region in regions:
         same = next((group for group in groups if group[0].is_like(region)), None)
@@ -370,7 +370,7 @@ def _outcome(results: Results, names: Sequence[str]) -> Outcome:
 
 
 def _side_by_side(surfaces: Sequence[TriangleSurface], direction: FloatArray) -> list[FloatArray]:
-    """Return the steps that place bodies apart from left to right as they are looked at, in rows one below another."""
+    """Return the shifts [m] that place bodies side by side as the viewer sees them, in rows one below another."""
     across, _, towards = viewing_frame(direction)
     back = towards * [1.0, 1.0, 0.0] / float(np.hypot(*towards[:2]))
     boxes = [box_of(surface.vertices) for surface in surfaces]

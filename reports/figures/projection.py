@@ -293,7 +293,7 @@ class Occluders:
 
 
 def occluding_faces(faces: FloatArray) -> Occluders:
-    """Return faces [m, 3, 3] as the camera sees them as what hides points behind them."""
+    """Return faces [m, 3, 3], as the camera sees them, as occluders."""
     return Occluders(faces, shapely.STRtree(np.asarray(shapely.polygons(faces[:, :, :2]))))
 
 

@@ -194,7 +194,7 @@ class PagePart:
 
 
 class PageUnlessRoom(CondPageBreak):
-    """Begins a page where there is neither this room [pt] nor enough for all that follows."""
+    """Begins a page unless this height [pt], or that of all that follows, is left on the present one."""
 
     def __init__(self, height: float, flowables: Sequence[Flowable]) -> None:
         super().__init__(height)
@@ -321,7 +321,7 @@ def pdf_date(date: str) -> str:
 
 
 class DeferredCanvas(Canvas):
-    """A canvas on which room is left for what is known only when all pages are there: one pass over them is enough."""
+    """A canvas that leaves room for what is known only when all pages exist, so that one pass over them is enough."""
 
     def __init__(self, *given: Any, **named: Any) -> None:
         super().__init__(*given, **named)

@@ -1,6 +1,4 @@
-"""The blocks of a document as what reportlab puts on pages: text, tables whose rows and heads go on over pages,
-figures.
-"""
+"""The blocks of a document as what reportlab puts on pages: text, figures, and tables that go on over pages."""
 
 from __future__ import annotations
 

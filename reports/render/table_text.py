@@ -131,7 +131,7 @@ class SheetRow:
 
 
 def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
-    """Yield the steps of a sheet in the letters of a locale; worked in SI, results beside in US units where asked."""
+    """Yield the steps of a sheet in the letters of a locale: in SI, and in US units where the locale has them."""
     for step in sheet.steps:
         yield SheetRow(
             step.symbol,
@@ -156,7 +156,7 @@ def _formula(step: Step, locale: Locale) -> str:
 
 
 def _numbers(step: Step, locale: Locale) -> str:
-    """Return the formula with its numbers, where a value was read, and a remark; empty where these say nothing new."""
+    """Return the formula with its numbers, where a value was read, and a remark; empty where these add nothing."""
     if not (step.inputs or step.at or step.remark):
         plain = step.value is not None and step.substituted == write_plain(step.value)
         return "" if plain or step.substituted == step.formula else _word(step.substituted, locale)
@@ -200,7 +200,7 @@ _US_COLUMNS = (say("Value, US"), say("Unit, US"))
 
 
 def sheet_as_table(sheet: Sheet, locale: Locale) -> Table:
-    """Return a calculation sheet as a plain table, worked in SI, with results in US units beside where asked."""
+    """Return a calculation sheet as a plain table, worked in SI, with results in US units where the locale has them."""
     besides = locale.system == "US"
     columns = tuple(map(Column, (*_SHEET_COLUMNS, *(_US_COLUMNS if besides else ()))))
     rows = tuple(

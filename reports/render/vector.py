@@ -131,7 +131,7 @@ class _Recorder(RendererBase):
 
 
 TracedFigures = Mapping[str, Future[FigureMarks]]
-"""Figures by name, each of which may still be in the making."""
+"""Figures by name, each of which may still be under way."""
 
 
 def trace_figures(document: Document, submit: Submit) -> TracedFigures:
@@ -344,7 +344,7 @@ def _number(value: float) -> str:
 
 
 Submit = Callable[..., Future[Any]]
-"""Asks for a function's answer; the function gets the subject, then the arguments."""
+"""Submits a function, which is called with the subject and then the arguments, and returns the future of its result."""
 _kept: object = None  # the subject; set in copies of this process only
 
 

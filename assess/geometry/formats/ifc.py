@@ -61,7 +61,7 @@ def _refuse_schema(file: Path) -> None:
 
 
 def _refuse_lost(model: Any, missing: Set[int]) -> None:
-    """Raise where an absent entity takes an element or an opening with it, so that nothing would be left to tell of it.
+    """Raise where an absent entity would remove an element or an opening without a trace.
 
     missing : numbers of the entities that refer to others absent from the file
     """

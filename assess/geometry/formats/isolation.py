@@ -1,6 +1,4 @@
-"""Third-party readers isolated: what they print never mixes with results, and those that may crash run by
-themselves.
-"""
+"""Third-party readers isolated: kept silent, and run in processes of their own where damaged files crash them."""
 
 from __future__ import annotations
 

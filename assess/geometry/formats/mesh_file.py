@@ -198,7 +198,7 @@ def _matches_pattern(element: Element, selection: str) -> bool:
 def _refuse_ambiguous(
     elements: Sequence[Element], named: tuple[int, ...], selection: str, *, where: str
 ) -> tuple[int, ...]:
-    """Return the elements of a name; raise where there are several that can be told apart."""
+    """Return the elements of a name; raise where several have identifiers that distinguish them."""
     identifiers = [elements[i].identifier for i in named]
     if len(named) > 1 and all(identifiers):
         raise GeometryError(

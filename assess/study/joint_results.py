@@ -219,7 +219,6 @@ def _rotation_steps(rotated: RotatedJoint, rotation: float, relative: float) -> 
     )  # fmt: skip
 
 
-# -------------------------------------------------------------------------------------------------- the force at rest
 def _reactions(flexible: FlexibleChain, rest: JointEquilibrium) -> ComplexArray:
     """Return the force of each hinge at rest on the chain beyond it [hinges] [N]."""
     jointed = flexible.jointed

@@ -333,21 +333,21 @@ def mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
 
 def _as_assessed(
     study: Study,
-    sweep: MechanismSweep | None,
+    swept: MechanismSweep | None,
     motions: tuple[ScaledRecord, ...],
     result: MechanismResult,
     *,
     jobs: int,
 ) -> AssessedMechanism:
     """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
-    study_there, mechanism = _where_assessed(study, sweep, result.name)
-    motions_there = motions if sweep is None else motions_of_case(sweep.case, study, motions, jobs=jobs)
+    study_there, mechanism = _where_assessed(study, swept, result.name)
+    motions_there = motions if swept is None else motions_of_case(swept.case, study, motions, jobs=jobs)
     return AssessedMechanism(mechanism, study_there, motions_there, result)
 
 
-def _where_assessed(study: Study, sweep: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
+def _where_assessed(study: Study, swept: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
     """Return the study in which a mechanism was assessed, that of the controlling case if swept, and the mechanism."""
-    deciding = study if sweep is None else sweep.case.study
+    deciding = study if swept is None else swept.case.study
     return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
 
 
@@ -456,13 +456,13 @@ def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> t
     """
     cases = []
     for name in (mechanism.name for mechanism in study.mechanisms):
-        sweep = controlling.get(name)
-        study_there, mechanism = _where_assessed(study, sweep, name)
+        swept = controlling.get(name)
+        study_there, mechanism = _where_assessed(study, swept, name)
         oscillator = mechanism.variants.collapse
         if oscillator is None:
             continue
         factor = partial(pulse_factor, study_there.amplified[name].amplification)
-        words = "" if sweep is None else case_text(sweep.sweep, sweep.case, sweep.mechanism)
+        words = "" if swept is None else case_text(swept.sweep, swept.case, swept.mechanism)
         cases.append(EnvelopeCase(name, oscillator, study_there.equations[name], factor, words))
     return tuple(cases)
 

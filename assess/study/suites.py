@@ -747,10 +747,7 @@ def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Ran
 
 
 LARGEST_FC = 1.35  # of LC1, which makes the longest periods
-SHARE_OF_SHORTEST, MULTIPLE_OF_LONGEST = (
-    0.2,
-    1.2,
-)  # of the least and the largest equivalent period: range that spectra are fitted over
+SHARE_OF_SHORTEST, MULTIPLE_OF_LONGEST = 0.2, 1.2  # of equivalent periods: the range that spectra are fitted over
 FITTED_OVER = "0.2 times the least to 1.2 times the largest equivalent period of the mechanisms"
 
 

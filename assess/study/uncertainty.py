@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import inf, log1p, sqrt
+from math import log1p, sqrt
 from typing import TypedDict
 
 import numpy as np
@@ -29,7 +29,7 @@ from assess.results.run import QUANTILES, Distribution, Influence, UncertainAnsw
 from assess.risk.empirical import wilson_interval
 from assess.study.checks import checks_without_scan
 from assess.study.study import Progress, SampledNumber, Sampling, ScaledRecord, Study
-from assess.study.variations import CheckKey, checks_by_key
+from assess.study.variations import CheckKey, checks_by_key, ratio_of
 from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
@@ -76,14 +76,14 @@ def uncertainty(
     sampling = study.sampling
     if sampling is None:
         return None
-    questions = {answer.name: questions_of(answer) for answer in results if sampling.groups_of(answer.name)}
+    questions = {result.name: questions_of(result) for result in results if sampling.groups_of(result.name)}
     sampler = Sampler(study, sampling, spectrum, motions, questions, jobs)
     points = sobol(sampling)
     tallies = {name: Tally(sampling.samples, tuple(checks)) for name, checks in questions.items()}
     for sample, point in enumerate(points):
         progress("samples", sample, len(points))
-        for name, answer in sampler.answers_at(point).items():
-            tallies[name].put(sample, answer)
+        for name, in_sample in sampler.answers_at(point).items():
+            tallies[name].put(sample, in_sample)
     changed = find_changed_answers(sampler, points)
     answers = tuple(
         answer
@@ -315,11 +315,7 @@ def _outcome(check: Check | None) -> int:
 
 
 def _ratio(check: Check | None) -> float:
-    if check is None or _outcome(check) == OPEN:
-        return np.nan
-    if check.ratio is None:
-        return inf if check.verdict == Outcome.FAIL else 0.0
-    return check.ratio
+    return np.nan if check is None or _outcome(check) == OPEN else ratio_of(check)
 
 
 def same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags) -> Flags:

@@ -52,7 +52,7 @@ def run_sweeps(
 ) -> tuple[MechanismSweep, ...]:
     """Assess every mechanism that a sweep changes in all its cases, one sweep after the other."""
     total = sum(len(sweep.cases) for sweep in study.sweeps)
-    found: list[MechanismSweep] = []
+    swept: list[MechanismSweep] = []
     done = 0
     for sweep in study.sweeps:
         cases = []
@@ -62,8 +62,8 @@ def run_sweeps(
                 cases.append(assess_case(case, study, motions, jobs=jobs))
             done += 1
         by_mechanism = zip(*cases, strict=True)  # mechanism by mechanism
-        found += [MechanismSweep(sweep, of_mechanism, controlling_index(of_mechanism)) for of_mechanism in by_mechanism]
-    return tuple(found)
+        swept += [MechanismSweep(sweep, of_mechanism, controlling_index(of_mechanism)) for of_mechanism in by_mechanism]
+    return tuple(swept)
 
 
 def assess_case(
@@ -141,12 +141,12 @@ RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 
 def controlling_cases(sweeps: Sequence[MechanismSweep]) -> dict[str, MechanismSweep]:
     """Return, for each mechanism, the sweep whose controlling case represents it: the most severe one."""
-    found: dict[str, MechanismSweep] = {}
-    for sweep in sweeps:
-        before = found.get(sweep.mechanism)
-        if before is None or severity(sweep.cases[sweep.controlling]) > severity(before.cases[before.controlling]):
-            found[sweep.mechanism] = sweep
-    return found
+    controlling: dict[str, MechanismSweep] = {}
+    for swept in sweeps:
+        before = controlling.get(swept.mechanism)
+        if before is None or severity(swept.cases[swept.controlling]) > severity(before.cases[before.controlling]):
+            controlling[swept.mechanism] = swept
+    return controlling
 
 
 def controlling_index(cases: Sequence[MechanismInCase]) -> int:
@@ -209,19 +209,19 @@ def sweep_results(
     sweeps: Sequence[MechanismSweep], controlling: Mapping[str, MechanismSweep]
 ) -> tuple[SweepResult, ...]:
     """Return the sweeps as results."""
-    return tuple(sweep_result(sweep, governs=controlling[sweep.mechanism] is sweep) for sweep in sweeps)
+    return tuple(sweep_result(swept, governs=controlling[swept.mechanism] is swept) for swept in sweeps)
 
 
-def sweep_result(sweep: MechanismSweep, *, governs: bool) -> SweepResult:
+def sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
     """Return one mechanism over the values of one sweep, by the branch that uplifts first in each case."""
-    branches = [weaker_branch(result) for result in sweep.results]
-    checks_by_case = [deciding_checks(result) for result in sweep.results]
+    branches = [weaker_branch(result) for result in swept.results]
+    checks_by_case = [deciding_checks(result) for result in swept.results]
     ratios = [worst_ratio(checks_of_case) for checks_of_case in checks_by_case]
     return SweepResult(
-        mechanism=sweep.mechanism,
-        key=sweep.sweep.key,
-        unit=sweep.sweep.unit,
-        value=tuple(case.value for case in sweep.sweep.cases),
+        mechanism=swept.mechanism,
+        key=swept.sweep.key,
+        unit=swept.sweep.unit,
+        value=tuple(case.value for case in swept.sweep.cases),
         p_eq_per_s=tuple(branch.p_eq_per_s for branch in branches),
         uplift_multiplier=tuple(branch.uplift_multiplier for branch in branches),
         overturning_rad=tuple(branch.overturning_rad for branch in branches),
@@ -233,8 +233,8 @@ def sweep_result(sweep: MechanismSweep, *, governs: bool) -> SweepResult:
             any(check.unbounded == "overturned" for check in checks_of_case) for checks_of_case in checks_by_case
         ),
         capacity_pga_g=tuple(least_capacity(checks_of_case) for checks_of_case in checks_by_case),
-        outcome=tuple(checks_of_case.verdict.outcome for checks_of_case in sweep.cases),
-        controlling=sweep.controlling,
+        outcome=tuple(checks_of_case.verdict.outcome for checks_of_case in swept.cases),
+        controlling=swept.controlling,
         governs=governs,
     )
 

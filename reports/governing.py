@@ -66,6 +66,11 @@ def checks_at_site(results: Results, mechanism: MechanismResult) -> tuple[Check,
     return mechanism.checks if own is None else checks_at_level(mechanism.checks, own)
 
 
+def code_checks_at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
+    """Return the checks of a mechanism by the letter of a code at the site's own action."""
+    return code_checks(checks_at_site(results, mechanism))
+
+
 def other_levels(results: Results) -> tuple[float, ...]:
     """Return the levels of the study besides the site's own [g], rising."""
     own, every = site_pga(results), (check for mechanism in results.mechanisms for check in mechanism.checks)

@@ -335,7 +335,7 @@ def joints_at_peak(mechanism: MechanismResult) -> Text:
     )
 
 
-def _joint_at_peak(interface: dict[str, Any], rotation: float) -> Phrase:
+def _joint_at_peak(interface: Joint, rotation: float) -> Phrase:
     """Return stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
     stress, resultant, opened, crushed = joints.values_at(interface, rotation)
     values: dict[str, Text] = {

@@ -227,8 +227,8 @@ def findings(results: Results) -> Iterator[Text]:
     yield from _overturning(results)
 
 
-def _mechanism_numbers(results: Results, of: Iterable[str]) -> Listing:
-    return names(mechanism_number(results, name) for name in of)
+def _mechanism_numbers(results: Results, mechanisms: Iterable[str]) -> Listing:
+    return names(mechanism_number(results, name) for name in mechanisms)
 
 
 def _passes_beyond_capacity(results: Results) -> Iterator[Text]:
@@ -252,7 +252,7 @@ def _disagreements(results: Results) -> Iterator[Text]:
     apart = [
         m
         for m in results.mechanisms
-        if {Outcome.PASS, Outcome.FAIL} <= {c.verdict for c in _site_code_checks(results, m)}
+        if {Outcome.PASS, Outcome.FAIL} <= {c.verdict for c in governing.code_checks_at_site(results, m)}
     ]
     if governing.site_pga(results) is None or not apart:
         return
@@ -261,12 +261,15 @@ def _disagreements(results: Results) -> Iterator[Text]:
         mechanisms=_mechanism_numbers(results, (m.name for m in apart)),
     )
     answering = dict.fromkeys(
-        c.procedure for m in apart for c in _site_code_checks(results, m) if c.verdict in (Outcome.PASS, Outcome.FAIL)
+        c.procedure
+        for m in apart
+        for c in governing.code_checks_at_site(results, m)
+        if c.verdict in (Outcome.PASS, Outcome.FAIL)
     )
     failed = {
-        procedure: [m.name for m in results.mechanisms if _fails(results, m, procedure)]
+        procedure: [m.name for m in results.mechanisms if _has_outcome(results, m, procedure, Outcome.FAIL)]
         for procedure in answering
-        if any(_fails(results, m, procedure) for m in apart)
+        if any(_has_outcome(results, m, procedure, Outcome.FAIL) for m in apart)
     }
     explained: set[Family | None] = set()
     for procedure, mechanisms in failed.items():
@@ -275,7 +278,8 @@ def _disagreements(results: Results) -> Iterator[Text]:
         explained.add(family)
     passed: dict[tuple[str, ...], list[str]] = {}
     for procedure in (name for name in answering if name not in failed):
-        passed.setdefault(tuple(m.name for m in apart if _passes(results, m, procedure)), []).append(procedure)
+        which = tuple(m.name for m in apart if _has_outcome(results, m, procedure, Outcome.PASS))
+        passed.setdefault(which, []).append(procedure)
     for which, procedures in passed.items():
         yield _passing(results, which, procedures, is_all=1 < len(which) == len(apart))
 
@@ -290,18 +294,10 @@ def _passing(results: Results, which: tuple[str, ...], procedures: list[str], *,
     return say("{mechanisms} are passed by {methods}.", mechanisms=mechanisms, methods=methods)
 
 
-def _site_code_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
-    return governing.code_checks(governing.checks_at_site(results, mechanism))
-
-
-def _fails(results: Results, mechanism: MechanismResult, procedure: str) -> bool:
-    own = (check for check in _site_code_checks(results, mechanism) if check.procedure == procedure)
-    return any(check.verdict == Outcome.FAIL for check in own)
-
-
-def _passes(results: Results, mechanism: MechanismResult, procedure: str) -> bool:
-    own = (check for check in _site_code_checks(results, mechanism) if check.procedure == procedure)
-    return any(check.verdict == Outcome.PASS for check in own)
+def _has_outcome(results: Results, mechanism: MechanismResult, procedure: str, outcome: Outcome) -> bool:
+    """Return whether a check of a mechanism by a procedure has an outcome at the site's own action."""
+    checks = governing.code_checks_at_site(results, mechanism)
+    return any(check.procedure == procedure and check.verdict == outcome for check in checks)
 
 
 def _failing(results: Results, procedure: str, mechanisms: list[str], family: Family | None) -> Text:

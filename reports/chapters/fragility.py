@@ -158,13 +158,9 @@ def _method_section(results: FragilityResults) -> Section:
 
 def _cited_works(results: FragilityResults) -> Iterator[Text]:
     yield from WORKS
-    if any(_is_dimensionless(each) for mechanism in results.mechanisms for each in measures_of(mechanism)):
+    if any(each.dimension == "ratio" for mechanism in results.mechanisms for each in measures_of(mechanism)):
         yield DIMENSIONLESS
     yield scope.HOUSNER
-
-
-def _is_dimensionless(measure: MeasureResult) -> bool:
-    return measure.dimension == "ratio"
 
 
 def mechanism_section(results: FragilityResults, mechanism: MechanismFragility) -> Section:

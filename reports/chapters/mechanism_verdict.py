@@ -231,7 +231,7 @@ def unanswered_methods(results: Results, mechanism: MechanismResult) -> Iterator
     """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
     mechanism_verdict = governing.verdict_of(results, mechanism)
     governs = () if mechanism_verdict is None else tuple(answer.procedure for answer in mechanism_verdict.answers)
-    checks = governing.worst_per_procedure(governing.code_checks(governing.checks_at_site(results, mechanism)))
+    checks = governing.worst_per_procedure(governing.code_checks_at_site(results, mechanism))
     unanswered = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
     for reason in {check.reason.text: check.reason for check in unanswered}.values():
         same = dict.fromkeys(check.procedure for check in unanswered if check.reason.text == reason.text)

@@ -54,7 +54,11 @@ def _action_blocks(results: Results) -> Iterator[Block]:
     if results.spectrum is None:
         yield Prose((say("The project gives no spectrum of the site."),))
         return
-    yield Prose((_action(results),)) if results.verdict is not None else Prose((_no_action(),))
+    yield (
+        Prose((_action(results),))
+        if results.verdict is not None
+        else Prose((say("No action decides: the project has no verdict."),))
+    )
     yield parameters_table(results, results.spectrum)
     yield from nonempty(hazard_table(results))
     yield from nonempty(calculated_parameters_table(results, results.spectrum))
@@ -84,10 +88,6 @@ def _state(results: Results) -> Text:
     stated, decide = results.verdict.action.limit_state, results.verdict.limit_states
     known = (stated,) if stated else tuple(state for state in decide if state != OWN_BASIS)
     return listing(map(Verbatim, known)) if known else say("no limit state stated")
-
-
-def _no_action() -> Text:
-    return say("No action decides: the project has no verdict.")
 
 
 def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:

@@ -366,16 +366,11 @@ def matrix_caption(verdict: Verdict) -> Text:
 
 def answering_methods(results: Results) -> list[MethodColumn]:
     """Return the methods that answer for some mechanism at the site's own action, in order of appearance."""
-    checks = [check for mechanism in results.mechanisms for check in code_checks_at_site(results, mechanism)]
+    checks = [check for mechanism in results.mechanisms for check in governing.code_checks_at_site(results, mechanism)]
     answered = [check for check in checks if check.verdict not in governing.UNANSWERED or check.role == "deciding"]
     pairs = dict.fromkeys((check.procedure, check.limit_state) for check in answered)
     procedures = [procedure for procedure, _ in pairs]
     return [MethodColumn(procedure, state, procedures.count(procedure) > 1) for procedure, state in pairs]
-
-
-def code_checks_at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
-    """Return the checks of a mechanism by the letter of a code at the site's own action."""
-    return governing.code_checks(governing.checks_at_site(results, mechanism))
 
 
 def split_methods(
@@ -401,7 +396,7 @@ def method_cell(
     results: Results, mechanism: MechanismResult, mechanism_verdict: MechanismVerdict, method: MethodColumn
 ) -> Cell:
     """Return the answer of one method; None where the method does not apply to the mechanism."""
-    checks = [check for check in code_checks_at_site(results, mechanism) if _is_by(check, method)]
+    checks = [check for check in governing.code_checks_at_site(results, mechanism) if _is_by(check, method)]
     found = next((check for check in checks if check.role == "deciding"), None) or governing.worst_check(tuple(checks))
     if found is None or found.verdict == Outcome.NOT_APPLICABLE:
         return None
@@ -436,7 +431,7 @@ def least_favourable_cell(results: Results, mechanism: MechanismResult, folded: 
     pairs = [
         (check, method)
         for method in folded
-        for check in code_checks_at_site(results, mechanism)
+        for check in governing.code_checks_at_site(results, mechanism)
         if _is_by(check, method)
     ]
     answered = [(check, method) for check, method in pairs if check.verdict not in governing.UNANSWERED]

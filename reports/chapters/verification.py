@@ -197,7 +197,7 @@ def _uncovered_blocks(results: VerificationResults) -> Iterator[Block]:
         words = say(
             "The project uses these, and no solved case that passes and is more than indicative exercises them: "
             "{uses}.",
-            uses=_uses_text(bare),
+            uses=listing([_use_text(use) for use in bare]),
         )
         yield Prose((words if bare else say("A solved case that passes exercises each thing that the project uses."),))
     else:
@@ -233,10 +233,6 @@ def _case_with_mark(case: CaseResult) -> Text:
     if case.outcome == "fail":
         return say("{case} (fails)", case=Verbatim(case.key))
     return say("{case} (indicative)", case=Verbatim(case.key)) if case.is_indicative else Verbatim(case.key)
-
-
-def _uses_text(uses: list[str]) -> Text:
-    return listing([_use_text(use) for use in uses])
 
 
 def _use_text(use: str) -> Text:

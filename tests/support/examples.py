@@ -111,7 +111,7 @@ def _shortened(text: str) -> str:
 
 def _sources() -> str:
     """A digest of the program's sources, its examples among them, and of the versions of what it imports."""
-    from assess.results.inputs import package_folder, sources_digest
+    from assess.results.provenance import package_folder, sources_digest
 
     pins = (ROOT / "requirements.lock").read_bytes()
     return sha256(sources_digest(package_folder()).encode() + pins).hexdigest()[:16]

@@ -8,12 +8,24 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Jobs, ProjectPath, flag, folder_option, refuse_two_formats
+from assess.cli.options import Jobs, ProjectPath, flag, folder_option, optional_output, refuse_two_formats
+from assess.cli.stderr import (
+    NOTHING_WRITTEN,
+    on_interruption,
+    print_detail,
+    print_message,
+    print_messages,
+    print_note,
+    progress,
+)
 
 if TYPE_CHECKING:
     from assess.portfolio.batch import Portfolio
     from assess.portfolio.tasks import Keep
     from assess.results import Results
+
+FORMATS = ("nrml", "pelicun", "csv")
+"""The keys of `EXPORT_FORMATS`, whose module takes a second to import."""
 
 
 def run(
@@ -43,7 +55,6 @@ def _run_project(project: Path, output: Path | None, jobs: int | None, *, report
     from assess.project.project_file import load
 
     loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
-    from assess.cli.stderr import on_interruption, print_detail, print_message, progress
     from assess.outputs.manifest import REPORT, RESULTS
     from assess.outputs.writing import output_folder
     from assess.project.build import build
@@ -52,9 +63,9 @@ def _run_project(project: Path, output: Path | None, jobs: int | None, *, report
     from assess.workers import available_cores, process_pool
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
-    wanted = (RESULTS, *(REPORT if report else ()))
+    expected = (RESULTS, *(REPORT if report else ()))
     with (
-        output_folder(folder, command="assess run", expected=wanted, tell=print_message) as stage,
+        output_folder(folder, command="assess run", expected=expected, tell=print_message) as stage,
         on_interruption(f"nothing was written into {folder}"),
         progress() as shown,
     ):
@@ -120,7 +131,6 @@ def batch(
     keep: Keep = "rows" if rows_only else "results" if no_report else "report"
     if scheduler is not None and jobs is not None:
         raise typer.BadParameter("--jobs is of this machine's processes; the scheduler has workers of its own")
-    from assess.cli.stderr import on_interruption, print_note, progress
     from assess.verbs import batch as run_batch
 
     whole = source.resolve()
@@ -175,21 +185,19 @@ def envelope(
     from assess.project.project_file import load
 
     loaded = load(project)
-    from assess.cli.options import optional_output
-    from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, print_messages, progress
-    from assess.cli.tables.analysis import envelopes_csv, envelopes_json, envelopes_table
+    from assess.cli.tables.analysis import envelopes_csv, envelopes_table
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
-    from assess.results.json import dumps
-    from assess.study.run import run_envelopes as envelope_of_study
+    from assess.results.json import dumps, dumps_envelopes
+    from assess.study.run import run_envelopes
     from assess.workers import available_cores, process_pool
 
-    wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
-    place = optional_output(output, command="assess envelope", owner=ENVELOPES, wanted=wanted)
+    expected = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
+    place = optional_output(output, command="assess envelope", owner=ENVELOPES, expected=expected)
     with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
-        results = envelope_of_study(study, jobs=jobs or available_cores(), progress=shown.count)
+        results = run_envelopes(study, jobs=jobs or available_cores(), progress=shown.count)
         if stage is not None:
             from reports.assessment import envelope_report
             from reports.writing import write_document
@@ -198,12 +206,9 @@ def envelope(
             write_document(envelope_report(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=shown.step)
     if as_json or as_csv:  # the table includes them
         print_messages(results.warnings)
-    print((envelopes_json if as_json else envelopes_csv if as_csv else envelopes_table)(results), end="")
+    print((dumps_envelopes if as_json else envelopes_csv if as_csv else envelopes_table)(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "envelopes.pdf")
-
-
-FORMATS = ("nrml", "pelicun", "csv")
 
 
 def check_formats(text: str | None) -> str | None:
@@ -212,6 +217,12 @@ def check_formats(text: str | None) -> str | None:
         if name not in FORMATS:
             raise typer.BadParameter(f'"{name}" is no format of exports; write of {",".join(FORMATS)}')
     return text
+
+
+def complete_formats(incomplete: str) -> Sequence[str]:
+    """Complete the last of the formats of an export, which stand between commas."""
+    before, comma, last = incomplete.rpartition(",")
+    return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]
 
 
 def fragility(
@@ -245,20 +256,17 @@ def fragility(
     from assess.project.project_file import load
 
     loaded = load(project)
-    from assess.cli.options import optional_output
-    from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, print_messages, progress
     from assess.cli.tables.analysis import fragility_csv, fragility_table
     from assess.outputs.manifest import FRAGILITY
     from assess.project.build import build
     from assess.results.json import dumps_fragility
-    from assess.study.fragility import EXPORT_FORMATS as FILES
-    from assess.study.fragility import export_curves, run_fragility
+    from assess.study.fragility import EXPORT_FORMATS, export_curves, run_fragility
     from assess.workers import available_cores, process_pool
 
     formats = [] if export is None else list(dict.fromkeys(export.split(",")))
-    exported = [name for format in formats for name in FILES[format]]
-    wanted = (FRAGILITY, "fragility.pdf", "fragility.html", "tables.xlsx", *exported)
-    place = optional_output(output, command="assess fragility", owner=FRAGILITY, wanted=wanted)
+    exported = [name for format in formats for name in EXPORT_FORMATS[format]]
+    expected = (FRAGILITY, "fragility.pdf", "fragility.html", "tables.xlsx", *exported)
+    place = optional_output(output, command="assess fragility", owner=FRAGILITY, expected=expected)
     with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
@@ -280,10 +288,3 @@ def fragility(
     )
     if output is not None and not (as_json or as_csv):
         print(output / "fragility.pdf")
-
-
-def complete_formats(incomplete: str) -> Sequence[str]:
-    """Complete the last of the formats of an export, which stand between commas."""
-
-    before, comma, last = incomplete.rpartition(",")
-    return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]

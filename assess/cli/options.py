@@ -17,6 +17,9 @@ from typing import Annotated, Any
 
 import typer
 
+from assess.cli import stderr
+from assess.messages.message import escape_text
+
 FIGURE_ENDINGS = (".svg", ".pdf", ".png")
 
 
@@ -60,21 +63,20 @@ def folder_option(words: str) -> Any:
 
 
 @contextmanager
-def optional_output(folder: Path | None, *, command: str, owner: str, wanted: Sequence[str]) -> Iterator[Path | None]:
+def optional_output(folder: Path | None, *, command: str, owner: str, expected: Sequence[str]) -> Iterator[Path | None]:
     """Give a temporary folder as `output_folder` does, and print what is recovered; None where no folder is named.
 
     Parameters
     ----------
     folder : to write into
-    command, owner, wanted : as for `output_folder`
+    command, owner, expected : as for `output_folder`
     """
     if folder is None:
         yield None
         return
-    from assess.cli.stderr import print_message
     from assess.outputs.writing import output_folder
 
-    with output_folder(folder, command=command, owner=owner, expected=wanted, tell=print_message) as stage:
+    with output_folder(folder, command=command, owner=owner, expected=expected, tell=stderr.print_message) as stage:
         yield stage
 
 
@@ -115,8 +117,6 @@ def _set_level(name: str, other: str) -> Callable[[bool], None]:
     def set_level(wanted: bool) -> None:
         if not wanted:
             return
-        from assess.cli import stderr
-
         if stderr.LOG.level == getattr(stderr, other):
             raise typer.BadParameter("--quiet and --verbose exclude each other")
         stderr.LOG.setLevel(getattr(stderr, name))
@@ -292,8 +292,6 @@ def _usage_text(error: Any) -> str:
 
 def _given_value(error: Any) -> str:
     """Return the value given, as the library that checked it kept it."""
-    from assess.messages.message import escape_text
-
     for cause in (error.__cause__, error.__context__):
         if hasattr(cause, "errors"):
             return escape_text(str(cause.errors()[0]["input"]))

@@ -1,6 +1,4 @@
-"""The commands with which a project is begun and understood, without analysis: `new`, `check`, `parameters`,
-`schema`.
-"""
+"""The commands with which a project is begun, without analysis: `new`, `check`, `parameters`, `schema`."""
 
 from __future__ import annotations
 
@@ -12,7 +10,13 @@ from typing import Annotated
 import typer
 
 from assess.cli.options import ProjectPath, refuse_two_formats
-from assess.cli.stderr import progress
+from assess.cli.stderr import print_messages, progress
+
+
+def complete_examples(incomplete: str) -> Sequence[str]:
+    """Complete the name of an example, by the folders that are shipped."""
+    folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
+    return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))
 
 
 def new(
@@ -74,7 +78,6 @@ def parameters(
     from assess.project.project_file import load
 
     loaded = load(project)
-    from assess.cli.stderr import print_messages
     from assess.cli.tables.project import directions_text, parameters_csv, parameters_text
     from assess.project.build import build
     from assess.results.json import dumps_mechanisms
@@ -122,9 +125,3 @@ def _is_schema(path: Path) -> bool:
     except (OSError, ValueError, RecursionError):
         return False
     return isinstance(content, dict) and content.get("title") == TITLE
-
-
-def complete_examples(incomplete: str) -> Sequence[str]:
-    """Complete the name of an example, by the folders that are shipped."""
-    folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
-    return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))

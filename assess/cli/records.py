@@ -29,6 +29,7 @@ from assess.cli.options import (
     refuse_two_formats,
     with_verbosity,
 )
+from assess.cli.stderr import on_interruption, print_message, print_messages, print_note, print_warnings, progress
 
 if TYPE_CHECKING:
     from assess.project.suites import ScaledSuite
@@ -46,7 +47,6 @@ def list_records(
 ) -> None:
     """Print time step, samples, peaks, intensities and durations of each record."""
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
-    from assess.cli.stderr import print_warnings
     from assess.cli.tables.records import records_csv, records_json, records_table
     from records.plausibility import record_warning, warnings_among
     from records.reading import read_records
@@ -74,7 +74,6 @@ def index(
 
     Later runs read only new and changed files; an interrupted run continues where it stopped.
     """
-    from assess.cli.stderr import on_interruption, print_warnings, progress
     from assess.cli.tables.records import index_json, index_text
     from assess.workers import process_pool
     from records.catalogue import NAME, catalogue_candidates, open_catalogue, store_flatfile
@@ -132,7 +131,6 @@ def spectra(
 ) -> None:
     """Print the pseudo-acceleration spectra of records; those of a folder are read from its catalogue."""
     check_figure_path(output)
-    from assess.cli.stderr import progress
     from assess.cli.tables.records import draw_spectra, read_spectra, spectra_csv, spectra_table
     from assess.workers import process_pool
     from records.formats.header import HeaderOverrides
@@ -200,7 +198,6 @@ def convert(
     """Write one record as CSV or PEER AT2, after rotation, correction, filtering, trimming, resampling and scaling."""
     if azimuth is not None and rotd is not None:
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
-    from assess.cli.stderr import print_warnings
     from assess.results.provenance import stamp_of_files
     from records.plausibility import record_warning, warnings_among
     from records.processing import Processing, choose_records, process, record_text
@@ -327,7 +324,6 @@ def select(
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     check_figure_path(output)
     _refuse_without_target(context, target, places)
-    from assess.cli.stderr import print_note, progress
     from assess.project.suites import SuiteOptions, lock_project, lock_target, select_for_target, suite_of_project
     from assess.workers import process_pool
     from records.formats.header import HeaderOverrides
@@ -390,7 +386,6 @@ def scale(
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     if at is not None and to != "spectrum":
         raise typer.BadParameter("--at and --to exclude each other")
-    from assess.cli.stderr import print_message
     from assess.cli.tables.suites import suite_csv, suite_json, suite_table
     from assess.outputs.manifest import RECORDS
     from assess.outputs.writing import output_folder
@@ -429,7 +424,6 @@ def _refuse_without_target(context: typer.Context, target: Path | None, places: 
 
 def _print_suite(found: ScaledSuite, output: Path | None, *, as_json: bool, as_csv: bool) -> None:
     """Draw the suite where a figure is requested, and print it."""
-    from assess.cli.stderr import print_messages
     from assess.cli.tables.suites import draw_suite, suite_csv, suite_json, suite_table
 
     if output is not None:

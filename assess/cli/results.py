@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from assess.cli.options import Language, check_share, refuse_two_formats
+from assess.cli.stderr import Progress, on_interruption, print_message, progress
+
+if TYPE_CHECKING:
+    from assess.results import Results
+    from reports.writing import Form
 
 
 class Detail(StrEnum):
@@ -45,86 +52,81 @@ def report(
 
     Replaces the PDF, the HTML page, tables and figures in the folder of the results, or writes them to another.
     """
-    from assess.cli.stderr import print_message
     from assess.outputs.manifest import FRAGILITY
 
     if results.name == FRAGILITY:
-        rewrite_fragility(results, output or results.parent, png=png, language=language)
+        _report_fragility(results, output or results.parent, png=png, language=language)
         return
+    from assess.outputs.manifest import ENVELOPES, RESULTS
     from assess.results.json import open_results
+    from reports.assessment import envelope_report, locale_of
+    from reports.writing import write_all, write_document
 
     read = open_results(results, tell=print_message)
-    found = read.results
-    from assess.cli.stderr import on_interruption, progress
-    from assess.outputs.manifest import ENVELOPES, RESULTS
-    from assess.outputs.writing import output_folder
-    from reports.assessment import envelope_report, locale_of
-    from reports.project_values import project_text
-    from reports.writing import Form, write_all, write_document
-
-    chosen = language or _language_of(project_text(found, "report.language"), source=results)
-    folder = output or read.path.parent
-    alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
-    name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
-    copied = (name,) if folder.resolve() != read.path.parent.resolve() else ()
-    wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
-    figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
-    with (
-        output_folder(folder, command="assess report", owner=name, expected=wanted, tell=print_message) as stage,
-        on_interruption(f"nothing was written into {folder}"),
-        progress() as shown,
-        read.blame_changes(),
-    ):
-        if alone:
-            envelopes = replace(envelope_report(found), locale=locale_of(found, chosen))
-            pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=shown.step)
+    found, folder = read.results, output or read.path.parent
+    chosen = language or _language_of(found, source=results)
+    only_envelopes = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
+    owner, stem = (ENVELOPES, "envelopes") if only_envelopes else (RESULTS, "report")
+    with _output(folder, source=read.path, owner=owner, stem=stem) as (stage, shown), read.blame_changes():
+        if only_envelopes:
+            document = replace(envelope_report(found), locale=locale_of(found, chosen))
+            pdf = write_document(document, stage, name="envelopes.pdf", figures=_forms(png), progress=shown.step)
         else:
             pdf = write_all(
                 found,
                 stage,
                 language=chosen,
                 detail=detail.value if detail else None,
-                figures=figures,
+                figures=_forms(png),
                 progress=shown.step,
             )
-        for copy in copied:
-            (stage / copy).write_bytes(read.path.read_bytes())
     print(folder / pdf.relative_to(stage))
 
 
-def rewrite_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
+def _report_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
     """Rewrite the report of `assess fragility` from its results at `path`."""
-    from assess.cli.stderr import on_interruption, print_message, progress
     from assess.outputs.manifest import FRAGILITY
-    from assess.outputs.writing import output_folder
     from assess.results.json import open_fragility
     from reports.assessment import fragility_report, locale_of, results_without_mechanisms
-    from reports.project_values import project_text
-    from reports.writing import Form, write_document
+    from reports.writing import write_document
 
     found = open_fragility(path, tell=print_message)
     plain = results_without_mechanisms(found)
-    chosen = language or _language_of(project_text(plain, "report.language"), source=path)
-    copied = (FRAGILITY,) if folder.resolve() != path.parent.resolve() else ()
-    wanted = ("fragility.pdf", "fragility.html", "tables.xlsx", *copied)
-    figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
-    with (
-        output_folder(folder, command="assess report", owner=FRAGILITY, expected=wanted, tell=print_message) as stage,
-        on_interruption(f"nothing was written into {folder}"),
-        progress() as shown,
-    ):
+    chosen = language or _language_of(plain, source=path)
+    with _output(folder, source=path, owner=FRAGILITY, stem="fragility") as (stage, shown):
         document = replace(fragility_report(found), locale=locale_of(plain, chosen))
-        pdf = write_document(document, stage, name="fragility.pdf", figures=figures, progress=shown.step)
-        for copy in copied:
-            (stage / copy).write_bytes(path.read_bytes())
+        pdf = write_document(document, stage, name="fragility.pdf", figures=_forms(png), progress=shown.step)
     print(folder / pdf.relative_to(stage))
 
 
-def _language_of(language: str, *, source: Path) -> str:
+@contextmanager
+def _output(folder: Path, *, source: Path, owner: str, stem: str) -> Iterator[tuple[Path, Progress]]:
+    """Give a temporary folder for a report, and its progress; results from elsewhere are copied beside it."""
+    from assess.outputs.writing import output_folder
+
+    copied = (owner,) if folder.resolve() != source.parent.resolve() else ()
+    expected = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
+    with (
+        output_folder(folder, command="assess report", owner=owner, expected=expected, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+    ):
+        yield stage, shown
+        for copy in copied:
+            (stage / copy).write_bytes(source.read_bytes())
+
+
+def _forms(png: bool) -> tuple[Form, ...]:
+    return ("svg", "png") if png else ("svg",)
+
+
+def _language_of(results: Results, *, source: Path) -> str:
     """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
     from reports.language.catalogue import ENGLISH, languages
+    from reports.project_values import project_text
 
+    language = project_text(results, "report.language")
     if language in ("", *languages()):
         return language or ENGLISH
     known, said = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
@@ -146,7 +148,6 @@ def summary(
     largest ratio of demand to capacity. p and lambda are those of the side that rocks first.
     """
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
-    from assess.cli.stderr import print_message
     from assess.cli.tables.results import (
         MechanismRow,
         mechanism_rows,
@@ -186,7 +187,6 @@ def diff(
     Compares results of `assess run` or `assess envelope`, or the folders of projects that have been run.
     """
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
-    from assess.cli.stderr import print_message
     from assess.cli.tables.results import changes_csv, changes_json, changes_text
     from assess.results.diff import differences
     from assess.results.json import open_results

@@ -17,13 +17,9 @@ if TYPE_CHECKING:
     from reports.language.texts import Phrase, Verbatim
     from spectra.spectrum import Spectrum
 
-NOT_KEYS = (
-    "project",
-    "vertical",
-    "as_json",
-    "as_csv",
-    "output",
-)  # parameters of the command that are not keys of a spectrum
+NOT_KEYS = ("project", "vertical", "as_json", "as_csv", "output")
+"""Parameters of the command that are not keys of a spectrum."""
+ROUND_PERIODS = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # s
 HAZARDS = complete_words("design", "mce")
 
 
@@ -32,6 +28,13 @@ def _key_option(name: str, metavar: str, words: str, complete: Completion | None
         f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete
     )
     return option
+
+
+def complete_codes(incomplete: str) -> Sequence[str]:
+    """Complete the name of a design spectrum."""
+    from spectra.registry import SPECTRA
+
+    return [name for name in SPECTRA if name.startswith(incomplete)]
 
 
 def spectrum(
@@ -139,16 +142,6 @@ def _check_options(
         raise typer.BadParameter(f"--{next(iter(options)).replace('_', '-')} and PROJECT exclude each other")
     if project is None and "code" not in options:
         raise typer.BadParameter("give a PROJECT, or --code with its parameters")
-
-
-def complete_codes(incomplete: str) -> Sequence[str]:
-    """Complete the name of a design spectrum."""
-    from spectra.registry import SPECTRA
-
-    return [name for name in SPECTRA if name.startswith(incomplete)]
-
-
-ROUND_PERIODS = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # s
 
 
 def spectrum_table(spectrum: Spectrum) -> str:

@@ -11,18 +11,16 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
+from assess.messages.message import Message, escape_text
 from assess.outputs.signals import Terminated
-
-if TYPE_CHECKING:
-    from assess.messages.message import Message
-
 
 MAX_LINES = 5
 QUIET, USUAL, VERBOSE = logging.ERROR, logging.INFO, logging.DEBUG
 LEVELS = {"error": logging.ERROR, "warning": logging.WARNING, "note": logging.INFO}
 LOG = logging.getLogger("assess.cli")
+NOTHING_WRITTEN = "nothing was written"
 
 
 class _Stderr(logging.Handler):
@@ -41,29 +39,29 @@ def print_warnings(warnings: Sequence[str]) -> None:
     found = [warning for warning in warnings if warning]
     more = [f"and {len(found) - MAX_LINES} more records with warnings"] if len(found) > MAX_LINES else []
     for text in (*found[:MAX_LINES], *more):
-        LOG.warning("assess: warning: %s", _escape(text))
+        LOG.warning("assess: warning: %s", escape_text(text))
 
 
 def print_message(message: Message) -> None:
     """Print a message on one line."""
-    where, text = _escape(message.where), _escape(message.text)
+    where, text = escape_text(message.where), escape_text(message.text)
     LOG.log(LEVELS[message.severity], "assess: %s: %s: %s", message.severity, where, text)
 
 
 def print_messages(messages: Sequence[Message]) -> None:
     """Print messages as the tables of results do, which JSON and CSV leave out."""
     for each in messages:
-        LOG.log(LEVELS[each.severity], "%s: %s: %s", each.severity, _escape(each.where), _escape(each.text))
+        LOG.log(LEVELS[each.severity], "%s: %s: %s", each.severity, escape_text(each.where), escape_text(each.text))
 
 
 def print_note(text: str) -> None:
     """Print a note on what was found or done."""
-    LOG.info("assess: note: %s", _escape(text))
+    LOG.info("assess: note: %s", escape_text(text))
 
 
 def print_detail(text: str) -> None:
     """Print, with --verbose only, a line on what is being done."""
-    LOG.debug("assess: %s", _escape(text))
+    LOG.debug("assess: %s", escape_text(text))
 
 
 def is_verbose() -> bool:
@@ -74,15 +72,6 @@ def is_verbose() -> bool:
 def is_quiet() -> bool:
     """Whether --quiet was given."""
     return not LOG.isEnabledFor(USUAL)
-
-
-def _escape(text: str) -> str:
-    from assess.messages.message import escape_text  # which imports pydantic
-
-    return escape_text(text)
-
-
-NOTHING_WRITTEN = "nothing was written"
 
 
 @contextmanager
@@ -146,7 +135,6 @@ def progress() -> Iterator[Progress]:
 
 @contextmanager
 def _progress_lines() -> Iterator[Progress]:
-
     begin, lines = time.time(), _TimedStages()
     yield lines
     lines.step("")

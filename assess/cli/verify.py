@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Jobs, Language
+from assess.cli.options import Jobs, Language, optional_output
+from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, progress
 from assess.cli.tables import on_one_line
 from assess.messages.message import count_noun
 
@@ -18,6 +19,18 @@ if TYPE_CHECKING:
     from assess.project.project_file import Project
     from assess.results.verification import CaseResult, Spread, ValueResult, VerificationResults
     from assess.verification.case_files import CaseFile
+
+WIDEST = 160  # characters of a line
+MOST_FAILURES = 5  # values that fail, of one case
+DIGITS, MOST_DIGITS = 6, 17  # of a value; with the latter every number differs from every other
+
+
+def complete_cases(incomplete: str) -> Sequence[str]:
+    """Complete the key of a solved case, or of all cases of one source."""
+    from assess.results.verification import exercised_by_case
+
+    keys = set(exercised_by_case())
+    return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]
 
 
 def verify(
@@ -58,8 +71,7 @@ def verify(
     """Run solved cases and compare them with their sources.
 
     Writes verification.pdf and verification.html, the annex that NTC 2018 10.2 asks for, verification.json, and the
-    folder `cases` with every input file. Prints a line for each case. The exit code is 1 where one
-    fails.
+    folder `cases` with every input file. Prints a line for each case. The exit code is 1 where one fails.
     """
     begun = time.perf_counter()
     from assess.errors import AssessError
@@ -116,14 +128,12 @@ def _run_cases(
     """Run cases and write what was asked for; all of it or nothing."""
     from dataclasses import replace
 
-    from assess.cli.options import optional_output
-    from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, progress
     from assess.outputs.manifest import VERIFICATION
     from assess.verification.verify import coverage_of, note_scope
     from assess.verification.verify import verify as run_cases
 
-    wanted = (VERIFICATION, "verification.pdf", "verification.html")
-    place = optional_output(folder, command="assess verify", owner=VERIFICATION, wanted=wanted)
+    expected = (VERIFICATION, "verification.pdf", "verification.html")
+    place = optional_output(folder, command="assess verify", owner=VERIFICATION, expected=expected)
     with place as stage, on_interruption(NOTHING_WRITTEN), progress() as shown:
         results = run_cases(chosen, quick=quick, jobs=jobs, progress=shown.count)
         results = note_scope(replace(results, coverage=coverage_of(uses, results.cases)), uses)
@@ -148,27 +158,12 @@ def _run_cases(
 
 def _list_cases(cases: tuple[CaseFile, ...]) -> str:
     """Write the key, standing and title of each case."""
-    from assess.cli.tables import on_one_line
-
     width = max((len(each.key) for each in cases), default=0)
     lines = (f"{each.key:<{width}}  {each.case.source.standing:<14}  {each.case.title}" for each in cases)
     text = "".join(f"{on_one_line(line, WIDEST)}\n" for line in lines)
     if not text:
         sys.stderr.write("assess: note: no case\n")
     return text
-
-
-def complete_cases(incomplete: str) -> Sequence[str]:
-    """Complete the key of a solved case, or of all cases of one source."""
-    from assess.results.verification import exercised_by_case
-
-    keys = set(exercised_by_case())
-    return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]
-
-
-WIDEST = 160  # characters of a line
-MOST_FAILURES = 5  # values that fail, of one case
-DIGITS, MOST_DIGITS = 6, 17  # of a value; with the latter every number differs from every other
 
 
 def verification_text(results: VerificationResults, *, seconds: float) -> str:

@@ -36,7 +36,6 @@ from assess.results.fragility import (
     RiskResult,
     StateResult,
 )
-from assess.results.json import dumps_envelopes
 from assess.results.run import UncertainAnswer, UncertaintyResult
 from reports.render.csv import csv_lines
 
@@ -45,6 +44,21 @@ EXIT_CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
 PROVISIONAL = "with all of this given, and with safe values where they exist, the verdict would be: "
 VERDICT_HEADER = ("verdict", "state", "decided by", "index", "holds up to")
 LINE_WIDTH, LEAST_NAME = 100, 16  # characters of a line, and of the name of a mechanism
+SHOWN_FREQUENCIES = 8  # frequencies in the table for reading
+CURVE_HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
+
+RISK_HEADER = [
+    "mechanism",
+    "state",
+    "curve",
+    "rate [1/year]",
+    "at most",
+    "in 50 years",
+    "with epistemic",
+    "target",
+    "outcome",
+]
+RISK_OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
 
 
 def exit_code(results: Results) -> int:
@@ -58,15 +72,15 @@ def run_text(results: Results) -> str:
     if found is None:
         return "no verdict\n"
     pairs = [(one, answer) for one in found.mechanisms for answer in one.answers]
-    told = relevant_warnings(results.warnings)
-    notes = [each for each in results.warnings if each not in told]
+    warnings = relevant_warnings(results.warnings)
+    notes = [each for each in results.warnings if each not in warnings]
     lines = [
         *_reasons(found),
         *(f"note: {each.where}: {each.text}" for each in notes),
         "",
         *_verdict(found, results.report),
         *(f"condition: {each.text}" for each in found.conditions),
-        *(f"warning: {each.where}: {each.text}" for each in told),
+        *(f"warning: {each.where}: {each.text}" for each in warnings),
         *dict.fromkeys(_remarks(results)),
         *uncertainty_lines(results.uncertainty),
         *_missing(found),
@@ -96,13 +110,13 @@ def _answers_table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]])
 
 
 def _answer_row(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, ...]:
-    holds = "" if one.margin is None else _holds(one.margin, one.margin_most, found.action.pga_g)
+    capacity = "" if one.margin is None else _capacity_text(one.margin, one.margin_most, found.action.pga_g)
     outcome = answer.outcome if len(one.answers) > 1 else one.outcome
-    said = _emphasise(outcome_text(outcome, near=answer.at_the_limit))
-    return (said, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), holds)
+    verdict = _emphasise(outcome_text(outcome, near=answer.at_the_limit))
+    return (verdict, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), capacity)
 
 
-def _holds(margin: float, most: float | None, pga_g: float) -> str:
+def _capacity_text(margin: float, most: float | None, pga_g: float) -> str:
     """Write up to which PGA a mechanism holds: of histories whose numerical spread leaves a range, both ends."""
     if most is None:
         shown = margin_figures(margin, None)
@@ -123,13 +137,12 @@ def _reasons(found: Verdict) -> Iterator[str]:
         for answer in one.answers:
             if answer.outcome != Decision.PASS:
                 names.setdefault(answer.reason.text, {})[on_one_line(one.mechanism, 40)] = None
-    yield from (f"{', '.join(of)}: {text}" for text, of in names.items())
+    yield from (f"{', '.join(mechanisms)}: {text}" for text, mechanisms in names.items())
 
 
 def _verdict(found: Verdict, report: ReportMatter) -> Iterator[str]:
     states = ", ".join(found.limit_states) or "no limit state"
-    said = _emphasise(outcome_text(found.outcome, near=found.at_the_limit))
-    yield f"verdict: {said}"
+    yield f"verdict: {_emphasise(outcome_text(found.outcome, near=found.at_the_limit))}"
     yield f"basis: {found.edition or 'none'}; {states}; site's own action: {action_text(found.action)}"
     if index := building_index_text(found):
         yield f"index: {index}, target {target_text(found) or 'not known'}; local mechanisms only{_unexamined(report)}"
@@ -181,12 +194,12 @@ def uncertainty_lines(found: UncertaintyResult | None) -> Iterator[str]:
 
 def _uncertain_answer(answer: UncertainAnswer) -> str:
     name = on_one_line(escape_text(answer.mechanism), 40)
-    of = f"{name}: {answer.procedure} {answer.limit_state}".strip()
+    check = f"{name}: {answer.procedure} {answer.limit_state}".strip()
     if answer.probability is None or answer.interval is None:
-        return f"{of}: not answered in any sample"
+        return f"{check}: not answered in any sample"
     low, high = (f"{100.0 * each:.3g}" for each in answer.interval)
     without = f", {answer.unanswered} not answered" if answer.unanswered else ""
-    share = f"{of}: fails in {100.0 * answer.probability:.3g} % of samples ({low} to {high} %)"
+    share = f"{check}: fails in {100.0 * answer.probability:.3g} % of samples ({low} to {high} %)"
     return f"{share}{without}{_main_influence(answer)}"
 
 
@@ -197,9 +210,6 @@ def _main_influence(answer: UncertainAnswer) -> str:
         return ""
     share, group = max(known)
     return f"; most by {on_one_line(escape_text(group), 40)} (share {share:.2g})"
-
-
-SHOWN_FREQUENCIES = 8  # frequencies in the table for reading
 
 
 def envelopes_table(results: Results) -> str:
@@ -240,27 +250,6 @@ def envelopes_csv(results: Results) -> str:
     return csv_lines(rows)
 
 
-def envelopes_json(results: Results) -> str:
-    """Write the envelopes by mechanism and the critical mechanisms as in results.json."""
-    return dumps_envelopes(results)
-
-
-CURVE_HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
-
-RISK_HEADER = [
-    "mechanism",
-    "state",
-    "curve",
-    "rate [1/year]",
-    "at most",
-    "in 50 years",
-    "with epistemic",
-    "target",
-    "outcome",
-]
-RISK_OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
-
-
 def fragility_table(results: FragilityResults) -> str:
     """Write median and dispersion of each curve, the rates where the hazard is known, and the messages."""
     rows = [_curve_row(each, curve) for each in results.mechanisms for curve in each.curves]
@@ -269,21 +258,21 @@ def fragility_table(results: FragilityResults) -> str:
     if risks:
         tables.append(text_table(RISK_HEADER, risks))
     notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
-    said = (note for each in results.mechanisms for note in _fragility_notes(each))
-    return "\n".join(tables) + messages_text((*results.warnings, *notes, *said))
+    of_curves = (note for each in results.mechanisms for note in _fragility_notes(each))
+    return "\n".join(tables) + messages_text((*results.warnings, *notes, *of_curves))
 
 
 def _fragility_notes(mechanism: MechanismFragility) -> Iterator[Message]:
-    """Yield what is told of the curves and of the rates, once for all measures that it is told of."""
-    told: list[tuple[StateResult, Message, list[str]]] = []
-    found: tuple[FragilityCurve | RiskResult, ...] = (*mechanism.curves, *mechanism.risks)
-    for one in found:
+    """Yield the notes on the curves and on the rates, each once with all measures that it is about."""
+    grouped: list[tuple[StateResult, Message, list[str]]] = []
+    curves: tuple[FragilityCurve | RiskResult, ...] = (*mechanism.curves, *mechanism.risks)
+    for one in curves:
         for note in one.notes:
-            measures = next((each[2] for each in told if each[:2] == (one.state, note)), None)
+            measures = next((each[2] for each in grouped if each[:2] == (one.state, note)), None)
             if measures is None:
-                told.append((one.state, note, measures := []))
+                grouped.append((one.state, note, measures := []))
             measures.append(measure_name(one.measure))
-    for state, note, measures in told:
+    for state, note, measures in grouped:
         yield from locate([note], f"mechanisms.{mechanism.name}, {state_name(state)} by {', '.join(measures)}")
 
 

@@ -115,8 +115,8 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
         procedure=DMI2008_LINEAR.name,
         capacity=a0,
         demands=demands,
-        needs=Term("T1 of the building"),
-        uplift=uplift_on_floor(branch, context, confidence_factor=FC),
+        period_needed=Term("T1 of the building"),
+        uplift_pga=uplift_on_floor(branch, context, confidence_factor=FC),
         damping=DAMPING,
         steps=(
             *activation_steps(case, EDITION),
@@ -194,25 +194,25 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
     FC, context = case.confidence.factor, case.context
     cap = capacity_of(case.curves, confidence_factor=FC)
     lifts = uplift_on_floor(case.curves.starting, context, confidence_factor=FC)
-    answer = DisplacementAnalysis(
-        ultimate=cap.du,
+    analysis = DisplacementAnalysis(
+        ultimate_displacement=cap.du,
         symbol="d_u*",
-        collapse=cap.d0,
-        e=cap.e,
-        needs=message("period-or-building", {"symbol": "T_s", "period": Quantity(cap.Ts, "time")}),
-        wanted=displacement_demands(context, cap.Ts),
-        starts=lifts or 0.0,
-        still=0.0,
-        uplift=lifts,
+        collapse_displacement=cap.d0,
+        participation_ratio=cap.e,
+        period_needed=message("period-or-building", {"symbol": "T_s", "period": Quantity(cap.Ts, "time")}),
+        demand_per_pga=displacement_demands(context, cap.Ts),
+        activation_pga=lifts or 0.0,
+        elastic_displacement_per_pga=0.0,
+        uplift_pga=lifts,
         conditions=(*break_conditions(case.curves), *seat_conditions(context, case.curves, case.state, cap.du)),
     )
     steps = (
         *activation_steps(case, EDITION),
         *_capacity_steps(case, cap),
-        *_displacement_demand_steps(case, cap, answer),
+        *_displacement_demand_steps(case, cap, analysis),
     )
     return displacement_check(
-        case, answer, EDITION, procedure=DMI2008_NONLINEAR.name, damping=DAMPING, rule="", steps=steps
+        case, analysis, EDITION, procedure=DMI2008_NONLINEAR.name, damping=DAMPING, rule="", steps=steps
     )
 
 
@@ -240,7 +240,8 @@ def _capacity_steps(case: LimitStateCase, cap: Dmi2008Capacity) -> tuple[Step, .
     of_ds: Given = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
     of_Ts = {"d_s*": (cap.ds, "m"), "a_s*": (cap.as_, "m/s2")}
     return (
-        *displacement_capacity_steps(case.curves, cap.threshold, DISPLACEMENT_LIMIT, "d_u*", "ultimate displacement"),
+        *displacement_capacity_steps(case.curves, cap.displacements, DISPLACEMENT_LIMIT, "d_u*",
+                                     "ultimate displacement"),
         step("d_s*", "secant displacement, k = 0.4", NONLINEAR_CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
         *curve_steps(case, NONLINEAR_CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended",
                      moved=cap.ds, argument="d_s*"),
@@ -249,10 +250,10 @@ def _capacity_steps(case: LimitStateCase, cap: Dmi2008Capacity) -> tuple[Step, .
 
 
 def _displacement_demand_steps(
-    case: LimitStateCase, cap: Dmi2008Capacity, answer: DisplacementAnalysis
+    case: LimitStateCase, cap: Dmi2008Capacity, analysis: DisplacementAnalysis
 ) -> tuple[Step, ...]:
-    wanted, demanded, spectrum = answer.wanted, answer.demand(case.pga), case.context.spectrum
-    if wanted is None or demanded is None:
+    per_pga, demand, spectrum = analysis.demand_per_pga, analysis.demand(case.pga), case.context.spectrum
+    if per_pga is None or demand is None:
         return ()
     scale = case.pga / spectrum.pga
     spectral = float(spectrum.acceleration(cap.Ts, damping=DAMPING)) * scale
@@ -260,7 +261,7 @@ def _displacement_demand_steps(
     words = "elastic spectrum, 5 %"
     steps = [
         step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", at=at),
-        ground_step(case, NONLINEAR_CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=wanted.ground * case.pga),
+        ground_step(case, NONLINEAR_CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=per_pga.ground * case.pga),
     ]
     floor = floor_of(case.context)
     if floor is not None:
@@ -270,9 +271,9 @@ def _displacement_demand_steps(
         formula = "S_De(T1) · ψ · γ · (r)² / √((1 − r)² + 0.02 · r)"
         steps += [
             step("r", "period over the first mode's", "C8A.4.2.3", "T_s / T1", cap.Ts / floor.T1, given=shape),
-            step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, wanted.floor * case.pga, "m", given=given),
+            step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, per_pga.floor * case.pga, "m", given=given),
         ]
-    return (*steps, displacement_ratio_step(answer, NONLINEAR_CLAUSE, demanded=demanded))
+    return (*steps, displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
 
 
 @dataclass(frozen=True)
@@ -284,17 +285,17 @@ class Dmi2008Capacity:
     ds: float
     as_: float
     Ts: float
-    threshold: DisplacementCapacity
+    displacements: DisplacementCapacity
 
     @property
     def d0(self) -> float:
         """d0* [m], of the actions shown to last."""
-        return self.threshold.collapse
+        return self.displacements.collapse
 
     @property
     def du(self) -> float:
         """du* [m]."""
-        return self.threshold.moved
+        return self.displacements.displacement
 
 
 def capacity_of(curves: BranchCurves, *, confidence_factor: float) -> Dmi2008Capacity:
@@ -312,12 +313,12 @@ def capacity_of(curves: BranchCurves, *, confidence_factor: float) -> Dmi2008Cap
     -------
     Capacity
     """
-    mass, FC, threshold = curves.mass, confidence_factor, displacement_capacity(curves, DISPLACEMENT_LIMIT)
-    ds = ULTIMATE * threshold.moved
+    mass, FC, capacity = curves.mass, confidence_factor, displacement_capacity(curves, DISPLACEMENT_LIMIT)
+    ds = ULTIMATE * capacity.displacement
     as_ = acceleration_at(curves.breaking, ds, mass=mass, confidence_factor=FC)
     a0 = activation(curves.starting, mass=mass, confidence_factor=FC)
     e = participation_ratio(curves.lasting, mass=mass)
-    return Dmi2008Capacity(e, a0, ds, as_, float(2 * np.pi * np.sqrt(ds / as_)), threshold)
+    return Dmi2008Capacity(e, a0, ds, as_, float(2 * np.pi * np.sqrt(ds / as_)), capacity)
 
 
 def ground_displacement(context: Context, Ts: float) -> float:

@@ -166,12 +166,12 @@ def _check(
     confidence: ConfidenceFactor,
 ) -> Check:
     curves, limit, FC = branch_curves(oscillator, context, found.suite.branch), rule.limits[state], confidence.factor
-    threshold, branch = displacement_capacity(curves, limit), curves.lasting
+    capacity, branch = displacement_capacity(curves, limit), curves.lasting
     lifts = uplift_multiplier(context.starting or oscillator, linearised=context.linearised)
     at_collapse = None if holds_to.sure is None else holds_to.sure / FC
     spread = numerical_spread(found.suite, measure_of(oscillator, context, limit), holds_to, FC=FC)
     verdict, reason, remarks = with_spread(*_history_outcome(found, state=state), spread)
-    moved = threshold.moved * participation_ratio(branch, mass=curves.mass)
+    moved = capacity.displacement * participation_ratio(branch, mass=curves.mass)
     return Check(
         procedure=rule.procedure,
         edition=rule.edition.name,
@@ -182,15 +182,15 @@ def _check(
         damping=None,
         quantity="largest d*" if found.uses_largest else "mean d*",
         unit="m",
-        demand=None if found.governing_ratio is None else found.governing_ratio * threshold.moved,
-        capacity=threshold.moved,
+        demand=None if found.governing_ratio is None else found.governing_ratio * capacity.displacement,
+        capacity=capacity.displacement,
         ratio=found.governing_ratio,
         verdict=verdict,
         reason=reason,
         remarks=fails_below(at_collapse, found.pga / g) if verdict == Outcome.PASS else remarks,
         conditions=(
             *scan_conditions(context.incremental),
-            *(seat_conditions(context, curves, state, threshold.moved) if state == "SLV" else ()),
+            *(seat_conditions(context, curves, state, capacity.displacement) if state == "SLV" else ()),
         ),
         capacity_pga_g=at_collapse,
         uplift_pga_g=None if lifts is None else lifts / context.amplification / FC,
@@ -200,9 +200,9 @@ def _check(
         steps=(
             pga_step(context, state=state, level=level, pga=found.pga),
             confidence_step(confidence, rule.edition),
-            *displacement_capacity_steps(curves, threshold, limit, f"d_{state}", "displacement capacity"),
+            *displacement_capacity_steps(curves, capacity, limit, f"d_{state}", "displacement capacity"),
             *_record_steps(found, rule, FC=FC),
-            *_ratio_steps(found, rule, curves, threshold, state=state),
+            *_ratio_steps(found, rule, curves, capacity, state=state),
             *spread_steps(spread, at_collapse),
         ),
         numerical=spread,
@@ -265,14 +265,14 @@ def _farthest_step(found: SuiteDisplacements, rule: HistoryRule) -> Step:
 
 
 def _ratio_steps(
-    found: SuiteDisplacements, rule: HistoryRule, curves: BranchCurves, threshold: DisplacementCapacity, *, state: str
+    found: SuiteDisplacements, rule: HistoryRule, curves: BranchCurves, capacity: DisplacementCapacity, *, state: str
 ) -> tuple[Step, ...]:
     """Write the governing ratio: each record by the d_LS of its branch."""
     ratio = _governing_step(found, rule, f"d / d_{state}")
     if found.governing_ratio is None:
         return (ratio,)
-    given: Given = {f"d / d_{state}": found.governing_ratio, f"d_{state}": (threshold.moved, "m")}
-    said, value = DEMAND_AT[curves.name], found.governing_ratio * threshold.moved
+    given: Given = {f"d / d_{state}": found.governing_ratio, f"d_{state}": (capacity.displacement, "m")}
+    said, value = DEMAND_AT[curves.name], found.governing_ratio * capacity.displacement
     return ratio, step("d", said, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)
 
 
@@ -355,11 +355,11 @@ def run_ratios(
         if not here.any():
             continue
         curves = branch_curves(oscillator, context, name)
-        threshold, branch = displacement_capacity(curves, limit), curves.lasting
+        capacity, branch = displacement_capacity(curves, limit), curves.lasting
         rotation = np.append(runs.ratio[here] * branch.overturning, branch.unstable)
         moved = displacement(branch, rotation, mass=1.0)
         of_collapse[here] = moved[:-1] / moved[-1]
-        of_limit[here] = of_collapse[here] * threshold.collapse / threshold.moved
+        of_limit[here] = of_collapse[here] * capacity.collapse / capacity.displacement
     return of_collapse, of_limit
 
 

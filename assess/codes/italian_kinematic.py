@@ -54,8 +54,8 @@ def acceleration_check(
     procedure: str,
     capacity: float,
     demands: Demands | None,
-    needs: Term,
-    uplift: float | None,
+    period_needed: Term,
+    uplift_pga: float | None,
     damping: float,
     steps: tuple[Step, ...],
 ) -> Check:
@@ -67,8 +67,8 @@ def acceleration_check(
     edition : how it is cited
     procedure : its name
     capacity : a0* [m/s2]
-    demands : [m/s2]; None where the spectrum ends before a period that it `needs`
-    uplift : PGA at uplift [m/s2]
+    demands : [m/s2]; None where the spectrum ends before a period that is needed, `period_needed`
+    uplift_pga : PGA at uplift [m/s2]
     damping : of the demand [-]
     steps : the calculation sheet
 
@@ -76,8 +76,8 @@ def acceleration_check(
     -------
     Check
     """
-    demanded = None if demands is None else demands.largest
-    verdict, reason = _acceleration_outcome(case, demanded, capacity, needs=needs)
+    demand = None if demands is None else demands.largest
+    verdict, reason = _acceleration_outcome(case, demand, capacity, period_needed=period_needed)
     return Check(
         procedure=procedure,
         edition=edition.name,
@@ -88,13 +88,13 @@ def acceleration_check(
         damping=damping,
         quantity="acceleration",
         unit="m/s2",
-        demand=demanded,
+        demand=demand,
         capacity=capacity,
-        ratio=None if demanded is None else demanded / capacity,
+        ratio=None if demand is None else demand / capacity,
         verdict=verdict,
         reason=reason,
-        capacity_pga_g=None if demanded is None else case.pga * capacity / demanded / g,
-        uplift_pga_g=None if uplift is None else uplift / g,
+        capacity_pga_g=None if demand is None else case.pga * capacity / demand / g,
+        uplift_pga_g=None if uplift_pga is None else uplift_pga / g,
         steps=steps,
         **caveats_of(edition.caveat),
         conditions=_acceleration_conditions(case) if verdict == Outcome.PASS else (),
@@ -103,19 +103,18 @@ def acceleration_check(
 
 def _acceleration_conditions(case: LimitStateCase) -> tuple[Message, ...]:
     """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
-    shown = case.curves.lasting
-    if linear_multiplier(case.curves.starting) <= linear_multiplier(shown) * (1.0 + 1e-9):
+    if linear_multiplier(case.curves.starting) <= linear_multiplier(case.curves.lasting) * (1.0 + 1e-9):
         return ()
     return (message("counts-at-rest", severity=Severity.WARNING),)
 
 
 def _acceleration_outcome(
-    case: LimitStateCase, demanded: float | None, capacity: float, *, needs: Term
+    case: LimitStateCase, demand: float | None, capacity: float, *, period_needed: Term
 ) -> tuple[Outcome, Message]:
-    if demanded is None:
+    if demand is None:
         end = Quantity(case.context.spectrum.longest_period, "time")
-        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=needs, end=end)
-    verdict = outcome_of(demanded / capacity)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=period_needed, end=end)
+    verdict = outcome_of(demand / capacity)
     return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
 
 
@@ -129,42 +128,46 @@ def acceleration_ratio_steps(clause: str, demands: Demands | None, *, capacity: 
 
 @dataclass(frozen=True)
 class DisplacementAnalysis:
-    """What an edition finds of one case.
+    """Capacity and demand of one case, as an edition finds them; displacements are spectral, d*.
 
-    ultimate : displacement capacity d* [m], written `symbol`; collapse : d0* [m]; e : e* [-]
-    wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends too early for it
-    needs : longest period at which the spectrum is read
+    ultimate_displacement : capacity [m], written `symbol`; collapse_displacement : d0* [m]
+    participation_ratio : e* [-]
+    demand_per_pga : displacement for each m/s2 of PGA [s2]; None where the spectrum ends too early for it
+    period_needed : the longest period at which the spectrum is read
+    activation_pga : PGA up to which the mechanism does not rock [m/s2]
+    elastic_displacement_per_pga : its displacement until then, for each m/s2 of PGA [s2]
+    uplift_pga : PGA at uplift [m/s2]; None on joints without a threshold
     conditions : what a pass rests on
-    starts : PGA [m/s2] up to which the mechanism does not rock, and its displacement there for each m/s2 of PGA [s2]
-    uplift : PGA at uplift [m/s2], None on joints without a threshold
     """
 
-    ultimate: float
+    ultimate_displacement: float
     symbol: str
-    collapse: float
-    e: float
-    needs: Message
-    wanted: Demands | None
-    starts: float
-    still: float
-    uplift: float | None
+    collapse_displacement: float
+    participation_ratio: float
+    demand_per_pga: Demands | None
+    period_needed: Message
+    activation_pga: float
+    elastic_displacement_per_pga: float
+    uplift_pga: float | None
     conditions: tuple[Message, ...] = ()
 
     @property
-    def before(self) -> float:
-        """Displacement d* at which the mechanism begins to rock [m]."""
-        return self.starts * self.still
+    def activation_displacement(self) -> float:
+        """Displacement at which the mechanism begins to rock [m]."""
+        return self.activation_pga * self.elastic_displacement_per_pga
 
     def demand(self, pga: float) -> float | None:
         """Return d* [m] at `pga` [m/s2], rocking no less than before; None where the spectrum ends too early."""
-        if self.wanted is None:
+        if self.demand_per_pga is None:
             return None
-        return pga * self.still if pga <= self.starts else max(pga * self.wanted.largest, self.before)
+        if pga <= self.activation_pga:
+            return pga * self.elastic_displacement_per_pga
+        return max(pga * self.demand_per_pga.largest, self.activation_displacement)
 
 
 def displacement_check(
     case: LimitStateCase,
-    answer: DisplacementAnalysis,
+    analysis: DisplacementAnalysis,
     edition: ItalianEdition,
     *,
     procedure: str,
@@ -173,36 +176,38 @@ def displacement_check(
     steps: tuple[Step, ...],
 ) -> Check:
     """Make the check of one case; damping [-] of the demand, by the spectrum's `rule`."""
-    branch, mass, demanded = case.curves.lasting, case.curves.mass, answer.demand(case.pga)
+    branch, mass, demand = case.curves.lasting, case.curves.mass, analysis.demand(case.pga)
     rotation = None
-    if demanded is not None and demanded < answer.collapse:
-        rotation = rotation_at(branch, demanded * answer.e, mass=mass)
-    allowable = rotation_at(branch, answer.ultimate * answer.e, mass=mass)
-    verdict, reason = _displacement_outcome(case, answer, demanded)
-    wanted = answer.wanted
+    if demand is not None and demand < analysis.collapse_displacement:
+        rotation = rotation_at(branch, demand * analysis.participation_ratio, mass=mass)
+    allowable = rotation_at(branch, analysis.ultimate_displacement * analysis.participation_ratio, mass=mass)
+    verdict, reason = _displacement_outcome(case, analysis, demand)
+    per_pga = analysis.demand_per_pga
     return Check(
         procedure=procedure,
         edition=edition.name,
         branch=case.curves.name,
         limit_state=case.state,
         level_pga_g=case.level / g,
-        input_at="ground" if wanted is None else wanted.at,
+        input_at="ground" if per_pga is None else per_pga.at,
         damping=damping,
         damping_rule=rule,
         quantity="d*",
         unit="m",
-        demand=demanded,
-        capacity=answer.ultimate,
-        ratio=None if demanded is None else demanded / answer.ultimate,
+        demand=demand,
+        capacity=analysis.ultimate_displacement,
+        ratio=None if demand is None else demand / analysis.ultimate_displacement,
         verdict=verdict,
         reason=reason,
-        capacity_pga_g=None if wanted is None else max(answer.ultimate / wanted.largest, answer.starts) / g,
-        uplift_pga_g=None if answer.uplift is None else answer.uplift / g,
+        capacity_pga_g=None
+        if per_pga is None
+        else max(analysis.ultimate_displacement / per_pga.largest, analysis.activation_pga) / g,
+        uplift_pga_g=None if analysis.uplift_pga is None else analysis.uplift_pga / g,
         capacity_rotation_ratio=allowable / branch.overturning,
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
-        pga_curve=_displacement_pga_curve(case, answer),
+        pga_curve=_displacement_pga_curve(case, analysis),
         steps=steps,
-        conditions=answer.conditions,
+        conditions=analysis.conditions,
         **caveats_of(edition.caveat),
     )
 
@@ -219,36 +224,41 @@ def ground_step(
     return step(name, words, case.context.spectrum.clause, "displacement spectrum, T > T_E", moved, "m", at=at)
 
 
-def displacement_ratio_step(answer: DisplacementAnalysis, clause: str, *, demanded: float) -> Step:
+def displacement_ratio_step(analysis: DisplacementAnalysis, clause: str, *, demand: float) -> Step:
     """Write the last line of the sheet."""
-    held = "no less than as it begins to rock" if demanded == answer.before else ""
-    remark = held if demanded else "no motion below uplift"
-    symbol, given = f"D / {answer.symbol}", {"D": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
-    return step(symbol, "ratio", clause, symbol, demanded / answer.ultimate, given=given, remark=remark)
+    rising = "no less than as it begins to rock" if demand == analysis.activation_displacement else ""
+    remark = rising if demand else "no motion below uplift"
+    symbol, given = (
+        f"D / {analysis.symbol}",
+        {"D": (demand, "m"), analysis.symbol: (analysis.ultimate_displacement, "m")},
+    )
+    return step(symbol, "ratio", clause, symbol, demand / analysis.ultimate_displacement, given=given, remark=remark)
 
 
-def _displacement_pga_curve(case: LimitStateCase, answer: DisplacementAnalysis) -> PgaCurve:
+def _displacement_pga_curve(case: LimitStateCase, analysis: DisplacementAnalysis) -> PgaCurve:
     """Return PGA over rotation: the demand is proportional to PGA, as the period does not change with it."""
-    wanted, branch = answer.wanted, case.curves.lasting
-    if wanted is None:
+    per_pga, branch = analysis.demand_per_pga, case.curves.lasting
+    if per_pga is None:
         return PgaCurve((), ())
 
     def pga_of(rotation: FloatArray) -> FloatArray:
-        return displacement(branch, rotation, mass=case.curves.mass) / (answer.e * wanted.largest)
+        return displacement(branch, rotation, mass=case.curves.mass) / (analysis.participation_ratio * per_pga.largest)
 
-    return to_pga_curve(pga_rotation(pga_of, overturning=branch.unstable, uplift=answer.starts), branch)
+    return to_pga_curve(pga_rotation(pga_of, overturning=branch.unstable, uplift=analysis.activation_pga), branch)
 
 
 def _displacement_outcome(
-    case: LimitStateCase, answer: DisplacementAnalysis, demanded: float | None
+    case: LimitStateCase, analysis: DisplacementAnalysis, demand: float | None
 ) -> tuple[Outcome, Message]:
-    if demanded is None:
+    if demand is None:
         end = Quantity(case.context.spectrum.longest_period, "time")
-        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=answer.needs, end=end)
-    if demanded == 0.0:
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=analysis.period_needed, end=end)
+    if demand == 0.0:
         return Outcome.PASS, reason_message(Reason.NO_ROCKING)
-    verdict = outcome_of(demanded / answer.ultimate)
-    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=answer.symbol)
+    verdict = outcome_of(demand / analysis.ultimate_displacement)
+    return verdict, reason_message(
+        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=analysis.symbol
+    )
 
 
 LOSS = 0.5  # of the largest acceleration capacity
@@ -268,7 +278,7 @@ class LocalDisplacement:
     """A local limit that counts: its displacement [m], and for a break lambda just after and the largest lambda [-]."""
 
     limit: LocalLimit
-    moved: float
+    displacement: float
     after: float = 0.0
     largest: float = 0.0
 
@@ -277,37 +287,37 @@ class LocalDisplacement:
 class DisplacementCapacity:
     """d_LS and d0* [m], and the local limits that count."""
 
-    moved: float
+    displacement: float
     collapse: float
-    locals: tuple[LocalDisplacement, ...]
+    local_limits: tuple[LocalDisplacement, ...]
 
 
-def displacement_capacity(curves: BranchCurves, rule: DisplacementLimit) -> DisplacementCapacity:
+def displacement_capacity(curves: BranchCurves, limit: DisplacementLimit) -> DisplacementCapacity:
     """Return the displacement capacity of one branch: the least of the share of d0*, the breaks and the seats.
 
     Parameters
     ----------
     curves : the branch by the actions in it, with its local limits
-    rule : of the limit state
+    limit : of the limit state
 
     Returns
     -------
-    Threshold
+    DisplacementCapacity
     """
     collapse = displacement_at_collapse(curves.lasting, mass=curves.mass)
-    found = tuple(_local_displacements(curves, rule))
-    return DisplacementCapacity(min([rule.share * collapse, *(each.moved for each in found)]), collapse, found)
+    found = tuple(_local_displacements(curves, limit))
+    return DisplacementCapacity(min([limit.share * collapse, *(each.displacement for each in found)]), collapse, found)
 
 
-def _local_displacements(curves: BranchCurves, rule: DisplacementLimit) -> Iterator[LocalDisplacement]:
-    for limit in curves.limits:
-        moved = displacement_at(curves.lasting, limit.rotation, mass=curves.mass)
-        if limit.kind == "seat":
-            yield LocalDisplacement(limit, moved)
-        elif rule.breaks:
-            after, largest = _multipliers_at_break(curves.breaking, limit.rotation)
+def _local_displacements(curves: BranchCurves, limit: DisplacementLimit) -> Iterator[LocalDisplacement]:
+    for local in curves.limits:
+        displacement = displacement_at(curves.lasting, local.rotation, mass=curves.mass)
+        if local.kind == "seat":
+            yield LocalDisplacement(local, displacement)
+        elif limit.breaks:
+            after, largest = _multipliers_at_break(curves.breaking, local.rotation)
             if after < LOSS * largest:
-                yield LocalDisplacement(limit, moved, after, largest)
+                yield LocalDisplacement(local, displacement, after, largest)
 
 
 def _multipliers_at_break(branch: Branch, rotation: float) -> tuple[float, float]:
@@ -319,18 +329,18 @@ def _multipliers_at_break(branch: Branch, rotation: float) -> tuple[float, float
 
 
 def displacement_capacity_steps(
-    curves: BranchCurves, threshold: DisplacementCapacity, rule: DisplacementLimit, symbol: str, words: str
+    curves: BranchCurves, capacity: DisplacementCapacity, limit: DisplacementLimit, symbol: str, words: str
 ) -> tuple[Step, ...]:
     """Write d0*, the local limits that count, and d_LS named `symbol`."""
-    steps = [*collapse_steps(curves.lasting, rule.clause, mass=curves.mass)]
-    terms, given = [f"{rule.share:g} · d0*"], {"d0*": (threshold.collapse, "m")}
-    for number, each in enumerate(threshold.locals, 1):
+    steps = [*collapse_steps(curves.lasting, limit.clause, mass=curves.mass)]
+    terms, given = [f"{limit.share:g} · d0*"], {"d0*": (capacity.collapse, "m")}
+    for number, each in enumerate(capacity.local_limits, 1):
         name = f"d_{each.limit.kind}{number}"
-        steps += _local_steps(curves, each, name, rule.clause)
+        steps += _local_steps(curves, each, name, limit.clause)
         terms.append(name)
-        given[name] = (each.moved, "m")
+        given[name] = (each.displacement, "m")
     formula = terms[0] if len(terms) == 1 else f"min({', '.join(terms)})"
-    return *steps, step(symbol, words, rule.clause, formula, threshold.moved, "m", given=given)
+    return *steps, step(symbol, words, limit.clause, formula, capacity.displacement, "m", given=given)
 
 
 def _local_steps(curves: BranchCurves, each: LocalDisplacement, name: str, clause: str) -> Iterator[Step]:

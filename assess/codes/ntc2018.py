@@ -105,8 +105,8 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
         procedure=NTC2018_LINEAR.name,
         capacity=a0,
         demands=demands,
-        needs=Term("T0 or T1 of the building"),
-        uplift=uplift_on_floor(branch, context, confidence_factor=FC),
+        period_needed=Term("T0 or T1 of the building"),
+        uplift_pga=uplift_on_floor(branch, context, confidence_factor=FC),
         damping=ELASTIC_DAMPING,
         steps=(
             *activation_steps(case, EDITION),
@@ -215,28 +215,30 @@ NTC2018_NONLINEAR = CodeProcedure(
 
 @dataclass(frozen=True)
 class CapacityAndDemands:
-    """What a case is worked out from: capacity, first modes, demands over PGA of acceleration and displacement."""
+    """Capacity and first modes of one case, and its demands over PGA: of acceleration and of displacement."""
 
     capacity: Ntc2018Capacity
     modes: FirstModes | None
-    over_pga: Demands | None
-    wanted: Demands | None
+    acceleration_per_pga: Demands | None
+    displacement_per_pga: Demands | None
 
 
 def _nonlinear_check(case: LimitStateCase) -> Check:
-    worked = _capacity_and_demands(case)
-    cap, answer = worked.capacity, _displacement_analysis(case, worked)
+    derived = _capacity_and_demands(case)
+    cap, analysis = derived.capacity, _displacement_analysis(case, derived)
     steps = (
         *activation_steps(case, EDITION),
         *period_steps(case, T0=cap.T0),
-        *share_steps(case, worked.modes),
-        *acceleration_demand_steps(case, worked.modes, worked.over_pga, T0=cap.T0, a0=cap.a0, symbol=AT_ACTIVATION),
+        *share_steps(case, derived.modes),
+        *acceleration_demand_steps(
+            case, derived.modes, derived.acceleration_per_pga, T0=cap.T0, a0=cap.a0, symbol=AT_ACTIVATION
+        ),
         *_nonlinear_capacity_steps(case, cap),
-        *_displacement_steps(case, worked, answer),
+        *_displacement_steps(case, derived, analysis),
     )
     damping, rule = ULTIMATE[case.state].damping, case.context.spectrum.damping_rule
     return displacement_check(
-        case, answer, EDITION, procedure=NTC2018_NONLINEAR.name, damping=damping, rule=rule, steps=steps
+        case, analysis, EDITION, procedure=NTC2018_NONLINEAR.name, damping=damping, rule=rule, steps=steps
     )
 
 
@@ -244,29 +246,29 @@ def _capacity_and_demands(case: LimitStateCase) -> CapacityAndDemands:
     context, T0 = case.context, period_before_uplift(case.curves.starting, case.context)
     modes, damping = ultimate_modes(context, case.state), ULTIMATE[case.state].damping
     cap = capacity_of(case.curves, state=case.state, confidence_factor=case.confidence.factor, T0=T0)
-    wanted = displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
-    return CapacityAndDemands(cap, modes, acceleration_demands(context, modes, T0=T0), wanted)
+    per_pga = displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
+    return CapacityAndDemands(cap, modes, acceleration_demands(context, modes, T0=T0), per_pga)
 
 
-def _displacement_analysis(case: LimitStateCase, worked: CapacityAndDemands) -> DisplacementAnalysis:
-    """Make the answer: below a_g,SLD the element moves elastically with T0, or, if rigid, not at all."""
-    cap, over_pga = worked.capacity, worked.over_pga
+def _displacement_analysis(case: LimitStateCase, derived: CapacityAndDemands) -> DisplacementAnalysis:
+    """Return capacity and demand: below a_g,SLD the element moves elastically with T0, or, if rigid, not at all."""
+    cap, over_pga = derived.capacity, derived.acceleration_per_pga
     if over_pga is None:
         activated = elastic = 0.0
     else:
         activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
-    symbol, longest = f"T_{case.state}", longest_period_used(worked.modes, cap.T)
+    symbol, longest = f"T_{case.state}", longest_period_used(derived.modes, cap.T)
     at = Quantity(longest, "time")
     return DisplacementAnalysis(
-        ultimate=cap.d,
+        ultimate_displacement=cap.d,
         symbol=f"d_{case.state}",
-        collapse=cap.d0,
-        e=cap.e,
-        needs=message("period-of" if longest == cap.T else "period-or-floor", {"symbol": symbol, "period": at}),
-        wanted=worked.wanted,
-        starts=activated if elastic * activated <= cap.d else 0.0,
-        still=elastic,
-        uplift=uplift_on_floor(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
+        collapse_displacement=cap.d0,
+        participation_ratio=cap.e,
+        period_needed=message("period-of" if longest == cap.T else "period-or-floor", {"symbol": symbol, "period": at}),
+        demand_per_pga=derived.displacement_per_pga,
+        activation_pga=activated if elastic * activated <= cap.d else 0.0,
+        elastic_displacement_per_pga=elastic,
+        uplift_pga=uplift_on_floor(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
         conditions=(
             *break_conditions(case.curves),
             *(seat_conditions(case.context, case.curves, case.state, cap.d) if case.state == "SLV" else ()),
@@ -284,77 +286,77 @@ def _nonlinear_capacity_steps(case: LimitStateCase, cap: Ntc2018Capacity) -> tup
         curve = (step(a, words, "C8.7.1.6", formula, cap.a, "m/s2", given=given),)
     formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
-        *displacement_capacity_steps(case.curves, cap.threshold, ultimate.rule, d, "displacement capacity"),
+        *displacement_capacity_steps(case.curves, cap.displacements, ultimate.rule, d, "displacement capacity"),
         *curve,
         step(f"T_{state}", "secant period", ultimate.clause, formula, cap.T, "s", given=given),
     )
 
 
 def _displacement_steps(
-    case: LimitStateCase, worked: CapacityAndDemands, answer: DisplacementAnalysis
+    case: LimitStateCase, derived: CapacityAndDemands, analysis: DisplacementAnalysis
 ) -> tuple[Step, ...]:
-    wanted, demanded, spectrum = answer.wanted, answer.demand(case.pga), case.context.spectrum
-    if wanted is None or demanded is None:
+    per_pga, demand, spectrum = analysis.demand_per_pga, analysis.demand(case.pga), case.context.spectrum
+    if per_pga is None or demand is None:
         return ()
-    cap, damping, symbol = worked.capacity, ULTIMATE[case.state].damping, f"T_{case.state}"
+    cap, damping, symbol = derived.capacity, ULTIMATE[case.state].damping, f"T_{case.state}"
     T = ground_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
     spectral = float(spectrum.acceleration(T, damping=damping)) * case.pga / spectrum.pga
-    said = "elastic spectrum, damped as the mechanism"
+    ordinate_words = "elastic spectrum, damped as the mechanism"
     at: Given = {"T": (T, "s"), "ξ": damping, "PGA": (case.pga, "m/s2")}
-    asked = "period from T0 to the secant one of the largest S_De"
+    period_words = "period from T0 to the secant one of the largest S_De"
     between: Given = {"T0": (cap.T0, "s"), symbol: (cap.T, "s")}
     steps = [
-        step("T", asked, NONLINEAR_CLAUSE, "T0 ≤ T ≤ T_LS", T, "s", at=between),
-        step("S_e(T)", said, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", at=at),
-        ground_step(case, NONLINEAR_CLAUSE, "T", T, ordinate=spectral, moved=wanted.ground * case.pga),
-        *_floor_displacement_steps(case, worked, symbol, damping=damping),
+        step("T", period_words, NONLINEAR_CLAUSE, "T0 ≤ T ≤ T_LS", T, "s", at=between),
+        step("S_e(T)", ordinate_words, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", at=at),
+        ground_step(case, NONLINEAR_CLAUSE, "T", T, ordinate=spectral, moved=per_pga.ground * case.pga),
+        *_floor_displacement_steps(case, derived, symbol, damping=damping),
     ]
-    return (*steps, displacement_ratio_step(answer, NONLINEAR_CLAUSE, demanded=demanded))
+    return (*steps, displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
 
 
 def _floor_displacement_steps(
-    case: LimitStateCase, worked: CapacityAndDemands, symbol: str, *, damping: float
+    case: LimitStateCase, derived: CapacityAndDemands, symbol: str, *, damping: float
 ) -> tuple[Step, ...]:
     """Write the floor's demand under the worst first mode, with its lower bound, and at 20 %; nothing at the ground."""
-    modes, cap = worked.modes, worked.capacity
+    modes, cap = derived.modes, derived.capacity
     if modes is None:
         return ()
-    asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
-    T = (symbol, asked.period) if asked.period == cap.T else ("T_d", asked.period)
-    first = (FIRST, asked.first)
+    demand = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    T = (symbol, demand.period) if demand.period == cap.T else ("T_d", demand.period)
+    first = (FIRST, demand.first)
     return (
-        *first_mode_steps(modes, asked.first, FIRST, T, SOFTENED_WORST),
-        *peak_steps(case, modes, asked.first, FIRST),
+        *first_mode_steps(modes, demand.first, FIRST, T, SOFTENED_WORST),
+        *peak_steps(case, modes, demand.first, FIRST),
         *ordinate_steps(case, modes, first, T, damping=damping),
-        *_floor_demand_steps(case, modes, asked, T, damping=damping),
-        *_comparison_damping_steps(case, worked, damping=damping),
+        *_floor_demand_steps(case, modes, demand, T, damping=damping),
+        *_comparison_damping_steps(case, derived, damping=damping),
     )
 
 
 def _floor_demand_steps(
-    case: LimitStateCase, modes: FirstModes, asked: FloorDemand, T: tuple[str, float], *, damping: float
+    case: LimitStateCase, modes: FirstModes, demand: FloorDemand, T: tuple[str, float], *, damping: float
 ) -> tuple[Step, ...]:
     scale, (symbol, period), clause = case.pga / case.context.spectrum.pga, T, "C8.7.1.12"
-    spectral = floor_ordinate(case.context, modes, asked.first, period, damping=damping) * scale
+    spectral = floor_ordinate(case.context, modes, demand.first, period, damping=damping) * scale
     given = {f"S_eZ({symbol})": (spectral, "m/s2"), symbol: (period, "s")}
     formula, name = f"S_eZ({symbol}) · ({symbol} / (2 · π))²", f"d({symbol}, Z)"
-    line = step(name, "demand of the floor", clause, formula, asked.moved * scale, "m", given=given)
-    if asked.least == 0.0:
+    line = step(name, "demand of the floor", clause, formula, demand.displacement * scale, "m", given=given)
+    if demand.least == 0.0:
         return (line,)
-    resonant, b = floor_ordinate(case.context, modes, asked.first, asked.first, damping=damping) * scale, PLATEAU[1]
-    beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (asked.first, "s")}
+    resonant, b = floor_ordinate(case.context, modes, demand.first, demand.first, damping=damping) * scale, PLATEAU[1]
+    beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (demand.first, "s")}
     words, formula = "no less than this, as the period exceeds b T1'", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
-    return line, step(f"d(b {FIRST}, Z)", words, clause, formula, asked.least * scale, "m", given=beside)
+    return line, step(f"d(b {FIRST}, Z)", words, clause, formula, demand.least * scale, "m", given=beside)
 
 
-def _comparison_damping_steps(case: LimitStateCase, worked: CapacityAndDemands, *, damping: float) -> tuple[Step, ...]:
+def _comparison_damping_steps(case: LimitStateCase, derived: CapacityAndDemands, *, damping: float) -> tuple[Step, ...]:
     """Write the floor's demand with 20 % of damping of the building, for comparison."""
-    modes, cap = ultimate_modes(case.context, case.state, damping=COMPARISON_DAMPING), worked.capacity
+    modes, cap = ultimate_modes(case.context, case.state, damping=COMPARISON_DAMPING), derived.capacity
     if modes is None or modes.reason:
         return ()
-    asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
-    moved = asked.largest * case.pga / case.context.spectrum.pga
-    at: Given = {FIRST: (asked.first, "s"), "ξ1": COMPARISON_DAMPING, "PGA": (case.pga, "m/s2")}
+    demand = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    moved = demand.largest * case.pga / case.context.spectrum.pga
+    at: Given = {FIRST: (demand.first, "s"), "ξ1": COMPARISON_DAMPING, "PGA": (case.pga, "m/s2")}
     words = "demand of the floor with ξ1 = 20 %, for comparison"
     return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", at=at),)
 

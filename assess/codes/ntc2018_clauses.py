@@ -82,17 +82,17 @@ class Ntc2018Capacity:
     a: float
     T0: float
     T: float
-    threshold: DisplacementCapacity
+    displacements: DisplacementCapacity
 
     @property
     def d0(self) -> float:
         """d0* [m]."""
-        return self.threshold.collapse
+        return self.displacements.collapse
 
     @property
     def d(self) -> float:
         """d_SLV or d_SLC [m]."""
-        return self.threshold.moved
+        return self.displacements.displacement
 
 
 def capacity_of(curves: BranchCurves, *, state: str, confidence_factor: float, T0: float = 0.0) -> Ntc2018Capacity:
@@ -114,8 +114,8 @@ def capacity_of(curves: BranchCurves, *, state: str, confidence_factor: float, T
     Capacity
     """
     ultimate, mass, FC = ULTIMATE[state], curves.mass, confidence_factor
-    threshold = displacement_capacity(curves, ultimate.rule)
-    d = threshold.moved
+    displacements = displacement_capacity(curves, ultimate.rule)
+    d = displacements.displacement
     on_curve = acceleration_at(curves.breaking, d, mass=mass, confidence_factor=FC)
     a = on_curve if T0 == 0.0 else min(on_curve, elastic_branch(d, T0=T0))
     return Ntc2018Capacity(
@@ -124,7 +124,7 @@ def capacity_of(curves: BranchCurves, *, state: str, confidence_factor: float, T
         a=a,
         T0=T0,
         T=float(ultimate.factor * np.pi * np.sqrt(d / a)),
-        threshold=threshold,
+        displacements=displacements,
     )
 
 
@@ -309,18 +309,18 @@ class FloorDemand:
     """The floor's displacement demand at the PGA of the spectrum, under the most demanding first mode.
 
     first : T_1' [s]; period : T of the mechanism at which it is largest [s]
-    moved : d [m]; least : its lower bound beyond b T_1', 0 where there is none [m]
+    displacement : d [m]; least : its lower bound beyond b T_1', 0 where there is none [m]
     """
 
     first: float
     period: float
-    moved: float
+    displacement: float
     least: float
 
     @property
     def largest(self) -> float:
         """The demand [m]."""
-        return max(self.moved, self.least)
+        return max(self.displacement, self.least)
 
 
 def elastic_modes(context: Context) -> FirstModes | None:

@@ -89,7 +89,7 @@ def test_threshold_of(share: float, breaks: bool, kind, rotation: float, breakin
     limits = () if kind is None else (LocalLimit(kind, "tie", "positive", rotation),)
     curves = replace(CURVES, breaking=breaking, limits=limits)
     found = displacement_capacity(curves, DisplacementLimit(share, breaks=breaks, clause=""))
-    assert (found.moved, found.collapse) == pytest.approx((moved, 0.5), rel=1e-9)
+    assert (found.displacement, found.collapse) == pytest.approx((moved, 0.5), rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -190,7 +190,9 @@ def test_floor_acceleration(T0: float, first: float, acceleration: float) -> Non
 def test_floor_demand(T: float, moved: float, least: float) -> None:
     found = ntc2018_clauses.floor_demand(RAISED, ONE, T0=0.0, T=T, damping=0.05)
     assert (found.first, found.period) == (1.0, T)
-    assert (found.moved, found.least, found.largest) == pytest.approx((moved, least, max(moved, least)), rel=HAND)
+    assert (found.displacement, found.least, found.largest) == pytest.approx(
+        (moved, least, max(moved, least)), rel=HAND
+    )
 
 
 FALLING = table_spectrum([0.0, 0.1, 1.0, 2.0], [4.0, 10.0, 10.0, 1.0])

@@ -19,10 +19,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g
 
-from assess.codes import italian_histories
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
 from assess.codes.check import BranchName, Check, CodeProcedure, Family, branch_of, caveats_of, check_worst_branch
 from assess.codes.context import Context
+from assess.codes.italian_histories import HistoryRule, assess_histories
 from assess.codes.italian_kinematic import (
     DisplacementAnalysis,
     DisplacementCapacity,
@@ -49,7 +49,6 @@ from assess.codes.italian_limit_states import (
     ItalianEdition,
     ItalianOptions,
     LimitStateCase,
-    add_safety_index,
     check_each_limit_state,
     floor_of,
 )
@@ -81,7 +80,7 @@ LINEAR_CLAUSE = "C8A.4.2.1"
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check a0* against the demand (over q at SLV), at the ground and, above it, at the floor (C8A.4.2.1)."""
-    checks = check_each_limit_state(
+    return check_each_limit_state(
         oscillator,
         context,
         EDITION,
@@ -89,7 +88,6 @@ def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianO
         known=DMI2008_LINEAR.limit_states,
         one=lambda case: _linear_check(case, options),
     )
-    return tuple(add_safety_index(check, context) for check in checks)
 
 
 DMI2008_LINEAR = CodeProcedure(
@@ -167,7 +165,7 @@ NONLINEAR_CLAUSE = "C8A.4.2.2"
 
 def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check du* against S_De(Ts) and, above the ground, against the floor's displacement (C8A.4.2.2-2.3)."""
-    checks = check_each_limit_state(
+    return check_each_limit_state(
         oscillator,
         context,
         EDITION,
@@ -175,7 +173,6 @@ def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: Itali
         known=DMI2008_NONLINEAR.limit_states,
         one=lambda case: _nonlinear_check(case.at_ultimate),
     )
-    return tuple(add_safety_index(check, context) for check in checks)
 
 
 DMI2008_NONLINEAR = CodeProcedure(
@@ -390,7 +387,7 @@ def uplift_on_floor(branch: Branch, context: Context, *, confidence_factor: floa
     return uplift_pga(branch, confidence_factor=confidence_factor, amplified=amplified)
 
 
-HISTORY_RULE = italian_histories.HistoryRule(
+HISTORY_RULE = HistoryRule(
     procedure="dmi2008-history",
     edition=EDITION,
     clause="C8A.4.2.3 (non-linear dynamic)",
@@ -400,8 +397,7 @@ HISTORY_RULE = italian_histories.HistoryRule(
 
 def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Return the checks of the suites of time histories against 0.4 d0*."""
-    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
-    return tuple(add_safety_index(check, context) for check in checks)
+    return assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
 
 
 DMI2008_HISTORY = CodeProcedure(

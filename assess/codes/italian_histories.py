@@ -36,17 +36,18 @@ from assess.codes.histories import (
 )
 from assess.codes.italian_kinematic import (
     DisplacementCapacity,
+    DisplacementLimit,
     displacement_capacity,
     displacement_capacity_steps,
     rotation_at,
     seat_conditions,
 )
-from assess.codes.italian_kinematic import DisplacementLimit as Limit
 from assess.codes.italian_limit_states import (
     BranchCurves,
     ConfidenceFactor,
     ItalianEdition,
     ItalianOptions,
+    add_safety_index,
     branch_curves,
     confidence_factors,
     confidence_step,
@@ -76,16 +77,16 @@ class HistoryRule:
     procedure: str
     edition: ItalianEdition
     clause: str
-    limits: Mapping[str, Limit]
+    limits: Mapping[str, DisplacementLimit]
 
 
 def assess_histories(
     oscillator: Oscillator, context: Context, *, rule: HistoryRule, options: ItalianOptions
 ) -> tuple[Check, ...]:
-    """Return one check for each limit state and level that has a suite of time histories."""
+    """Return one check, with its safety index, for each limit state and level that has a suite of time histories."""
     checks: list[Check] = []
     known = context.knowledge.get(rule.edition.code)
-    holds_to = {state: _capacities(oscillator, context, rule.limits[state]) for state in options.among(rule.limits)}
+    holds_to = {state: _capacities(oscillator, context, rule.limits[state]) for state in options.requested(rule.limits)}
     for confidence in confidence_factors(options, crushing=context.crushing, level=known):
         for state, capacity in holds_to.items():
             for level in context.levels:
@@ -99,10 +100,10 @@ def assess_histories(
                         oscillator, context, rule, found, capacity, state=state, level=level, confidence=confidence
                     )
                     checks.append(mark_informative(made, confidence))
-    return tuple(checks)
+    return tuple(add_safety_index(check, context) for check in checks)
 
 
-def _capacities(oscillator: Oscillator, context: Context, limit: Limit) -> Capacities:
+def _capacities(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> Capacities:
     """Return the PGA of the motion, FC included, up to which the rule holds."""
 
     def succeeds(suite: SuiteResponse) -> bool:
@@ -142,7 +143,7 @@ def required_pga(
     -------
     tuple of float [m/s2]
     """
-    states = options.among(rule.limits)
+    states = options.requested(rule.limits)
     shares = [pga_ratio(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
     return tuple(level * each for each in shares for level in levels)
 
@@ -334,7 +335,7 @@ class SuiteDisplacements:
 
 
 def displacement_ratios(
-    oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: Limit
+    oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
 ) -> tuple[DisplacementRatios, ...]:
     """Return d*/d0* and d*/d_LS of each record as it is [-], each by the branch of its maximum."""
     of_collapse, of_limit = run_ratios(oscillator, context, suite, limit)
@@ -345,7 +346,7 @@ def displacement_ratios(
 
 
 def run_ratios(
-    oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: Limit
+    oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
 ) -> tuple[FloatArray, FloatArray]:
     """Return d*/d0* and d*/d_LS of every run of each record [runs, records] [-]; inf where it overturned."""
     runs = suite.runs
@@ -373,7 +374,7 @@ def beyond_collapse(found: SuiteDisplacements) -> int:
     return sum(1 for each in found.displacements if each.of_collapse is not None and each.of_collapse > 1.0)
 
 
-def measure_of(oscillator: Oscillator, context: Context, limit: Limit) -> Measure:
+def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> Measure:
     """Return the governing ratio and the rule in every draw, as functions of a suite."""
 
     def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:

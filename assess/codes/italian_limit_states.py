@@ -32,6 +32,36 @@ HAZARD_CLAUSE = "NTC Annex A"
 
 
 @dataclass(frozen=True)
+class ItalianEdition:
+    """Code, name and caveat of an edition, and its clauses of the multiplier, the equivalent oscillator and FC."""
+
+    code: str
+    name: str
+    caveat: str
+    multiplier: str
+    oscillator: str
+    confidence: str
+
+
+@dataclass(frozen=True)
+class ItalianOptions:
+    """Options of an edition.
+
+    confidence_factor : FC [-] in place of that of the level of knowledge; one below it is shown and never decides
+    limit_states : to check
+    behaviour_factor : q of the linear check at SLV [-]
+    """
+
+    confidence_factor: float | None = None
+    limit_states: tuple[str, ...] = ("SLV",)
+    behaviour_factor: float = 2.0
+
+    def requested(self, known: Container[str]) -> tuple[str, ...]:
+        """Return the limit states requested that a procedure knows."""
+        return tuple(state for state in self.limit_states if state in known)
+
+
+@dataclass(frozen=True)
 class LimitStateCase:
     """One branch of a mechanism in a limit state at one level, with one confidence factor.
 
@@ -65,11 +95,12 @@ def check_each_limit_state(
     known: tuple[str, ...],
     one: CheckOfCase,
 ) -> tuple[Check, ...]:
-    """Return the check of the worse branch for each limit state that is known and asked for, and each level.
+    """Return the check of the worse branch for each limit state that is known and requested, and each level.
 
-    Checks with the confidence factor that decides come first, then those with one for comparison.
+    Each has its safety index. Checks with the confidence factor that decides come first, then those with one for
+    comparison.
     """
-    branches, states = curves_of(oscillator, context), options.among(known)
+    branches, states = curves_of(oscillator, context), options.requested(known)
     checks: list[Check] = []
     known_level = context.knowledge.get(edition.code)
     for confidence in confidence_factors(options, crushing=context.crushing, level=known_level):
@@ -77,7 +108,7 @@ def check_each_limit_state(
             for level in context.levels:
                 cases = [case_of(curves, confidence, context, state=state, level=level) for curves in branches]
                 checks.append(mark_informative(worst_branch_check([one(case) for case in cases]), confidence))
-    return tuple(checks)
+    return tuple(add_safety_index(check, context) for check in checks)
 
 
 def case_of(
@@ -119,8 +150,8 @@ def add_safety_index(check: Check, context: Context) -> Check:
     capacity = check.capacity_pga_g
     if capacity is None:
         return check
-    demanded = check.level_pga_g * pga_ratio(context.hazard, context.spectrum, check.limit_state)
-    index, given = capacity / demanded, {"PGA_C": (capacity, "g"), "PGA": (demanded, "g")}
+    demand = check.level_pga_g * pga_ratio(context.hazard, context.spectrum, check.limit_state)
+    index, given = capacity / demand, {"PGA_C": (capacity, "g"), "PGA": (demand, "g")}
     words = "safety index of the limit state: PGA at capacity over PGA demanded"
     line = step("ζ_E", words, INDEX_CLAUSE, "PGA_C / PGA", index, given=given)
     indexed = replace(check, safety_index=index, steps=(*check.steps, line))
@@ -180,45 +211,15 @@ def return_period(hazard: SiteHazard, pga: float) -> tuple[float, Bound]:
     tuple of float and Bound
         Return period [years], and "<=" or ">=" where it is a bound, else "".
     """
-    reached = np.maximum.accumulate(hazard.pga)
-    above = int(np.searchsorted(reached, pga))
-    if above == 0:
+    reached, rows = np.maximum.accumulate(hazard.pga), rows_around(hazard, pga)
+    if rows is None:
+        if pga > reached[0]:
+            return hazard.return_period[-1], ">="
         return hazard.return_period[0], "<=" if pga < reached[0] else ""
-    if above == reached.size:
-        return hazard.return_period[-1], ">="
-    between = log(pga / reached[above - 1]) / log(reached[above] / reached[above - 1])
-    low, high = hazard.return_period[above - 1 : above + 1]
-    return exp(log(low) + between * log(high / low)), ""
-
-
-@dataclass(frozen=True)
-class ItalianEdition:
-    """Code, name and caveat of an edition, and its clauses of the multiplier, the equivalent oscillator and FC."""
-
-    code: str
-    name: str
-    caveat: str
-    multiplier: str
-    oscillator: str
-    confidence: str
-
-
-@dataclass(frozen=True)
-class ItalianOptions:
-    """Options of an edition.
-
-    confidence_factor : FC [-] in place of that of the level of knowledge; one below it is shown and never decides
-    limit_states : to check
-    behaviour_factor : q of the linear check at SLV [-]
-    """
-
-    confidence_factor: float | None = None
-    limit_states: tuple[str, ...] = ("SLV",)
-    behaviour_factor: float = 2.0
-
-    def among(self, known: Container[str]) -> tuple[str, ...]:
-        """Return the limit states asked for that a procedure knows."""
-        return tuple(state for state in self.limit_states if state in known)
+    low, high = rows
+    between = log(pga / reached[low]) / log(reached[high] / reached[low])
+    first, second = hazard.return_period[low], hazard.return_period[high]
+    return exp(log(first) + between * log(second / first)), ""
 
 
 FACTORS_BY_LEVEL: Mapping[str, float] = {"LC1": 1.35, "LC2": 1.20, "LC3": 1.00}  # C8.5.4 (617/2009: C8A.1.1)
@@ -246,7 +247,7 @@ def confidence_factors(options: ItalianOptions, *, crushing: bool, level: str | 
 
     Returns
     -------
-    tuple of Confidence
+    tuple of ConfidenceFactor
     """
     deciding, given = _by_code(crushing, level), options.confidence_factor
     if given is None or given == deciding.factor:

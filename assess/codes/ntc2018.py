@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assess.codes import italian_histories
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.codes.check import Check, CodeProcedure, Family
 from assess.codes.context import Context
+from assess.codes.italian_histories import HistoryRule, assess_histories
 from assess.codes.italian_kinematic import (
     DisplacementAnalysis,
     acceleration_check,
@@ -33,7 +33,6 @@ from assess.codes.italian_limit_states import (
     Demands,
     ItalianOptions,
     LimitStateCase,
-    add_safety_index,
     check_each_limit_state,
 )
 from assess.codes.ntc2018_clauses import (
@@ -69,7 +68,7 @@ LINEAR_CLAUSES = {"SLD": "C8.7.1.2.1.5", "SLV": "C8.7.1.2.1.7"}
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check a0* against the accelerations of ground and floor, S_eZ(T0) of free elements; a_g,SLV = q a_g,SLD."""
-    checks = check_each_limit_state(
+    return check_each_limit_state(
         oscillator,
         context,
         EDITION,
@@ -77,7 +76,6 @@ def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianO
         known=NTC2018_LINEAR.limit_states,
         one=lambda case: _linear_check(case, options),
     )
-    return tuple(add_safety_index(check, context) for check in checks)
 
 
 NTC2018_LINEAR = CodeProcedure(
@@ -190,7 +188,7 @@ FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS
 
 def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
-    checks = check_each_limit_state(
+    return check_each_limit_state(
         oscillator,
         context,
         EDITION,
@@ -198,7 +196,6 @@ def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: Itali
         known=NTC2018_NONLINEAR.limit_states,
         one=lambda case: _nonlinear_check(case.at_ultimate),
     )
-    return tuple(add_safety_index(check, context) for check in checks)
 
 
 NTC2018_NONLINEAR = CodeProcedure(
@@ -361,7 +358,7 @@ def _comparison_damping_steps(case: LimitStateCase, derived: CapacityAndDemands,
     return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", at=at),)
 
 
-HISTORY_RULE = italian_histories.HistoryRule(
+HISTORY_RULE = HistoryRule(
     procedure="ntc2018-history",
     edition=EDITION,
     clause="C8.7.1.2.1.9",
@@ -371,8 +368,7 @@ HISTORY_RULE = italian_histories.HistoryRule(
 
 def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
-    checks = italian_histories.assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
-    return tuple(add_safety_index(check, context) for check in checks)
+    return assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
 
 
 NTC2018_HISTORY = CodeProcedure(

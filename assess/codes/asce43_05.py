@@ -174,7 +174,7 @@ def clause_reading(branch: Branch, context: Context, *, f_v: float) -> SpectrumR
 
     Returns
     -------
-    Reading
+    SpectrumReading
     """
     damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
     floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
@@ -207,7 +207,7 @@ def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float)
 
     Returns
     -------
-    Reading
+    SpectrumReading
     """
     block = equivalent_block(branch, mass=mass)
     ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness

@@ -308,7 +308,7 @@ def capacity_of(curves: BranchCurves, *, confidence_factor: float) -> Dmi2008Cap
 
     Returns
     -------
-    Capacity
+    Dmi2008Capacity
     """
     mass, FC, capacity = curves.mass, confidence_factor, displacement_capacity(curves, DISPLACEMENT_LIMIT)
     ds = ULTIMATE * capacity.displacement

@@ -116,7 +116,7 @@ def element_demand(branch: Branch, context: Context, options: Ec8Options, level:
 
     Returns
     -------
-    Demand
+    ElementDemand
     """
     ratio = period_ratio(branch, context)
     amplified = amplification(ratio, context)

@@ -111,7 +111,7 @@ def capacity_of(curves: BranchCurves, *, state: str, confidence_factor: float, T
 
     Returns
     -------
-    Capacity
+    Ntc2018Capacity
     """
     ultimate, mass, FC = ULTIMATE[state], curves.mass, confidence_factor
     displacements = displacement_capacity(curves, ultimate.rule)

@@ -249,7 +249,7 @@ def wall_response(branch: Branch, name: BranchName, context: Context, options: N
 
     Returns
     -------
-    Response
+    WallResponse
     """
     whole, floor = nominal(branch), floor_factor(context)
     gravity = gravity_of(whole, name, context)
@@ -326,7 +326,7 @@ def with_effective_thickness(part: FaceLoadedWall, gravity: Gravity) -> FaceLoad
 
     Returns
     -------
-    Part
+    FaceLoadedWall
     """
     k = thickness_factor(gravity.overburden_ratio)
     b = part.line.b - (1.0 - k**2) * gravity.own_moment - (1.0 - k) * gravity.moment

@@ -188,7 +188,7 @@ def rotation_verdict(
 
     Returns
     -------
-    Answer
+    RotationOutcome
     """
     at_capacity = pga_capacity(curve, allowable)
     in_g = None if at_capacity is None else at_capacity / g

@@ -83,15 +83,20 @@ class Verdict(ShortRepr):
     uncompared: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class _Criteria:
-    """What every mechanism is compared with."""
+class Decision(StrEnum):
+    """The outcome of a limit state, of a mechanism and of the building."""
 
-    question: Question
-    basis: Basis
-    states: tuple[LimitState, ...]
-    target: float | None
-    missing: tuple[Missing, ...]
+    PASS = "pass"
+    FAIL = "fail"
+    INCOMPLETE = "incomplete"
+
+
+def worst_outcome(outcomes: Iterable[Decision]) -> Decision:
+    """Return the worst of several: fail, then incomplete, then pass; incomplete where there are none."""
+    found = set(outcomes)
+    if Decision.FAIL in found:
+        return Decision.FAIL
+    return Decision.INCOMPLETE if Decision.INCOMPLETE in found or not found else Decision.PASS
 
 
 def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
@@ -111,8 +116,8 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
         return _without_basis(question, mechanisms)
     states, no_state = find_limit_states(question)
     target, no_target = target_of(question, basis)
-    measure = _Criteria(question, basis, states, target, (*question.missing, *no_state, *no_target))
-    found = tuple(_decide_mechanism(each, measure) for each in mechanisms)
+    criteria = _Criteria(question, basis, states, target, (*question.missing, *no_state, *no_target))
+    found = tuple(_decide_mechanism(each, criteria) for each in mechanisms)
     outcome = worst_outcome(one.outcome for one in found)
     return Verdict(
         basis=basis.name,
@@ -122,7 +127,7 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
         outcome=outcome,
         at_the_limit=_near_limit(outcome, [one.at_the_limit for one in found if one.outcome == outcome]),
         conditions=_unique(each for one in found for each in one.conditions),
-        missing=merge_missing((*measure.missing, *(each for one in found for each in one.missing))),
+        missing=merge_missing((*criteria.missing, *(each for one in found for each in one.missing))),
         mechanisms=found,
         limit_states=tuple(state.name for state in states),
         methods=methods_of(question),
@@ -135,72 +140,96 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
     )
 
 
+@dataclass(frozen=True)
+class _Criteria:
+    """What every mechanism is compared with."""
+
+    question: Question
+    basis: Basis
+    states: tuple[LimitState, ...]
+    target: float | None
+    missing: tuple[Missing, ...]
+
+
+def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> MechanismVerdict:
+    """Decide one mechanism; numbers that pass do not make up for an input that is missing."""
+    answers = [
+        find_answer(mechanism, state, criteria.question, criteria.basis, criteria.target) for state in criteria.states
+    ]
+    found = _by_class(answers, criteria)
+    missing = merge_missing((*(missing for each in found for missing in each.missing), *mechanism.missing))
+    outcome = worst_outcome(each.answer.outcome for each in found)
+    if outcome == Decision.PASS and (missing or criteria.missing):
+        outcome = Decision.INCOMPLETE
+    incomplete = outcome == Decision.INCOMPLETE
+    return MechanismVerdict(
+        mechanism=mechanism.name,
+        outcome=outcome,
+        margin=_margin([check for each in found for check in each.checks]),
+        margin_most=_margin_most([check for each in found for check in each.checks]),
+        at_the_limit=_near_limit(
+            outcome, [each.answer.at_the_limit for each in found if each.answer.outcome == outcome]
+        ),
+        answers=tuple(each.answer for each in found),
+        conditions=()
+        if outcome == Decision.FAIL
+        else _unique((*_conditions(mechanism, found), *_of_class(answers, criteria))),
+        missing=missing if incomplete else (),
+        provisional=_provisional_of_mechanism(found, criteria) if incomplete else None,
+    )
+
+
 def _near_limit(outcome: Decision, those: Sequence[bool]) -> bool:
     """Return whether the verdict is at the limit: one pass at the limit is enough, but all failures must be."""
     return all(those) if outcome == Decision.FAIL else any(those)
 
 
-def _decide_mechanism(one: MechanismChecks, measure: _Criteria) -> MechanismVerdict:
-    """Decide one mechanism; numbers that pass do not make up for an input that is missing."""
-    asked = [find_answer(one, state, measure.question, measure.basis, measure.target) for state in measure.states]
-    found = _by_class(asked, measure)
-    missing = merge_missing((*(each for it in found for each in it.missing), *one.missing))
-    outcome = worst_outcome(it.answer.outcome for it in found)
-    if outcome == Decision.PASS and (missing or measure.missing):
-        outcome = Decision.INCOMPLETE
-    incomplete = outcome == Decision.INCOMPLETE
-    return MechanismVerdict(
-        mechanism=one.name,
-        outcome=outcome,
-        margin=_margin([check for it in found for check in it.checks]),
-        margin_most=_margin_most([check for it in found for check in it.checks]),
-        at_the_limit=_near_limit(outcome, [it.answer.at_the_limit for it in found if it.answer.outcome == outcome]),
-        answers=tuple(it.answer for it in found),
-        conditions=() if outcome == Decision.FAIL else _unique((*_conditions(one, found), *_of_class(asked, measure))),
-        missing=missing if incomplete else (),
-        provisional=_provisional_of_mechanism(found, measure) if incomplete else None,
-    )
-
-
-def _provisional_of_mechanism(found: Sequence[AnswerAndChecks], measure: _Criteria) -> Decision | None:
+def _provisional_of_mechanism(found: Sequence[AnswerAndChecks], criteria: _Criteria) -> Decision | None:
     """Return the provisional outcome; None where the project lacks an input without a safe value."""
     return (
-        None if measure.question.missing else worst_outcome(it.answer.provisional or it.answer.outcome for it in found)
+        None
+        if criteria.question.missing
+        else worst_outcome(each.answer.provisional or each.answer.outcome for each in found)
     )
 
 
-def _by_class(found: Sequence[AnswerAndChecks], measure: _Criteria) -> tuple[AnswerAndChecks, ...]:
+def _by_class(found: Sequence[AnswerAndChecks], criteria: _Criteria) -> tuple[AnswerAndChecks, ...]:
     """Return the answers that count where the class of use is not given: the chosen limit state's, and failures.
 
     A failure of another limit state then makes the mechanism incomplete, for want of the class.
     """
-    if measure.question.use_class is not None:
+    if criteria.question.use_class is not None:
         return tuple(found)
-    besides = {state.name for state in measure.states if state.role == LimitStateRole.BESIDES}
+    besides = {state.name for state in criteria.states if state.role == LimitStateRole.BESIDES}
     kept: list[AnswerAndChecks] = []
-    for it in found:
-        if it.answer.limit_state not in besides:
-            kept.append(it)
-        elif it.answer.outcome == Decision.FAIL:
-            why = message("missing-class-by-state", {"state": it.answer.limit_state})
+    for each in found:
+        if each.answer.limit_state not in besides:
+            kept.append(each)
+        elif each.answer.outcome == Decision.FAIL:
+            why = message("missing-class-by-state", {"state": each.answer.limit_state})
             missing = missing_input("building.use_class", why, 'use_class = "II"')
-            answer = replace(it.answer, outcome=Decision.INCOMPLETE, provisional=Decision.FAIL)
-            kept.append(AnswerAndChecks(answer, it.checks, (missing,)))
+            answer = replace(each.answer, outcome=Decision.INCOMPLETE, provisional=Decision.FAIL)
+            kept.append(AnswerAndChecks(answer, each.checks, (missing,)))
     return tuple(kept)
 
 
-def _of_class(asked: Sequence[AnswerAndChecks], measure: _Criteria) -> tuple[Message, ...]:
+def _of_class(answers: Sequence[AnswerAndChecks], criteria: _Criteria) -> tuple[Message, ...]:
     """Return the condition of a pass where the class of use is not given and a limit state was not answered."""
-    if measure.question.use_class is not None:
+    if criteria.question.use_class is not None:
         return ()
-    besides = {state.name for state in measure.states if state.role == LimitStateRole.BESIDES}
-    silent = [it.answer.limit_state for it in asked if it.answer.outcome == Decision.INCOMPLETE]
-    names = ", ".join(name for name in silent if name in besides)
+    besides = {state.name for state in criteria.states if state.role == LimitStateRole.BESIDES}
+    incomplete = [each.answer.limit_state for each in answers if each.answer.outcome == Decision.INCOMPLETE]
+    names = ", ".join(name for name in incomplete if name in besides)
     return (message("class-not-given", {"states": names}, severity=Severity.WARNING),) if names else ()
 
 
-def _conditions(one: MechanismChecks, found: Sequence[AnswerAndChecks]) -> tuple[Message, ...]:
-    return _unique((*one.conditions, *(each for it in found for check in it.checks for each in check.conditions)))
+def _conditions(mechanism: MechanismChecks, found: Sequence[AnswerAndChecks]) -> tuple[Message, ...]:
+    return _unique(
+        (
+            *mechanism.conditions,
+            *(condition for each in found for check in each.checks for condition in check.conditions),
+        )
+    )
 
 
 def _margin(checks: Sequence[Check]) -> float | None:
@@ -265,7 +294,6 @@ def _without_basis(question: Question, mechanisms: Sequence[MechanismChecks]) ->
 
 INDEX_FIGURES = 3  # of an index
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
-
 GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
 """Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
 
@@ -310,7 +338,7 @@ class AnswerAndChecks:
 
 
 def find_answer(
-    one: MechanismChecks, state: LimitState, question: Question, basis: Basis, target: float | None
+    mechanism: MechanismChecks, state: LimitState, question: Question, basis: Basis, target: float | None
 ) -> AnswerAndChecks:
     """Find the answer of the most refined method that may decide and was answered.
 
@@ -318,7 +346,7 @@ def find_answer(
 
     Parameters
     ----------
-    one : the checks of the mechanism
+    mechanism : with its checks
     state : the limit state
     question : what the project asks
     basis : the rules of the code
@@ -326,29 +354,35 @@ def find_answer(
 
     Returns
     -------
-    Found
+    AnswerAndChecks
     """
     ranks = requested_ranks(state, question.procedures)
-    lacking = missing_action(state, question.action)
-    silent: list[Check] = []
+    undeclared = missing_action(state, question.action)
+    unanswered: list[Check] = []
     for rank in ranks:
-        checks = [check for method in rank for check in _of_method(one, method.procedure, state, question.action)]
-        said = [decide(check, basis, target) for check in checks]
-        if Decision.FAIL in said or (said and None not in said and _every_method(checks, one, rank, state)):
-            outcome = worst_outcome(each for each in said if each is not None)
-            return _declared(_answered(one, checks, said, state, outcome, basis, target), lacking)
-        silent += [check for check, each in zip(checks, said, strict=True) if each is None]
-    return _unanswered(one, state, ranks, silent, basis, target, lacking)
+        checks = [check for method in rank for check in _of_method(mechanism, method.procedure, state, question.action)]
+        decisions = [decide(check, basis, target) for check in checks]
+        if Decision.FAIL in decisions or (
+            decisions and None not in decisions and _every_method(checks, mechanism, rank, state)
+        ):
+            outcome = worst_outcome(each for each in decisions if each is not None)
+            return _declared(_answered(mechanism, checks, decisions, state, outcome, basis, target), undeclared)
+        unanswered += [check for check, each in zip(checks, decisions, strict=True) if each is None]
+    return _unanswered(mechanism, state, ranks, unanswered, basis, target, undeclared)
 
 
-def _every_method(checks: Sequence[Check], one: MechanismChecks, rank: Rank, state: LimitState) -> bool:
+def _every_method(checks: Sequence[Check], mechanism: MechanismChecks, rank: Rank, state: LimitState) -> bool:
     """Return whether each method of a rank gave a check; one that gives several does not count for another."""
-    return {check.procedure for check in checks}.issuperset(_applying(one, rank, state))
+    return {check.procedure for check in checks}.issuperset(_applying(mechanism, rank, state))
 
 
-def _applying(one: MechanismChecks, rank: Rank, state: LimitState) -> list[str]:
+def _applying(mechanism: MechanismChecks, rank: Rank, state: LimitState) -> list[str]:
     """Return the methods of a rank that cover such a mechanism."""
-    no = {check.procedure for check in one.checks if check.verdict == Outcome.NOT_APPLICABLE and _is_of(check, state)}
+    no = {
+        check.procedure
+        for check in mechanism.checks
+        if check.verdict == Outcome.NOT_APPLICABLE and _is_of(check, state)
+    }
     return [method.procedure for method in rank if method.procedure not in no]
 
 
@@ -356,10 +390,10 @@ def _is_of(check: Check, state: LimitState) -> bool:
     return state.checked_as in (check.limit_state, "*")
 
 
-def _of_method(one: MechanismChecks, procedure: str, state: LimitState, action: Action) -> list[Check]:
+def _of_method(mechanism: MechanismChecks, procedure: str, state: LimitState, action: Action) -> list[Check]:
     return [
         check
-        for check in one.checks
+        for check in mechanism.checks
         if check.procedure == procedure
         and _is_of(check, state)
         and check.follows_code
@@ -450,19 +484,19 @@ def grade(share: float) -> str:
 
 
 def _answered(
-    one: MechanismChecks,
+    mechanism: MechanismChecks,
     checks: Sequence[Check],
-    said: Sequence[Decision | None],
+    decisions: Sequence[Decision | None],
     state: LimitState,
     outcome: Decision,
     basis: Basis,
     target: float | None,
 ) -> AnswerAndChecks:
     """Return the answer by the governing check: of those with this outcome the one with the largest ratio."""
-    telling = [check for check, each in zip(checks, said, strict=True) if each == outcome]
-    check = max(telling, key=lambda each: inf if each.ratio is None else each.ratio)
+    governing = [check for check, each in zip(checks, decisions, strict=True) if each == outcome]
+    check = max(governing, key=lambda each: inf if each.ratio is None else each.ratio)
     index = _show_side_of_target(index_of(check, basis), target)
-    near, below = is_near(check, index, target, one.tolerance), failure_below(check)
+    near, below = is_near(check, index, target, mechanism.tolerance), failure_below(check)
     reason = below if below is not None and outcome == Decision.FAIL else check.reason
     answer = Answer(state.name, outcome, check.procedure, check.ratio, index, reason, near)
     return AnswerAndChecks(answer, tuple(checks))
@@ -487,80 +521,66 @@ def _within_spread(check: Check, index: Index, target: float) -> bool:
     return low is None or index.value * low / check.capacity_pga_g >= target
 
 
-def _declared(found: AnswerAndChecks, lacking: Missing | None) -> AnswerAndChecks:
+def _declared(found: AnswerAndChecks, undeclared: Missing | None) -> AnswerAndChecks:
     """Return the answer where the site's action is declared; where not, what it would be if it were."""
-    if lacking is None:
+    if undeclared is None:
         return found
-    reason = message("missing-key", {"key": lacking.key, "text": lacking.why[0]}, where=lacking.key)
+    reason = message("missing-key", {"key": undeclared.key, "text": undeclared.why[0]}, where=undeclared.key)
     answer = replace(
         found.answer, outcome=Decision.INCOMPLETE, provisional=found.answer.outcome, reason=reason, at_the_limit=False
     )
-    return AnswerAndChecks(answer, found.checks, (lacking,))
-
-
-def _provisional_of_check(check: Check, basis: Basis, target: float | None) -> Decision | None:
-    """Return the outcome of a check with the safe value of what is missing; the safe target is the whole one."""
-    wanted = full_target(basis) if target is None else target
-    if check.verdict != Outcome.NOT_ANSWERED:
-        return decide(check, basis, wanted) if target is None else None
-    if check.provisional is None:
-        return None
-    return decide(replace(check, verdict=check.provisional, may_pass=True), basis, wanted)
-
-
-def _of_rank(check: Check, silent: Sequence[Check], ranks: Sequence[Rank]) -> list[Check]:
-    """Return the unanswered checks of the methods of the rank that `check` is of."""
-    rank = next(each for each in ranks if any(method.procedure == check.procedure for method in each))
-    procedures = {method.procedure for method in rank}
-    return [each for each in silent if each.procedure in procedures]
-
-
-def _outcome_of_rank(said: Iterable[Decision | None]) -> Decision | None:
-    """Return the outcome of methods that must all pass: fail where one fails, pass where none is left open."""
-    found = list(said)
-    if Decision.FAIL in found:
-        return Decision.FAIL
-    return None if None in found else Decision.PASS
+    return AnswerAndChecks(answer, found.checks, (undeclared,))
 
 
 def _unanswered(
-    one: MechanismChecks,
+    mechanism: MechanismChecks,
     state: LimitState,
     ranks: Sequence[Rank],
-    silent: Sequence[Check],
+    unanswered: Sequence[Check],
     basis: Basis,
     target: float | None,
-    lacking: Missing | None,
+    undeclared: Missing | None,
 ) -> AnswerAndChecks:
     """Return the answer where no method was answered: the most refined one gives the reason and the missing keys."""
-    missing = (*missing_keys(one.name, silent), *(() if lacking is None else (lacking,)))
-    if not silent:
+    missing = (*missing_keys(mechanism.name, unanswered), *(() if undeclared is None else (undeclared,)))
+    if not unanswered:
         names = ", ".join(method.procedure for rank in ranks for method in rank) or Term("none")
         reason = message("no-deciding-method", {"state": state.name, "methods": names})
         return AnswerAndChecks(Answer(state.name, Decision.INCOMPLETE, "", None, None, reason), (), missing)
-    check = silent[0]
-    said = _outcome_of_rank(_provisional_of_check(each, basis, target) for each in _of_rank(check, silent, ranks))
+    check = unanswered[0]
+    provisional = _outcome_of_rank(
+        _provisional_of_check(each, basis, target) for each in _of_rank(check, unanswered, ranks)
+    )
     index = _show_side_of_target(index_of(check, basis), target)
     answer = Answer(
-        state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=said
+        state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=provisional
     )
     return AnswerAndChecks(answer, (), missing)
 
 
-class Decision(StrEnum):
-    """The outcome of a limit state, of a mechanism and of the building."""
+def _provisional_of_check(check: Check, basis: Basis, target: float | None) -> Decision | None:
+    """Return the outcome of a check with the safe value of what is missing; the safe target is the whole one."""
+    safe_target = full_target(basis) if target is None else target
+    if check.verdict != Outcome.NOT_ANSWERED:
+        return decide(check, basis, safe_target) if target is None else None
+    if check.provisional is None:
+        return None
+    return decide(replace(check, verdict=check.provisional, may_pass=True), basis, safe_target)
 
-    PASS = "pass"
-    FAIL = "fail"
-    INCOMPLETE = "incomplete"
+
+def _of_rank(check: Check, unanswered: Sequence[Check], ranks: Sequence[Rank]) -> list[Check]:
+    """Return the unanswered checks of the methods of the rank that `check` is of."""
+    rank = next(each for each in ranks if any(method.procedure == check.procedure for method in each))
+    procedures = {method.procedure for method in rank}
+    return [each for each in unanswered if each.procedure in procedures]
 
 
-def worst_outcome(outcomes: Iterable[Decision]) -> Decision:
-    """Return the worst of several: fail, then incomplete, then pass; incomplete where there are none."""
-    found = set(outcomes)
-    if Decision.FAIL in found:
+def _outcome_of_rank(decisions: Iterable[Decision | None]) -> Decision | None:
+    """Return the outcome of methods that must all pass: fail where one fails, pass where none is left open."""
+    known = list(decisions)
+    if Decision.FAIL in known:
         return Decision.FAIL
-    return Decision.INCOMPLETE if Decision.INCOMPLETE in found or not found else Decision.PASS
+    return None if None in known else Decision.PASS
 
 
 def mark_deciding(
@@ -636,8 +656,8 @@ def index_text(index: Index | None) -> str:
     if index is None:
         return ""
     value = number_text(index.value, index.figures)
-    said = f"{value} {index.name}" if index.name in NAME_BEHIND_VALUE else f"{index.name} {value}"
-    return f"{said}, grade {index.grade}" if index.grade else said
+    text = f"{value} {index.name}" if index.name in NAME_BEHIND_VALUE else f"{index.name} {value}"
+    return f"{text}, grade {index.grade}" if index.grade else text
 
 
 def building_index_text(verdict: Verdict) -> str:
@@ -654,7 +674,7 @@ def target_text(verdict: Verdict) -> str:
 
 
 def number_text(value: float, number: int = 3) -> str:
-    """Return a number to three figures, or as many as are asked for, with trailing zeros: 1.00 for one.
+    """Return a number to three figures, or as many as requested, with trailing zeros: 1.00 for one.
 
     Parameters
     ----------

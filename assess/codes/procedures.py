@@ -9,7 +9,7 @@ state.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import partial
@@ -34,7 +34,7 @@ from assess.oscillator import Oscillator
 
 Assess = Callable[[Oscillator, Context], tuple[Check, ...]]
 
-PROCEDURES: Mapping[str, CodeProcedure] = {
+PROCEDURES: dict[str, CodeProcedure] = {
     each.name: each
     for each in (
         ASCE43_05_SPECTRUM,
@@ -54,14 +54,6 @@ PROCEDURES: Mapping[str, CodeProcedure] = {
         SLIDING,
     )
 }
-FAMILIES: Mapping[str, Family] = {name: each.family for name, each in PROCEDURES.items()}
-LIMIT_STATES: Mapping[str, tuple[str, ...]] = {
-    name: each.limit_states for name, each in PROCEDURES.items() if each.limit_states
-}
-KNOWLEDGE_CODES: Mapping[str, str] = {
-    name: each.knowledge_code for name, each in PROCEDURES.items() if each.knowledge_code
-}
-SUITE_RULES: Mapping[str, str] = {name: each.suite_rules for name, each in PROCEDURES.items() if each.suite_rules}
 THESIS_READINGS = tuple(name for name, each in PROCEDURES.items() if each.reading == "thesis")
 
 
@@ -106,9 +98,14 @@ def procedure(name: str, options: CodeOptions) -> Assess:
     return partial(found.assess, options=getattr(options, found.options)) if found.options else found.assess
 
 
+def family_of(name: str) -> Family | None:
+    """Return the kind of comparison that a procedure makes; None for an unknown name."""
+    return PROCEDURES[name].family if name in PROCEDURES else None
+
+
 def uses_histories(name: str) -> bool:
     """Return whether a procedure uses time histories; False for an unknown name."""
-    return FAMILIES.get(name) == Family.HISTORY
+    return family_of(name) == Family.HISTORY
 
 
 def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
@@ -186,7 +183,7 @@ def find_applicability(procedure: str, oscillator: Oscillator, context: Context)
     -------
     Applicability
     """
-    family = FAMILIES[procedure]
+    family = PROCEDURES[procedure].family
     rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
     spoken = (rule(procedure, family, oscillator, context) for rule in rules)
     found = [each for each in spoken if each is not None]
@@ -225,7 +222,11 @@ def apply_procedure(
 
 def _condition_on_sliding(check: Check, context: Context) -> Check:
     """Return the check; a pass by rocking of what slides first depends on its being kept from sliding."""
-    slides_at = sliding_pga(context) if FAMILIES[check.procedure] in ROCKING and check.verdict == Outcome.PASS else None
+    slides_at = (
+        sliding_pga(context)
+        if PROCEDURES[check.procedure].family in ROCKING and check.verdict == Outcome.PASS
+        else None
+    )
     if slides_at is None or check.level_pga_g * g <= slides_at:
         return check
     pga = Quantity(slides_at / g, "ground acceleration", 3)
@@ -330,7 +331,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     """Return the objection to histories: an impact without rebound, or a suite that misses its code's rules."""
     if family != Family.HISTORY:
         return None
-    faults = (*context.impossible_by_histories, *context.suite_faults.get(SUITE_RULES[procedure], ()))
+    faults = (*context.impossible_by_histories, *context.suite_faults.get(PROCEDURES[procedure].suite_rules, ()))
     return Applicability(Allowed.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
@@ -341,7 +342,7 @@ def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: 
     if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
         height = Quantity(context.support_height, "length")
         return Applicability(Allowed.ONLY_FAIL, reason_message(Reason.ABOVE_BUILDING, height=height))
-    if procedure not in THESIS_READINGS and _has_floor_input(family, context):
+    if PROCEDURES[procedure].reading != "thesis" and _has_floor_input(family, context):
         return None
     faults = context.suite_faults.get(SUITE_OF_A2, ()) if family == Family.ENERGY else ()
     if faults and context.transfer == "by a filter":
@@ -380,8 +381,8 @@ class MissingInput:
 
 def missing_inputs(procedure: str, state: str, context: Context) -> tuple[MissingInput, ...]:
     """Return everything that a check by an Italian procedure lacks; nothing for any other procedure."""
-    code = KNOWLEDGE_CODES.get(procedure)
-    return () if code is None else tuple(_missing_inputs_of_code(code, state, context))
+    code = PROCEDURES[procedure].knowledge_code
+    return () if not code else tuple(_missing_inputs_of_code(code, state, context))
 
 
 def _missing_inputs_of_code(code: str, state: str, context: Context) -> Iterator[MissingInput]:

@@ -10,7 +10,7 @@ from typing import Literal
 
 from assess.codes.bases import Acceptance, Basis, IndexKind, LimitState, LimitStateRole, Method
 from assess.codes.check import Check, Family, Outcome, Reason
-from assess.codes.procedures import FAMILIES
+from assess.codes.procedures import PROCEDURES
 from assess.messages.message import Message, Value, message
 from assess.short_repr import ShortRepr
 from spectra.ntc import EXCEEDANCE
@@ -381,7 +381,7 @@ def _has_remedy(reason: Message) -> bool:
 
 def _lines_of_reason(check: Check, reason: Message) -> tuple[KeyLine, ...]:
     if reason.key == Reason.GROUND_MOTION:
-        return AT_HEIGHT.get(FAMILIES[check.procedure], ())
+        return AT_HEIGHT.get(PROCEDURES[check.procedure].family, ())
     return next((lines for key, lines in REMEDIES.items() if key == reason.key), ())
 
 

@@ -21,7 +21,7 @@ from assess.codes.en1998_1 import Ec8Options
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.nzsee2017 import Nzsee2017Options
-from assess.codes.procedures import LIMIT_STATES, PROCEDURES, CodeOptions
+from assess.codes.procedures import PROCEDURES, CodeOptions
 from assess.codes.question import SOURCES, Action, Missing, Question, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
@@ -206,7 +206,7 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
     for name in named:
         if states := _states_not_checked(name, content):
             key = f"procedures.{PROCEDURES[name].options}.limit_states"
-            known = ", ".join(LIMIT_STATES[name])
+            known = ", ".join(PROCEDURES[name].limit_states)
             raise ProjectError(f"{key}: {', '.join(states)}: {name} checks {known}; add one, or leave it out")
     return with_methods(named, content)
 
@@ -219,10 +219,11 @@ def with_methods(names: Iterable[str], content: sections.Content) -> tuple[str, 
 
 def _states_not_checked(name: str, content: sections.Content) -> tuple[str, ...]:
     """Return the limit states requested if the procedure checks none of them, else nothing."""
-    if name not in LIMIT_STATES:
+    checked = PROCEDURES[name].limit_states
+    if not checked:
         return ()
     states: tuple[str, ...] = getattr(content.procedures, PROCEDURES[name].options).limit_states
-    return () if set(states) & set(LIMIT_STATES[name]) else states
+    return () if set(states) & set(checked) else states
 
 
 def with_procedures_run(resolved: Mapping[str, ResolvedValue], content: sections.Content) -> dict[str, ResolvedValue]:

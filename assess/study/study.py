@@ -9,7 +9,7 @@ from typing import Literal
 
 from assess.codes.check import Family
 from assess.codes.context import Building, FreePeriod, SiteHazard
-from assess.codes.procedures import FAMILIES, CodeOptions
+from assess.codes.procedures import PROCEDURES, CodeOptions
 from assess.codes.question import Missing, Question, find_limit_states, methods_of
 from assess.dynamics.packing import Equation
 from assess.errors import ProjectError
@@ -325,7 +325,7 @@ def may_follow_motion(question: Question) -> bool:
 
 def follows_motion(procedure: str) -> bool:
     """Return whether a procedure follows the ground's motion: by histories, or by their energy."""
-    return FAMILIES[procedure] in (Family.HISTORY, Family.ENERGY)
+    return PROCEDURES[procedure].family in (Family.HISTORY, Family.ENERGY)
 
 
 def deciding_limit_states(question: Question) -> tuple[str, ...]:

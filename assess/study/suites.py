@@ -22,7 +22,7 @@ import numpy as np
 from assess.codes.asce43_05 import HALF, effective_frequency
 from assess.codes.italian_limit_states import curves_of_all_actions
 from assess.codes.ntc2018_clauses import ULTIMATE, capacity_of
-from assess.codes.procedures import SUITE_RULES, uses_histories
+from assess.codes.procedures import PROCEDURES, uses_histories
 from assess.codes.question import methods_of
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
@@ -472,7 +472,7 @@ def suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectr
 def _not_named(code: str, review: SuiteReview) -> Iterator[Message]:
     """Yield a message if artificial records would decide without the project naming the method."""
     question = review.study.question
-    deciding = [name for name in methods_of(question) if SUITE_RULES.get(name) == code]
+    deciding = [name for name in methods_of(question) if PROCEDURES[name].suite_rules == code]
     not_named = [name for name in deciding if name not in (question.procedures or ())]
     if review.suite.artificial.any() and not_named:
         line = f'procedures = ["{not_named[0]}"]'
@@ -701,12 +701,12 @@ RULES: Mapping[str, SuiteRules] = {
 
 def codes_of_histories(study: Study) -> tuple[str, ...]:
     """Return the codes whose procedures by histories are requested."""
-    return tuple(dict.fromkeys(SUITE_RULES[name] for name in study.procedures if uses_histories(name)))
+    return tuple(dict.fromkeys(PROCEDURES[name].suite_rules for name in study.procedures if uses_histories(name)))
 
 
 def codes_that_decide(study: Study) -> tuple[str, ...]:
     """Return the codes whose procedures by histories may decide; if none may, those requested."""
-    deciding = [SUITE_RULES[name] for name in methods_of(study.question) if uses_histories(name)]
+    deciding = [PROCEDURES[name].suite_rules for name in methods_of(study.question) if uses_histories(name)]
     return tuple(dict.fromkeys(deciding)) or codes_of_histories(study)
 
 

@@ -9,7 +9,7 @@ from statistics import median
 
 from assess.codes.check import Check, Family, Outcome
 from assess.codes.histories import ratio_figures
-from assess.codes.procedures import FAMILIES, uses_histories
+from assess.codes.procedures import family_of, uses_histories
 from assess.codes.verdict import Decision
 from assess.messages.message import Quantity
 from assess.results import MechanismResult, Results, SuiteResult
@@ -273,7 +273,7 @@ def _disagreements(results: Results) -> Iterator[Text]:
     }
     explained: set[Family | None] = set()
     for procedure, mechanisms in failed.items():
-        family = FAMILIES.get(procedure)
+        family = family_of(procedure)
         yield _failing(results, procedure, mechanisms, None if family in explained else family)
         explained.add(family)
     passed: dict[tuple[str, ...], list[str]] = {}

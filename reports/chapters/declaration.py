@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from hashlib import sha256
 
 from assess.codes.check import Check, Family
-from assess.codes.procedures import FAMILIES
+from assess.codes.procedures import family_of
 from assess.messages.message import Message
 from assess.results import Control, ControlKind, MechanismResult, Results
 from assess.results.verification import USES
@@ -104,7 +104,7 @@ def analysis_sentences(results: Results) -> Iterator[Text]:
 
 def _reason_for_rigid_bodies(deciding: list[Check]) -> Text:
     """Return why the mechanisms are rigid bodies, with large rotations where a method that decides follows these."""
-    if deciding and not any(FAMILIES.get(check.procedure) in FOLLOW_ROTATION for check in deciding):
+    if deciding and not any(family_of(check.procedure) in FOLLOW_ROTATION for check in deciding):
         return say(
             "Walls loaded out of their plane lose their equilibrium as nearly rigid bodies before their material "
             "fails: this is why the mechanisms are analysed as rigid bodies. The methods that decide do not follow "
@@ -120,8 +120,9 @@ def _reason_for_rigid_bodies(deciding: list[Check]) -> Text:
 def _kinds(checks: list[Check]) -> Iterator[Text]:
     found: dict[Family, list[str]] = {}
     for check in checks:
-        if check.procedure in FAMILIES:
-            found.setdefault(FAMILIES[check.procedure], []).append(check.procedure)
+        family = family_of(check.procedure)
+        if family is not None:
+            found.setdefault(family, []).append(check.procedure)
     for family, procedures in found.items():
         methods = listing(map(procedure_title, dict.fromkeys(procedures)))
         yield Phrase(ANALYSIS_KINDS[family].english, {"methods": methods})

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 
 from assess.codes.check import Check, Family, Outcome, Reason
-from assess.codes.procedures import FAMILIES, PROCEDURES
+from assess.codes.procedures import PROCEDURES, family_of
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports import joints
@@ -275,7 +275,7 @@ def part_in_verdict(checks: list[Check]) -> Text:
 
 
 def _compared(checks: list[Check]) -> Text | None:
-    family = FAMILIES.get(checks[0].procedure)
+    family = family_of(checks[0].procedure)
     return None if family is None else COMPARED[family]
 
 

@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import pytest
 
-from assess.codes.procedures import FAMILIES, PROCEDURES
+from assess.codes.procedures import PROCEDURES
 from assess.examples import source
 from docs.tutorial.follow import Output, follow
 from records.formats import FORMATS
@@ -47,7 +47,7 @@ def test_from_python(tmp_path: Path) -> None:
 
 def test_three_additions_work_as_their_page_says(tmp_path: Path) -> None:
     """What the page registers is taken away again."""
-    with patch.dict(FORMATS), patch.dict(PROCEDURES), patch.dict(FAMILIES):
+    with patch.dict(FORMATS), patch.dict(PROCEDURES):
         outputs = list(follow(FOLDER.parent / "developers" / "additions.md", tmp_path))
         assert "toy-start" in PROCEDURES
     assert "toy-start" not in PROCEDURES

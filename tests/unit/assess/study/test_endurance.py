@@ -9,7 +9,7 @@ import pytest
 
 from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
-from assess.codes.procedures import FAMILIES
+from assess.codes.procedures import PROCEDURES
 from assess.errors import AssessError
 from assess.study.checks import checks_without_scan, context_of
 from assess.study.histories import RockingHistories
@@ -182,7 +182,7 @@ def test_a_wall_that_stands_by_its_tie_alone_is_not_answered_by_displacements(st
         assert (check.ratio, check.capacity_pga_g, check.steps) == (None, None, ())
     assert {"ntc2018-nonlinear", "asce43-05-spectrum", "asce43-05-history"} <= set(answers)
     linear = answers["ntc2018-linear"]
-    assert FAMILIES["ntc2018-linear"] == Family.LINEAR
+    assert PROCEDURES["ntc2018-linear"].family == Family.LINEAR
     assert linear.verdict in (Outcome.PASS, Outcome.FAIL)
     assert results.verdict.outcome == "incomplete"
     assert mechanism.histories == ()

@@ -1,5 +1,4 @@
-"""The joint that a hinge presses on, and the contact of its faces: where the resultant acts, how much is open or
-crushed.
+"""The joint that a hinge presses on, and the contact of its faces: resultant, open and crushed depth.
 
 A joint has no tension, is linear up to its strength and plastic beyond. One solver serves every section and regime
 (full or partial contact, elastic or crushed); thesis 6.2-6.45 are its special cases. The rotation is that of one face
@@ -41,6 +40,18 @@ class Interface:
     course_thickness: float | None = None
     strength: float | None = None
     shape: Literal["outline"] | Shape = "outline"
+
+
+@dataclass(frozen=True)
+class JointLaw:
+    """A joint without tension, linear up to its strength and plastic beyond, without memory.
+
+    stiffness : per unit of area, k_n = E / thickness [Pa/m]; infinite: rigid
+    strength : in compression, f_m [Pa]; infinite: elastic
+    """
+
+    stiffness: float = inf
+    strength: float = inf
 
 
 @dataclass(frozen=True, repr=False)
@@ -210,15 +221,3 @@ def _require_load(section: ContactSection, law: JointLaw, forces: FloatArray, *,
             f"{where}: its normal force, {most:.6g} N, is {most / bearing:.4g} times what it can carry, "
             f"{bearing:.6g} N = {section.area:.4g} m2 x {law.strength:.4g} Pa; give it more strength or area"
         )
-
-
-@dataclass(frozen=True)
-class JointLaw:
-    """A joint without tension, linear up to its strength and plastic beyond, without memory.
-
-    stiffness : per unit of area, k_n = E / thickness [Pa/m]; infinite: rigid
-    strength : in compression, f_m [Pa]; infinite: elastic
-    """
-
-    stiffness: float = inf
-    strength: float = inf

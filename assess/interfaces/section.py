@@ -18,9 +18,54 @@ from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
 Direction = Sequence[float] | FloatArray
+ALONG_X: Direction = (1.0, 0.0)
 THINNEST = 1e-12  # of the extent squared: a region with less area is a line
 ROUNDING = 1e-14  # of the depth: vertices no further apart are at one depth
-ALONG_X: Direction = (1.0, 0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """The contact by one of its sizes [m], the first along the direction of motion, the second across.
+
+    rectangle : (thickness, length); hollow_rectangle : with the sizes of the hole behind them; circle : diameter
+    annulus : (diameter, inner diameter); polygon : corners (x, y) in plan
+    """
+
+    rectangle: tuple[float, float] | None = None
+    hollow_rectangle: tuple[float, float, float, float] | None = None
+    circle: float | None = None
+    annulus: tuple[float, float] | None = None
+    polygon: tuple[tuple[float, float], ...] | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class ContactSection(ShortRepr):
+    """A plane region seen in one direction of rocking: pieces of linear width, and discs.
+
+    The depth x runs from the compressed extreme fibre, 0, to the far one; the offset y along the axis of rotation
+    from the centroid, positive to the left of the direction of rocking.
+
+    Attributes
+    ----------
+    depth : extent in the direction of rocking [m]; breadth : extent across [m]
+    area : [m2]
+    centroid : its distance from the compressed edge [m]
+    pieces : begin of each piece, its width and the integral of the offset over the width as polynomials from there,
+        moments up to there; a last row for the far edge; no rows for discs alone; see `kernel.moments` [m + 1, 12]
+    discs : radius [m], depth of the disc's own edge [m] and 1 or -1 where it adds or takes away [d, 3]
+    """
+
+    depth: float
+    breadth: float
+    area: float
+    centroid: float
+    pieces: FloatArray
+    discs: FloatArray
+
+    @property
+    def table(self) -> moments.Table:
+        """The arrays and numbers that the kernel reads."""
+        return self.pieces, self.discs, self.depth, self.area, self.centroid
 
 
 def rectangle(width: float, length: float, *, direction: Direction = ALONG_X) -> ContactSection:
@@ -174,36 +219,6 @@ def _unit(direction: Direction) -> FloatArray:
     return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
 
 
-@dataclass(frozen=True, repr=False)
-class ContactSection(ShortRepr):
-    """A plane region seen in one direction of rocking: pieces of linear width, and discs.
-
-    The depth x runs from the compressed extreme fibre, 0, to the far one; the offset y along the axis of rotation
-    from the centroid, positive to the left of the direction of rocking.
-
-    Attributes
-    ----------
-    depth : extent in the direction of rocking [m]; breadth : extent across [m]
-    area : [m2]
-    centroid : its distance from the compressed edge [m]
-    pieces : begin of each piece, its width and the integral of the offset over the width as polynomials from there,
-        moments up to there; a last row for the far edge; no rows for discs alone; see `kernel.moments` [m + 1, 12]
-    discs : radius [m], depth of the disc's own edge [m] and 1 or -1 where it adds or takes away [d, 3]
-    """
-
-    depth: float
-    breadth: float
-    area: float
-    centroid: float
-    pieces: FloatArray
-    discs: FloatArray
-
-    @property
-    def table(self) -> moments.Table:
-        """The arrays and numbers that the kernel reads."""
-        return self.pieces, self.discs, self.depth, self.area, self.centroid
-
-
 def section_of_pieces(knots: ArrayLike, *, widths: ArrayLike, sides: ArrayLike, breadth: float) -> ContactSection:
     """Make a section whose width is linear between knots.
 
@@ -317,18 +332,3 @@ def _strips(section: ContactSection, start: float, end: float) -> Iterator[tuple
             angle = 0.5 * (first + last) + 0.5 * (last - first) * POINTS
             x = disc[EDGE] + radius * (1.0 - np.cos(angle))
             yield x, disc[SIGN] * (last - first) * WEIGHTS * (radius * np.sin(angle)) ** 2
-
-
-@dataclass(frozen=True, kw_only=True)
-class Shape:
-    """The contact by one of its sizes [m], the first along the direction of motion, the second across.
-
-    rectangle : (thickness, length); hollow_rectangle : with the sizes of the hole behind them; circle : diameter
-    annulus : (diameter, inner diameter); polygon : corners (x, y) in plan
-    """
-
-    rectangle: tuple[float, float] | None = None
-    hollow_rectangle: tuple[float, float, float, float] | None = None
-    circle: float | None = None
-    annulus: tuple[float, float] | None = None
-    polygon: tuple[tuple[float, float], ...] | None = None

@@ -183,9 +183,9 @@ def overburden_force(
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
     aside = Quantity(x - middle, "length", 3)
-    said = [message("load-overburden", {"bodies": ", ".join(load.bodies), "aside": aside})]
-    said += [message("load-not-shared", {"bodies": ", ".join(states)})] if states else []
-    return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(said), until="collapse", evidence=WEIGHT)
+    source = [message("load-overburden", {"bodies": ", ".join(load.bodies), "aside": aside})]
+    source += [message("load-not-shared", {"bodies": ", ".join(states)})] if states else []
+    return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(source), until="collapse", evidence=WEIGHT)
 
 
 def weight_on_wall(

@@ -160,7 +160,7 @@ class Surroundings:
 class LoadSet:
     """The loads that bodies bring, and warnings about them.
 
-    block_by_place : of each load, whether its block is told by where it acts
+    block_by_place : of each load, whether its block follows from where it acts
     """
 
     loads: tuple[Load, ...]

@@ -21,7 +21,10 @@ from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.messages.message import Message, Term
 
 Place = tuple[float, ...]
+Point = tuple[float, float]
+Until = float | Literal["collapse"] | None
 Through = Literal["joint", "fixed"] | None
+SourceParts = tuple[Term | Message, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,11 +150,6 @@ def bodies_of(load: LoadDefinition) -> tuple[str, ...]:
     if isinstance(load, OverburdenLoad):
         return load.bodies
     return (load.body,) if isinstance(load, BodyLoad) else ()
-
-
-Point = tuple[float, float]
-Until = float | Literal["collapse"] | None
-SourceParts = tuple[Term | Message, ...]
 
 
 def source_phrase(parts: SourceParts) -> str:

@@ -128,9 +128,9 @@ def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float)
         "f": Quantity(arch.rise, "length"),
         "H": Quantity(H, "force"),
     }
-    said = [message("load-thrust", values), *arch.source, _lever_source(load, arch, V=V)]
+    source = [message("load-thrust", values), *arch.source, _lever_source(load, arch, V=V)]
     along_motion = message("load-along-motion", {"force": Quantity(H * cosine, "force")})
-    return Thrust(H * cosine, said if cosine > 0.9999 else [*said, along_motion])
+    return Thrust(H * cosine, source if cosine > 0.9999 else [*source, along_motion])
 
 
 def _lever_source(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:

@@ -34,6 +34,10 @@ from assess.mechanisms.restitution import ImpactRules, RestitutionChoice, conser
 from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
 from spectra.arrays import ComplexArray, FloatArray, IntArray
 
+Line = tuple[Point, Point]
+Hinges = tuple[Point, Point, Point, Point]
+MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
+
 
 @dataclass(frozen=True, kw_only=True)
 class FourHinge(BlockMechanism):
@@ -138,6 +142,10 @@ FOUR_HINGE = MechanismKind(
     support="hinged",
 )
 """A four-hinge mechanism is drawn in its plane: its direction is not sought."""
+APART = 1e-6  # of the longest joint: points this near are one
+BEYOND = 0.1  # of the arch: more than this beyond its end joints gets a warning
+SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
+CHOICES_AT_ONCE = 20_000  # choices of four joints evaluated together: 80 voussoirs have 1.7 million
 
 
 def arch_mechanism(
@@ -158,13 +166,6 @@ def arch_mechanism(
         start = f'mechanism "{name}": '
         raise MechanismError(start + "; ".join((*map(str, warnings), str(error).removeprefix(start)))) from None
     return replace(made, warnings=(*warnings, *made.warnings)), pieces
-
-
-Hinges = tuple[Point, Point, Point, Point]
-MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
-APART = 1e-6  # of the longest joint: points this near are one
-BEYOND = 0.1  # of the arch: more than this beyond its end joints gets a warning
-SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
 
 
 def arch_at_weakest_hinges(
@@ -309,9 +310,6 @@ def voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: i
     )
 
 
-CHOICES_AT_ONCE = 20_000  # choices of four joints evaluated together: 80 voussoirs have 1.7 million
-
-
 @dataclass(frozen=True)
 class ArchHinges:
     """A mechanism of an arch: its four joints, their hinges A to D, and its uplift multiplier [-]."""
@@ -439,6 +437,3 @@ def _vectors_across(voussoirs: Sequence[RigidBlock], ends: ComplexArray) -> Comp
 
 def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
     return np.asarray((np.conj(a) * b).imag, dtype=np.float64)
-
-
-Line = tuple[Point, Point]

@@ -26,6 +26,8 @@ from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 Sides = Literal["one", "two"]
+Vector = tuple[float, float, float]
+ALONG_X: Vector = (1.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,6 +109,24 @@ class CutAngle:
 
     point: Vector
     angle: float
+
+
+def keys_along_direction(
+    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
+) -> Iterator[tuple[str | int, ...]]:
+    """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0.
+
+    Parameters
+    ----------
+    chained : a definition, or the table of a project file that has the same names
+    hinges : its given hinges by key, from A on
+    """
+    for place, load in enumerate(chained.loads):
+        yield from (("loads", place, name) for name in direction_keys(load))
+    for key, given in hinges.items():
+        yield from ((key, letter) for letter, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
+    if getattr(chained, "joints", None) is not None:
+        yield ("joints",)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -218,6 +238,95 @@ def _crushes(joint: Joint | None) -> bool:
     return joint is not None and joint.law.strength < inf
 
 
+LEVEL = (0.0, 1.0)
+NO_FRICTION = Term("give blocks with geometry and a material with friction")
+
+
+@dataclass(frozen=True)
+class Face:
+    """The orientation and friction of the faces at a hinge.
+
+    normal : unit vector (x, z) in the sign of the branch, to the block that presses
+    on_geometry : whether the geometry has such faces; if not, they are taken as horizontal
+    friction : coefficient [-], None if not known; remedy : what to add to the project
+    """
+
+    normal: tuple[float, float] = LEVEL
+    on_geometry: bool = False
+    friction: float | None = None
+    remedy: Term | Message = NO_FRICTION
+
+
+@dataclass(frozen=True, repr=False)
+class Directions(ShortRepr):
+    """The resistance against rotation towards each direction of a circle.
+
+    Attributes
+    ----------
+    angle : of the direction from +x towards +y, rising [n] [deg]
+    multiplier : lambda at rest of the rotation towards it [n] [-]
+    p : p_eq [n] [1/s]; overturning : phi_ov [n] [rad]
+    weakest : the angle of the least multiplier, the smallest of equals [deg]
+    """
+
+    angle: tuple[float, ...]
+    multiplier: tuple[float, ...]
+    p: tuple[float, ...]
+    overturning: tuple[float, ...]
+    weakest: float
+
+    @property
+    def variation(self) -> float:
+        """1 - least / largest multiplier [-]: 0 for a body that is equal from all sides."""
+        return 1.0 - min(self.multiplier) / max(self.multiplier)
+
+    @property
+    def flat(self) -> float:
+        """Range of angles within one percent of the least multiplier, interpolated linearly [deg]."""
+        circle = np.arange(STEPS) * (360.0 / STEPS)
+        around = np.interp(circle, self.angle, self.multiplier, period=360.0)
+        return float(np.count_nonzero(around <= NEARLY_WEAKEST * min(self.multiplier)) * (360.0 / STEPS))
+
+
+NEARLY_WEAKEST = 1.01  # multipliers up to this many times the least are nearly as weak
+STEPS = 3600  # of the circle on which they are counted
+
+
+@dataclass(frozen=True)
+class CandidateDirection:
+    """A direction towards which a mechanism may topple.
+
+    Attributes
+    ----------
+    angle : from +x towards +y [deg]
+    multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
+        None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
+    touching : the bodies that stop it
+    reason : why it cannot rock this way, empty if it can
+    """
+
+    angle: float
+    multiplier: float | None = None
+    displacement: float | None = None
+    touching: tuple[str, ...] = ()
+    reason: str = ""
+
+    @property
+    def direction(self) -> Vector:
+        """The direction as a unit vector."""
+        return direction_at(self.angle)
+
+
+def direction_angle(direction: Vector) -> float:
+    """Return the angle of a horizontal vector from +x towards +y, from 0 to 360 [deg]."""
+    return round(degrees(atan2(direction[1], direction[0])), 12) % 360.0
+
+
+def direction_at(angle: float) -> Vector:
+    """Return the horizontal unit vector at `angle` [deg] from +x towards +y."""
+    return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)
+
+
 LimitKind = Literal["break", "seat"]
 BranchName = Literal["positive", "negative"]
 AT_JUMP = 1e-9  # of a rotation: a jump of a table this near an end is that end
@@ -307,114 +416,3 @@ def height_of_highest_tie(mechanism: Mechanism) -> float:
         and (lasts(action) or isinstance(action.until, float))
     ]
     return max(heights, default=0.0)
-
-
-NEARLY_WEAKEST = 1.01  # multipliers up to this many times the least are nearly as weak
-STEPS = 3600  # of the circle on which they are counted
-Vector = tuple[float, float, float]
-
-
-@dataclass(frozen=True, repr=False)
-class Directions(ShortRepr):
-    """The resistance against rotation towards each direction of a circle.
-
-    Attributes
-    ----------
-    angle : of the direction from +x towards +y, rising [n] [deg]
-    multiplier : lambda at rest of the rotation towards it [n] [-]
-    p : p_eq [n] [1/s]; overturning : phi_ov [n] [rad]
-    weakest : the angle of the least multiplier, the smallest of equals [deg]
-    """
-
-    angle: tuple[float, ...]
-    multiplier: tuple[float, ...]
-    p: tuple[float, ...]
-    overturning: tuple[float, ...]
-    weakest: float
-
-    @property
-    def variation(self) -> float:
-        """1 - least / largest multiplier [-]: 0 for a body that is equal from all sides."""
-        return 1.0 - min(self.multiplier) / max(self.multiplier)
-
-    @property
-    def flat(self) -> float:
-        """Range of angles within one percent of the least multiplier, interpolated linearly [deg]."""
-        circle = np.arange(STEPS) * (360.0 / STEPS)
-        around = np.interp(circle, self.angle, self.multiplier, period=360.0)
-        return float(np.count_nonzero(around <= NEARLY_WEAKEST * min(self.multiplier)) * (360.0 / STEPS))
-
-
-@dataclass(frozen=True)
-class CandidateDirection:
-    """A direction towards which a mechanism may topple.
-
-    Attributes
-    ----------
-    angle : from +x towards +y [deg]
-    multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
-        None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
-    touching : the bodies that stop it
-    reason : why it cannot rock this way, empty if it can
-    """
-
-    angle: float
-    multiplier: float | None = None
-    displacement: float | None = None
-    touching: tuple[str, ...] = ()
-    reason: str = ""
-
-    @property
-    def direction(self) -> Vector:
-        """The direction as a unit vector."""
-        return direction_at(self.angle)
-
-
-def direction_angle(direction: Vector) -> float:
-    """Return the angle of a horizontal vector from +x towards +y, from 0 to 360 [deg]."""
-    return round(degrees(atan2(direction[1], direction[0])), 12) % 360.0
-
-
-def direction_at(angle: float) -> Vector:
-    """Return the horizontal unit vector at `angle` [deg] from +x towards +y."""
-    return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)
-
-
-LEVEL = (0.0, 1.0)
-NO_FRICTION = Term("give blocks with geometry and a material with friction")
-
-
-@dataclass(frozen=True)
-class Face:
-    """The orientation and friction of the faces at a hinge.
-
-    normal : unit vector (x, z) in the sign of the branch, to the block that presses
-    on_geometry : whether the geometry has such faces; if not, they are taken as horizontal
-    friction : coefficient [-], None if not known; remedy : what to add to the project
-    """
-
-    normal: tuple[float, float] = LEVEL
-    on_geometry: bool = False
-    friction: float | None = None
-    remedy: Term | Message = NO_FRICTION
-
-
-ALONG_X: Vector = (1.0, 0.0, 0.0)
-
-
-def keys_along_direction(
-    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
-) -> Iterator[tuple[str | int, ...]]:
-    """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0.
-
-    Parameters
-    ----------
-    chained : a definition, or the table of a project file that has the same names
-    hinges : its given hinges by key, from A on
-    """
-    for place, load in enumerate(chained.loads):
-        yield from (("loads", place, name) for name in direction_keys(load))
-    for key, given in hinges.items():
-        yield from ((key, letter) for letter, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
-    if getattr(chained, "joints", None) is not None:
-        yield ("joints",)

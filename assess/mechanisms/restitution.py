@@ -6,15 +6,15 @@ for a unit rate of phi. The rules differ in what is conserved from one field to 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from math import atan2, cos, hypot, isclose, sin
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.loads.load import PointMass
+from assess.loads.load import PointMass, source_phrase
 from assess.mechanisms.chain import Chain, move, trace_point
 from assess.messages.message import Message, Quantity, Term, Value, message, warning
 from assess.oscillator import RockingBlock
@@ -22,6 +22,7 @@ from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 RestitutionRule = Literal["thesis", "housner", "sorrentino", "momentum"]
+RESTITUTIONS: tuple[str, ...] = get_args(RestitutionRule)
 
 RestitutionChoice = float | RestitutionRule | None
 """A number, a rule by its name, or None: "momentum" if a load moves with the mechanism, else the rule of the thesis."""
@@ -82,58 +83,6 @@ REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 fir
 SAME = 5e-4  # coefficients this close are printed alike
 
 
-def conserve_momentum(ending: Chain, starting: Chain) -> RestitutionCoefficient:
-    """Conserve momentum: the impulses at the new hinges do no work on the new motion, so project the old field onto it.
-
-    For one block this is the angular momentum about the new hinge. No impact by this rule adds energy.
-    """
-    new = velocity_field(starting)
-    return RestitutionCoefficient(-kinetic_product(velocity_field(ending), new) / inertia_at_rest(new), MOMENTUM)
-
-
-def conserve_about_base(ending: Chain, starting: Chain) -> RestitutionCoefficient:
-    """Conserve the angular momentum of the whole about the new base hinge (3.46, there for two plain rectangles).
-
-    This neglects the impulse of the support at the top.
-    """
-    old, new = velocity_field(ending), velocity_field(starting)
-    x, z = starting.hinges[0]
-    return RestitutionCoefficient(angular_momentum(old, -x, z) / angular_momentum(new, x, z), ABOUT_BASE)
-
-
-def housner_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
-    """Apply 3.44, for a block with two like hinges."""
-    return RestitutionCoefficient(housner(plain_block(ending)), HOUSNER)
-
-
-def single_block_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
-    """Apply 3.44 for two like hinges; for others it could add energy (tested), so conserve momentum instead."""
-    first, second = plain_block(ending), plain_block(starting)
-    alike = isclose(first.slenderness, second.slenderness, rel_tol=1e-9) and isclose(
-        first.radius, second.radius, rel_tol=1e-9
-    )
-    return housner_rule(ending, starting) if alike else conserve_momentum(ending, starting)
-
-
-def sorrentino_rebound(chain: Chain) -> RestitutionCoefficient:
-    """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
-    signed = sorrentino(plain_block(chain))
-    source = message("restitution-3-45", {"value": Quantity(signed, "ratio", 3)})
-    if signed >= 0:
-        return RestitutionCoefficient(0.0, (source,), warning("restitution-no-rebound", **source.values))
-    return RestitutionCoefficient(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
-
-
-def no_rebound(chain: Chain) -> RestitutionCoefficient:
-    """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
-    return RestitutionCoefficient(0.0, NO_REBOUND, warning("restitution-chain"))
-
-
-def moving_masses(*chains: Chain) -> tuple[str, ...]:
-    """Return the names of the loads that move with the mechanism, bearing or not."""
-    return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
-
-
 def find_restitution(
     choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, rules: ImpactRules, kind: str, name: str
 ) -> RestitutionCoefficient:
@@ -169,17 +118,8 @@ def find_restitution(
     rule = choice or default_rule(ending, starting, rules=rules)
     kept = rules.two_sided[rule](ending, starting)
     _require_no_gain(kept, ending=ending, starting=starting, name=name)
-    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, rules=rules))
-    return _stopped_at_impact(told) if told.value < 0.0 else _with_warning(told, ending=ending, starting=starting)
-
-
-def _high_dissipation_warning(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
-    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
-    by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
-    if starting is None or given >= by_momentum - NOTABLE:
-        return None
-    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
-    return warning("restitution-takes-more", **values)
+    kept = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, rules=rules))
+    return _stopped_at_impact(kept) if kept.value < 0.0 else _with_warning(kept, ending=ending, starting=starting)
 
 
 def default_rule(ending: Chain, starting: Chain, *, rules: ImpactRules) -> RestitutionRule:
@@ -196,16 +136,30 @@ def compare_rules(
     """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
     other: RestitutionRule = "thesis" if rule == "momentum" else "momentum"
     value = rules.two_sided[other](ending, starting).value
-    said: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
     if abs(value - kept.value) > SAME:
-        said = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
+        messages = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
     if rule != "momentum" or not moving_masses(ending, starting):
-        return said
+        return messages
     new = velocity_field(starting, sliding=True)
     slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
     if abs(slid - kept.value) <= NOTABLE:
-        return said
-    return (*said, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
+        return messages
+    return (*messages, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
+
+
+def moving_masses(*chains: Chain) -> tuple[str, ...]:
+    """Return the names of the loads that move with the mechanism, bearing or not."""
+    return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
+
+
+def _high_dissipation_warning(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
+    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
+    by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
+    if starting is None or given >= by_momentum - NOTABLE:
+        return None
+    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
+    return warning("restitution-takes-more", **values)
 
 
 def _stopped_at_impact(kept: RestitutionCoefficient) -> RestitutionCoefficient:
@@ -255,14 +209,56 @@ def _require_no_gain(kept: RestitutionCoefficient, *, ending: Chain, starting: C
     """Raise MechanismError for a coefficient that would add energy."""
     if _adds_energy(kept, ending=ending, starting=starting):
         raise MechanismError(
-            f'mechanism "{name}": restitution {kept.value:.3g} ({source_text(kept.source)}) would add energy at the '
+            f'mechanism "{name}": restitution {kept.value:.3g} ({source_phrase(kept.source)}) would add energy at the '
             'impact, for the two hinges differ; use "momentum" or a number'
         )
 
 
-def source_text(source: Iterable[Term | Message]) -> str:
-    """Return the parts of a source in one English phrase."""
-    return "; ".join(map(str, source))
+def conserve_momentum(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Conserve momentum: the impulses at the new hinges do no work on the new motion, so project the old field onto it.
+
+    For one block this is the angular momentum about the new hinge. No impact by this rule adds energy.
+    """
+    new = velocity_field(starting)
+    return RestitutionCoefficient(-kinetic_product(velocity_field(ending), new) / inertia_at_rest(new), MOMENTUM)
+
+
+def conserve_about_base(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Conserve the angular momentum of the whole about the new base hinge (3.46, there for two plain rectangles).
+
+    This neglects the impulse of the support at the top.
+    """
+    old, new = velocity_field(ending), velocity_field(starting)
+    x, z = starting.hinges[0]
+    return RestitutionCoefficient(angular_momentum(old, -x, z) / angular_momentum(new, x, z), ABOUT_BASE)
+
+
+def housner_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Apply 3.44, for a block with two like hinges."""
+    return RestitutionCoefficient(housner(plain_block(ending)), HOUSNER)
+
+
+def single_block_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Apply 3.44 for two like hinges; for others it could add energy (tested), so conserve momentum instead."""
+    first, second = plain_block(ending), plain_block(starting)
+    alike = isclose(first.slenderness, second.slenderness, rel_tol=1e-9) and isclose(
+        first.radius, second.radius, rel_tol=1e-9
+    )
+    return housner_rule(ending, starting) if alike else conserve_momentum(ending, starting)
+
+
+def sorrentino_rebound(chain: Chain) -> RestitutionCoefficient:
+    """Apply 3.45 to one-sided rocking of a block against a wall; without a rebound return 0 with a warning."""
+    signed = sorrentino(plain_block(chain))
+    source = message("restitution-3-45", {"value": Quantity(signed, "ratio", 3)})
+    if signed >= 0:
+        return RestitutionCoefficient(0.0, (source,), warning("restitution-no-rebound", **source.values))
+    return RestitutionCoefficient(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
+
+
+def no_rebound(chain: Chain) -> RestitutionCoefficient:
+    """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
+    return RestitutionCoefficient(0.0, NO_REBOUND, warning("restitution-chain"))
 
 
 def housner(block: RockingBlock) -> float:
@@ -281,6 +277,21 @@ def sorrentino(block: RockingBlock) -> float:
     """
     M, R, alpha, I_O = block.mass, block.radius, block.slenderness, block.inertia
     return housner(block) ** 2 * (1 - 2 * M * R**2 / I_O * cos(alpha) ** 2)
+
+
+def plain_block(chain: Chain) -> RockingBlock:
+    """Return mass, radius, slenderness and hinge inertia of a chain of one block with its bearing masses.
+
+    These enter 3.44 and 3.45; non-bearing masses and applied forces are ignored.
+    """
+    (block,), (hinge,) = chain.blocks, chain.hinges
+    carried = [load for load in chain.loads if isinstance(load, PointMass) and load.bearing]
+    points = [(block.mass, block.centroid), *((load.mass, load.at) for load in carried)]
+    arms = [(mass, hinge[0] - at[0], at[1] - hinge[1]) for mass, at in points]
+    total = sum(mass for mass, _, _ in arms)
+    behind, height = (sum(arm[0] * arm[i] for arm in arms) / total for i in (1, 2))
+    about_hinge = block.inertia + sum(mass * (b**2 + h**2) for mass, b, h in arms)
+    return RockingBlock(total, hypot(behind, height), atan2(behind, height), about_hinge)
 
 
 @dataclass(frozen=True, repr=False)
@@ -346,21 +357,3 @@ def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
     horizontal = (moving.z - z) * moving.horizontal_mass * moving.dx
     vertical = (moving.x - x) * moving.vertical_mass * moving.dz
     return float(np.sum(horizontal - vertical + moving.inertia * moving.rate))
-
-
-def plain_block(chain: Chain) -> RockingBlock:
-    """Return mass, radius, slenderness and hinge inertia of a chain of one block with its bearing masses.
-
-    These enter 3.44 and 3.45; non-bearing masses and applied forces are ignored.
-    """
-    (block,), (hinge,) = chain.blocks, chain.hinges
-    carried = [load for load in chain.loads if isinstance(load, PointMass) and load.bearing]
-    points = [(block.mass, block.centroid), *((load.mass, load.at) for load in carried)]
-    arms = [(mass, hinge[0] - at[0], at[1] - hinge[1]) for mass, at in points]
-    total = sum(mass for mass, _, _ in arms)
-    behind, height = (sum(arm[0] * arm[i] for arm in arms) / total for i in (1, 2))
-    about_hinge = block.inertia + sum(mass * (b**2 + h**2) for mass, b, h in arms)
-    return RockingBlock(total, hypot(behind, height), atan2(behind, height), about_hinge)
-
-
-RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")

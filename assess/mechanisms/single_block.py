@@ -35,6 +35,8 @@ from assess.mechanisms.restitution import (
 )
 from assess.messages.message import Message, Quantity, lengths, warning
 
+INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
+
 
 @dataclass(frozen=True, kw_only=True)
 class SingleBlock(BlockMechanism):
@@ -93,6 +95,77 @@ def single_block(
         outlines=(body.outline,),
         warnings=(*_off_base_warnings(body, hinge, "A"), *_off_base_warnings(body, hinge_negative, "A'"), *warnings),
     )
+
+
+def build_single_block(
+    name: str,
+    definition: SingleBlock,
+    pieces: Sequence[Piece],
+    *,
+    loads: tuple[Load, ...],
+) -> MechanismPieces:
+    """Build a single block that rocks about the edges of its base."""
+    front, back = (
+        hinges_in_plane(definition.hinge_points, definition),
+        hinges_in_plane(definition.hinges_negative, definition),
+    )
+    mechanism = single_block(
+        name,
+        pieces[0].body,
+        hinge=front[0] if front else None,
+        hinge_negative=back[0] if back else None,
+        loads=loads,
+        warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
+        **common_arguments(definition),
+    )
+    return mechanism, pieces
+
+
+def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
+    """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
+    block = plain_block(chain)
+    behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
+    if height <= 0:
+        raise MechanismError(
+            f'mechanism "{name}": the centroid lies {-height:.4g} m below the hinge of {towards} rotation; '
+            "a rocking block has its centroid above the hinge: check hinges and cut"
+        )
+    if behind <= 0:
+        raise FallingError(
+            f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
+            "the hinge; check the geometry, the direction, the hinges and the loads"
+        )
+
+
+def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
+    """Return a warning if a given hinge does not lie on the base of the body."""
+    if hinge is None or body.base is None:
+        return []
+    low, high = body.base
+    width = high[0] - low[0]
+    tolerance = 0.01 * width
+    elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
+    if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
+        return []
+    ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
+    return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
+
+
+def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
+    """Return the edge of the base about which the body rocks."""
+    if body.base is None:
+        raise MechanismError(
+            f'mechanism "{name}": its body has no geometry, so its base is not known; '
+            "give hinges = { A = [x, z] } and, for two-sided rocking, hinges_negative = { A = [x, z] }"
+        )
+    low, high = body.base
+    width = high[0] - low[0]
+    if width <= 1e-6 * hypot(body.centroid[0] - low[0], body.centroid[1] - low[1]):
+        raise MechanismError(
+            f'mechanism "{name}": the body touches the ground on an edge or a point (width {width:.3g} m), '
+            "so it has no base to rock on; give hinges, a cut just above, or mend the geometry"
+        )
+    return high if towards == "positive" else low
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -163,30 +236,6 @@ def equivalent_block(
     )
 
 
-def build_single_block(
-    name: str,
-    definition: SingleBlock,
-    pieces: Sequence[Piece],
-    *,
-    loads: tuple[Load, ...],
-) -> MechanismPieces:
-    """Build a single block that rocks about the edges of its base."""
-    front, back = (
-        hinges_in_plane(definition.hinge_points, definition),
-        hinges_in_plane(definition.hinges_negative, definition),
-    )
-    mechanism = single_block(
-        name,
-        pieces[0].body,
-        hinge=front[0] if front else None,
-        hinge_negative=back[0] if back else None,
-        loads=loads,
-        warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
-        **common_arguments(definition),
-    )
-    return mechanism, pieces
-
-
 def build_equivalent_block(
     name: str, definition: EquivalentBlock, pieces: Sequence[Piece], *, loads: tuple[Load, ...]
 ) -> MechanismPieces:
@@ -215,53 +264,3 @@ SINGLE_BLOCK = MechanismKind(
 EQUIVALENT_BLOCK = MechanismKind(
     definition=EquivalentBlock, build=build_equivalent_block, impacts=BLOCK_RULES, support="free"
 )
-
-
-def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
-    """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
-    block = plain_block(chain)
-    behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
-    if height <= 0:
-        raise MechanismError(
-            f'mechanism "{name}": the centroid lies {-height:.4g} m below the hinge of {towards} rotation; '
-            "a rocking block has its centroid above the hinge: check hinges and cut"
-        )
-    if behind <= 0:
-        raise FallingError(
-            f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
-            "the hinge; check the geometry, the direction, the hinges and the loads"
-        )
-
-
-def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
-    """Return a warning if a given hinge does not lie on the base of the body."""
-    if hinge is None or body.base is None:
-        return []
-    low, high = body.base
-    width = high[0] - low[0]
-    tolerance = 0.01 * width
-    elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
-    if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
-        return []
-    ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
-    return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
-
-
-def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
-    """Return the edge of the base about which the body rocks."""
-    if body.base is None:
-        raise MechanismError(
-            f'mechanism "{name}": its body has no geometry, so its base is not known; '
-            "give hinges = { A = [x, z] } and, for two-sided rocking, hinges_negative = { A = [x, z] }"
-        )
-    low, high = body.base
-    width = high[0] - low[0]
-    if width <= 1e-6 * hypot(body.centroid[0] - low[0], body.centroid[1] - low[1]):
-        raise MechanismError(
-            f'mechanism "{name}": the body touches the ground on an edge or a point (width {width:.3g} m), '
-            "so it has no base to rock on; give hinges, a cut just above, or mend the geometry"
-        )
-    return high if towards == "positive" else low
-
-
-INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans

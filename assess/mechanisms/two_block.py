@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, get_args
 
 from assess.errors import MechanismError
 from assess.geometry.cut import Piece
@@ -41,6 +41,10 @@ from assess.mechanisms.restitution import (
 )
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 
+CrackRule = Literal["sorrentino", "minimum"]
+CRACKS: tuple[str, ...] = get_args(CrackRule)
+Hinges = tuple[Point, Point, Point]
+
 
 @dataclass(frozen=True, kw_only=True)
 class TwoBlock(BlockMechanism):
@@ -52,7 +56,7 @@ class TwoBlock(BlockMechanism):
 
     kind: ClassVar[str] = "two-block"
     number_of_blocks: ClassVar[int] = 2
-    crack: float | Literal["sorrentino", "minimum"] | None = None
+    crack: float | CrackRule | None = None
 
 
 def two_block(
@@ -154,9 +158,6 @@ TWO_BLOCK = MechanismKind(
 )
 
 
-Hinges = tuple[Point, Point, Point]
-
-
 def edge_hinges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
     """Return hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
     head = top_edge(upper)
@@ -191,6 +192,3 @@ def loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[Mess
                 crack=Quantity(elevation, "length"),
                 **point_values(load.at),
             )
-
-
-CRACKS = ("sorrentino", "minimum")

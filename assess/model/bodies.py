@@ -177,8 +177,8 @@ def mesh(
         raise GeometryError(f'body "{name}": element = {element!r:.60}: give a text')
     if up not in ("y", "z", None):
         raise GeometryError(f'body "{name}": up = {up!r}: write "y" or "z"')
-    masonry, asked = _masonry(density, name), (Path(path), element)
-    model = read_selected_meshes({name: asked})[asked]
+    masonry, selection = _masonry(density, name), (Path(path), element)
+    model = read_selected_meshes({name: selection})[selection]
     made = meshes.solid_from_meshes(model, density=masonry.density, name=name, scale=unit, up=up)
     return Body(name=name, solid=made, material=masonry)
 

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.interfaces.contact import Interface
+from assess.interfaces.contact import Interface, JointModel
 from assess.interfaces.section import Shape
 from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad, bodies_of
 from assess.mechanisms.chain import HINGES
@@ -25,8 +25,6 @@ from assess.mechanisms.single_block import INERTIA_RATIOS, EquivalentBlock
 from assess.mechanisms.two_block import CRACKS, TwoBlock
 from assess.model.bodies import Bodies
 from spectra.arrays import is_number
-
-MODELS = ("rigid", "flexible", "semi-flexible", "flexible-thesis")
 
 POSITIVE = frozenset(
     [
@@ -59,7 +57,7 @@ def check_definition(name: str, definition: Definition, bodies: Bodies) -> None:
     Parameters
     ----------
     name : of the mechanism
-    definition : as asked for
+    definition : as stated
     bodies : the bodies that it may name
     """
     problem = next(_problems(definition, bodies), None)
@@ -228,8 +226,8 @@ def _direction_problems(definition: BlockMechanism) -> Iterator[str]:
 
 
 def _interface_problems(interface: Interface) -> Iterator[str]:
-    if interface.model not in MODELS:
-        yield f"interface.model = {interface.model!r}: write one of {', '.join(MODELS)}"
+    if interface.model not in get_args(JointModel):
+        yield f"interface.model = {interface.model!r}: write one of {', '.join(get_args(JointModel))}"
     given = [key for key in ("stiffness", "course_thickness") if getattr(interface, key) is not None]
     if interface.model == "rigid" and given:
         yield f'interface.{given[0]}: is for flexible interfaces; give model = "flexible", or remove it'
@@ -243,7 +241,6 @@ def _interface_problems(interface: Interface) -> Iterator[str]:
             yield f"interface.shape: one size is needed, not {len(sizes)}"
 
 
-LOAD_KINDS = (MassLoad, ForceLoad, TieLoad, OverburdenLoad, BodyLoad)
 ROLES = ("floor", "roof", "vault")
 VAULTS = ("barrel", "quadripartite", None)
 CONSTRUCTIONS = (1, 2, 3, 4, 5, None)  # Ungewitter's cases
@@ -261,8 +258,8 @@ def load_problems(load: LoadDefinition, definition: BlockMechanism, bodies: Bodi
     definition : the mechanism that it is a load of
     bodies : the bodies that it may name
     """
-    if not isinstance(load, LOAD_KINDS):
-        yield f"{load!r} is no load; give {', '.join(kind.__name__ for kind in LOAD_KINDS)}"
+    if not isinstance(load, LoadDefinition):
+        yield f"{load!r} is no load; give {', '.join(kind.__name__ for kind in get_args(LoadDefinition))}"
         return
     unknown = [body for body in bodies_of(load) if body not in bodies]
     if unknown:

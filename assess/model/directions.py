@@ -331,20 +331,20 @@ def evaluate_candidates(search: DirectionSearch) -> tuple[CandidateDirection, ..
 
 def evaluate_candidate(angle: float, search: DirectionSearch) -> CandidateDirection:
     """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
-    asked = CandidateDirection(angle)
-    asked = replace(asked, touching=bodies_that_stop(search.obstacles, asked.direction))
-    if not hinge_on_side(search, asked.direction):
-        return replace(asked, reason=OTHER_SIDE)
+    candidate = CandidateDirection(angle)
+    candidate = replace(candidate, touching=bodies_that_stop(search.obstacles, candidate.direction))
+    if not hinge_on_side(search, candidate.direction):
+        return replace(candidate, reason=OTHER_SIDE)
     try:
-        return replace(asked, multiplier=uplift_multiplier(search.mechanism_towards(asked.direction).positive))
+        return replace(candidate, multiplier=uplift_multiplier(search.mechanism_towards(candidate.direction).positive))
     except FallingError as error:
-        if search.definition.direction is None and not asked.touching:
+        if search.definition.direction is None and not candidate.touching:
             raise FallingError(
-                f"{error} (towards {vector_text(asked.direction)}, looked at as `direction` is absent)"
+                f"{error} (towards {vector_text(candidate.direction)}, looked at as `direction` is absent)"
             ) from None
-        return replace(asked, reason=str(error))
+        return replace(candidate, reason=str(error))
     except AssessError as error:
-        return replace(asked, reason=str(error))
+        return replace(candidate, reason=str(error))
 
 
 def hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:

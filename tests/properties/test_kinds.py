@@ -11,13 +11,16 @@ import assess
 from assess.mechanisms.kinds import KINDS
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.project import sections
-from assess.project.sections.mechanisms import MECHANISMS, Mechanism
+from assess.project.sections.mechanisms import MECHANISMS, MechanismSection
 from reports.chapters.mechanism_page import KINDS as NAMES
 from tests.properties.test_mechanisms import CASES
 
 ROOT = Path(__file__).parents[2]
+TAGGED, _ = get_args(MechanismSection)
 SECTIONS = {
-    kind: section for section in get_args(Mechanism) for kind in get_args(section.model_fields["kind"].annotation)
+    kind: section
+    for section in (get_args(tagged)[0] for tagged in get_args(TAGGED))
+    for kind in get_args(section.model_fields["kind"].annotation)
 }
 BY_PARAMETERS = {"equivalent-block"}  # by values, not of blocks
 

@@ -23,6 +23,7 @@ from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
 from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
+from assess.mechanisms.kinds import KINDS
 from assess.mechanisms.mechanism import keys_along_direction
 from assess.mechanisms.restitution import RESTITUTIONS
 from assess.mechanisms.single_block import INERTIA_RATIOS
@@ -584,7 +585,7 @@ class EquivalentBlockSection(ProjectSection):
         return self
 
 
-MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
+MECHANISMS = tuple(KINDS)
 
 
 def _mechanism_tag(values: Any) -> str | None:

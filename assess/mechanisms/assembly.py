@@ -38,7 +38,7 @@ from assess.messages.message import Message, Quantity, Term, distinct, message, 
 
 @dataclass(frozen=True, kw_only=True)
 class MechanismKind:
-    """What is particular to one kind of mechanism: declared once, beside its constructor, and entered in `KINDS`.
+    """What is particular to one kind of mechanism: declared once, beside its constructor; see `MECHANISM_KINDS`.
 
     definition : what an engineer states of it; it bears the name of the kind
     build : from the name of a mechanism, its definition, its pieces of masonry and its loads, on rigid hinges

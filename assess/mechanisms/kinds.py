@@ -10,7 +10,7 @@ from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.single_block import EQUIVALENT_BLOCK, SINGLE_BLOCK, EquivalentBlock
 from assess.mechanisms.two_block import TWO_BLOCK
 
-KINDS: Mapping[str, MechanismKind] = {
+MECHANISM_KINDS: Mapping[str, MechanismKind] = {
     kind.name: kind for kind in (SINGLE_BLOCK, TWO_BLOCK, FOUR_HINGE, EQUIVALENT_BLOCK)
 }
 

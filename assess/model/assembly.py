@@ -19,7 +19,7 @@ from assess.mechanisms.assembly import MechanismPieces, add_joints, hinges_in_pl
 from assess.mechanisms.chain import Chain, Joint, hinge_names, top_loads
 from assess.mechanisms.flexible_chain import FlexibleChain, JointedChain
 from assess.mechanisms.hinge_forces import is_top_support
-from assess.mechanisms.kinds import KINDS, Definition
+from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.mechanisms.two_block import TwoBlock
@@ -41,7 +41,7 @@ class Built:
 def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
     """Build the mechanism of a definition."""
     if not isinstance(definition, BlockMechanism):
-        mechanism, _ = KINDS[definition.kind].build(name, definition, (), loads=())
+        mechanism, _ = MECHANISM_KINDS[definition.kind].build(name, definition, (), loads=())
         return Built(mechanism, None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
     jointed = place_on_joints(rigid, definition, members, bodies, restitution=definition.restitution.choices)
@@ -55,7 +55,7 @@ def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> Me
         pieces, crack = cut_into_blocks(name, definition, bodies)
         load_set = loads_of(name, definition, pieces, bodies)
         require_as_found(crack, load_set.loads)
-        mechanism, members = KINDS[definition.kind].build(name, definition, pieces, loads=load_set.loads)
+        mechanism, members = MECHANISM_KINDS[definition.kind].build(name, definition, pieces, loads=load_set.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
     warnings = mechanism.warnings if crack is None else (*crack.warnings, *mechanism.warnings)

@@ -32,7 +32,7 @@ from assess.loads.load import BodyLoad, bodies_of, point_in_plane
 from assess.mechanisms.assembly import ASKEW, LEVEL_RISE
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, virtual_work
-from assess.mechanisms.kinds import KINDS, Definition
+from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import (
     BlockMechanism,
     CandidateDirection,
@@ -75,7 +75,7 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
     """
     if (
         not isinstance(definition, BlockMechanism)
-        or not KINDS[definition.kind].direction_sought
+        or not MECHANISM_KINDS[definition.kind].direction_sought
         or definition.direction == "sweep"
         or not has_geometry(definition, bodies)
     ):

@@ -23,7 +23,7 @@ from assess.interfaces.contact import Interface
 from assess.interfaces.section import Shape
 from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
 from assess.mechanisms.four_hinge import RadialJoints
-from assess.mechanisms.kinds import KINDS, Definition
+from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism
 from assess.mechanisms.restitution import Restitution
 from assess.mechanisms.single_block import EquivalentBlock
@@ -81,7 +81,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     if isinstance(section, sections.EquivalentBlockSection):
         return fill(EquivalentBlock, section, restitution=restitution_of(section))
     return fill(
-        KINDS[section.kind].definition,
+        MECHANISM_KINDS[section.kind].definition,
         section,
         cut=cut_of(section.cut),
         loads=tuple(load_of(load, evidence=evidence) for load in section.loads),

@@ -31,7 +31,7 @@ from assess.geometry.planar import Outline
 from assess.loads.load import Force, Load, Point, PointMass, upward
 from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.kinds import KINDS
+from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
 from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator
@@ -319,7 +319,7 @@ def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
 
 
-SUPPORTS: Mapping[str, Support] = {name: kind.support for name, kind in KINDS.items()}
+SUPPORTS: Mapping[str, Support] = {name: kind.support for name, kind in MECHANISM_KINDS.items()}
 JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
 
 

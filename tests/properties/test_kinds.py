@@ -8,7 +8,7 @@ from typing import get_args
 import pytest
 
 import assess
-from assess.mechanisms.kinds import KINDS
+from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.project import sections
 from assess.project.sections.mechanisms import MECHANISMS, MechanismSection
@@ -30,7 +30,7 @@ every_kind = pytest.mark.parametrize("kind", MECHANISMS)
 @every_kind
 def test_tables_by_kind(kind: str) -> None:
     tables = (
-        ("KINDS of assess/mechanisms/kinds.py", KINDS),
+        ("MECHANISM_KINDS of assess/mechanisms/kinds.py", MECHANISM_KINDS),
         ("the unions at the end of assess/project/sections/mechanisms.py", SECTIONS),
         ("KINDS of reports/chapters/mechanism_page.py", NAMES),
     )
@@ -45,7 +45,7 @@ def test_section_and_definition_have_one_name(kind: str) -> None:
     )
     section = SECTIONS[kind]
     assert getattr(sections, section.__name__, None) is section, "add it to assess/project/sections/__init__.py"
-    definition = KINDS[kind].definition
+    definition = MECHANISM_KINDS[kind].definition
     assert section.__name__ == f"{definition.__name__}Section", "the section is called after what it states"
     if kind in BY_PARAMETERS:
         return
@@ -58,8 +58,12 @@ def test_section_and_definition_have_one_name(kind: str) -> None:
 
 
 def test_every_kind_offers_the_rule_of_the_thesis_and_has_a_section() -> None:
-    assert all("thesis" in kind.impacts.two_sided and "thesis" in kind.impacts.one_sided for kind in KINDS.values())
-    assert set(KINDS) == set(MECHANISMS), "KINDS of assess/mechanisms/kinds.py and MECHANISMS differ"
+    assert all(
+        "thesis" in kind.impacts.two_sided and "thesis" in kind.impacts.one_sided for kind in MECHANISM_KINDS.values()
+    )
+    assert set(MECHANISM_KINDS) == set(MECHANISMS), (
+        "MECHANISM_KINDS of assess/mechanisms/kinds.py and MECHANISMS differ"
+    )
     assert set(SECTIONS) == set(MECHANISMS), "MECHANISMS and the unions of assess/project/sections/mechanisms.py differ"
 
 

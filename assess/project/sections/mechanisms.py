@@ -23,7 +23,7 @@ from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
 from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
-from assess.mechanisms.kinds import KINDS
+from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import keys_along_direction
 from assess.mechanisms.restitution import RESTITUTIONS
 from assess.mechanisms.single_block import INERTIA_RATIOS
@@ -585,7 +585,7 @@ class EquivalentBlockSection(ProjectSection):
         return self
 
 
-MECHANISMS = tuple(KINDS)
+MECHANISMS = tuple(MECHANISM_KINDS)
 
 
 def _mechanism_tag(values: Any) -> str | None:

@@ -27,18 +27,23 @@ from assess import results as r
 from assess.codes.check import PgaCurve
 from assess.errors import AssessError, ResultsError
 from assess.messages.message import Message, warning
-from assess.outputs.manifest import is_changed
+from assess.outputs.manifest import ENVELOPES, FRAGILITY, RESULTS, is_changed
 from assess.outputs.writing import recover_for_reading
 from assess.results import SCHEMA_VERSION, GroundMotionResult, MechanismResult, RecordResult, Results, SpectrumResult
 from assess.results.fragility import FRAGILITY_VERSION, CurveBand, FragilityResults, HazardResult, RecordRunsResult
 from assess.results.verification import VERIFICATION_VERSION, VerificationResults
 
-NAMES = ("results.json", "envelopes.json")
+NAMES = (RESULTS, ENVELOPES)
 """Files of results, as `assess run` and `assess envelope` write them."""
-FRAGILITY = "fragility.json"
-
 LARGEST = 500_000_000
 """Bytes of a file of results; one of eight mechanisms and seven records has some three million."""
+REMEDY = "give a results.json that `assess run` wrote"
+AGAIN = "run the project again"
+VERIFY_AGAIN = "run `assess verify` again"
+T = TypeVar("T")
+_adapter: Callable[[Any], TypeAdapter[Any]] = cache(TypeAdapter)
+"""What validates values of a type, made once in a process, which takes a while."""
+_NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
 
 
 @dataclass(frozen=True)
@@ -123,9 +128,6 @@ def read_verification(path: Path) -> VerificationResults:
     return loads_verification(_text(path, VERIFY_AGAIN), source=str(path))
 
 
-REMEDY = "give a results.json that `assess run` wrote"
-
-
 def _text(path: Path, remedy: str = REMEDY) -> str:
     try:
         status = path.stat()
@@ -158,15 +160,6 @@ def find_results(path: Path) -> Path:
         return (here or below)[0]
     found = "none of " + " or ".join(NAMES) if not below else f"{len(below)} folders of results"
     raise ResultsError(f"{path}: a folder with {found}; {REMEDY}")
-
-
-T = TypeVar("T")
-
-_adapter: Callable[[Any], TypeAdapter[Any]] = cache(TypeAdapter)
-"""What validates values of a type, made once in a process, which takes a while."""
-_NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters within a picture in base64 are none
-AGAIN = "run the project again"
-VERIFY_AGAIN = "run `assess verify` again"
 
 
 def dumps(results: Results) -> str:
@@ -361,7 +354,6 @@ def _parse(text: str, source: str, remedy: str = REMEDY) -> Any:
 
 _SCALARS = {float, int, bool, str, type(None)}
 Groups = tuple[tuple[str, ...], ...]
-
 OF_ONE_LENGTH: Mapping[type, Groups] = {
     PgaCurve: (("rotation_ratio", "pga_g"),),
     r.SpectrumResult: (("period_s", "acceleration_g"),),

@@ -16,19 +16,51 @@ from assess.short_repr import ShortRepr
 
 
 @dataclass(frozen=True, repr=False)
-class LinearisedResult(ShortRepr):
-    """Kinematic constants of a branch linearised at critical_rad (thesis 3.4-3.12): I, K, B, M, phi_cr, phi_ov.
+class MechanismResult(ShortRepr):
+    """Everything about one mechanism; direction_sweep is None unless its direction was sought on a whole circle.
 
-    uplift_multiplier: lambda of 3.11, to which thesis tables refer; the exact one is that of the oscillator.
+    oscillator, curve: with every action that is there at rest. deciding_curve: with actions that are shown to last to
+    collapse and those that drive; displacements and histories are of this curve, and their ratios refer to its
+    overturning rotations (deciding_overturning_rad, of rigid joints, positive and negative). Both are None if the two
+    curves are the same, or if the mechanism falls at rest without the other actions.
+    direction: of positive rotation, horizontal; None for an equivalent block. candidates: directions among which the
+    weakest was found, or with which a given one was compared. base_elevation_m: of its base above the ground;
+    input_height_m: of its support, the mean of base and far support if it has both; above_ground: whether that counts
+    as above the ground; ground_known_from: source of the level of the ground. restitution_source: the English of
+    restitution_said.
     """
 
-    inertia_kg_m2: float
-    stiffness_n_m_per_rad: float
-    excitation_kg_m: float
-    moment_n_m: float
-    critical_rad: float
-    overturning_rad: float
-    uplift_multiplier: float
+    name: str
+    label: str
+    kind: str
+    sides: Literal["one", "two"]
+    equation: Literal["exact", "linearised"]
+    drawing: Drawing
+    view: View | None
+    oscillator: OscillatorResult
+    oscillator_negative: OscillatorResult | None
+    curve: CapacityCurve
+    interfaces: tuple[dict[str, Any], ...]
+    amplification: AmplificationResult
+    checks: tuple[Check, ...]
+    histories: tuple[HistoryResult, ...]
+    suites: tuple[SuiteResult, ...]
+    envelope: EnvelopeResult | None
+    restitution_source: str
+    loads: tuple[LoadResult, ...]
+    direction_sweep: DirectionSweep | None
+    interface_curves: InterfaceCurves | None = None
+    hinge_forces: tuple[HingeForceResult, ...] = ()
+    deciding_curve: CapacityCurve | None = None
+    deciding_overturning_rad: tuple[float, float | None] | None = None
+    direction: tuple[float, float, float] | None = None
+    candidates: tuple[DirectionCandidate, ...] = ()
+    base_elevation_m: float | None = None
+    input_height_m: float | None = None
+    above_ground: bool | None = None
+    ground_known_from: str = ""
+    restitution_said: tuple[Term | Message, ...] = ()
+    contact_sheets: tuple[ContactSheet, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
@@ -51,15 +83,19 @@ class OscillatorResult(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class BranchCurve(ShortRepr):
-    """The capacity curve of one branch, all positive."""
+class LinearisedResult(ShortRepr):
+    """Kinematic constants of a branch linearised at critical_rad (thesis 3.4-3.12): I, K, B, M, phi_cr, phi_ov.
 
-    rotation_rad: Floats
-    inertia_kg_m2: Floats
-    restoring_n_m: Floats
-    excitation_kg_m: Floats
-    participating_mass_kg: Floats
-    displacement_m: Floats
+    uplift_multiplier: lambda of 3.11, to which thesis tables refer; the exact one is that of the oscillator.
+    """
+
+    inertia_kg_m2: float
+    stiffness_n_m_per_rad: float
+    excitation_kg_m: float
+    moment_n_m: float
+    critical_rad: float
+    overturning_rad: float
+    uplift_multiplier: float
 
 
 @dataclass(frozen=True, repr=False)
@@ -71,40 +107,15 @@ class CapacityCurve(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class NamedPoint(ShortRepr):
-    """A hinge or another named point in the plane of motion: distance along the direction, elevation [m]."""
+class BranchCurve(ShortRepr):
+    """The capacity curve of one branch, all positive."""
 
-    name: str
-    at: Point
-
-
-@dataclass(frozen=True, repr=False)
-class DrawnLoad(ShortRepr):
-    """A load in the plane of motion: where it acts [m], and the unit vector of its force.
-
-    towards: None for a non-bearing mass, which has no force at rest.
-    """
-
-    name: str
-    at: Point
-    kind: Literal["mass", "force", "tie"]
-    towards: Point | None
-
-
-@dataclass(frozen=True, repr=False)
-class DisplacedDrawing(ShortRepr):
-    """The mechanism after a rotation of its leading block, in the plane of motion, not mirrored [m].
-
-    blocks, loads and centroids are in the order of the drawing at rest; hinges and block_of are of the branch that
-    turns.
-    """
-
-    rotation_rad: float
-    blocks: tuple[Ring, ...]
-    block_of: tuple[int, ...]
-    hinges: tuple[NamedPoint, ...]
-    loads: tuple[DrawnLoad, ...]
-    centroids: tuple[Point, ...]
+    rotation_rad: Floats
+    inertia_kg_m2: Floats
+    restoring_n_m: Floats
+    excitation_kg_m: Floats
+    participating_mass_kg: Floats
+    displacement_m: Floats
 
 
 @dataclass(frozen=True, repr=False)
@@ -129,11 +140,40 @@ class Drawing(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class HingeAxis(ShortRepr):
-    """The axis of rotation at a hinge: its two ends [m]."""
+class DisplacedDrawing(ShortRepr):
+    """The mechanism after a rotation of its leading block, in the plane of motion, not mirrored [m].
+
+    blocks, loads and centroids are in the order of the drawing at rest; hinges and block_of are of the branch that
+    turns.
+    """
+
+    rotation_rad: float
+    blocks: tuple[Ring, ...]
+    block_of: tuple[int, ...]
+    hinges: tuple[NamedPoint, ...]
+    loads: tuple[DrawnLoad, ...]
+    centroids: tuple[Point, ...]
+
+
+@dataclass(frozen=True, repr=False)
+class DrawnLoad(ShortRepr):
+    """A load in the plane of motion: where it acts [m], and the unit vector of its force.
+
+    towards: None for a non-bearing mass, which has no force at rest.
+    """
 
     name: str
-    ends: tuple[Place, Place]
+    at: Point
+    kind: Literal["mass", "force", "tie"]
+    towards: Point | None
+
+
+@dataclass(frozen=True, repr=False)
+class NamedPoint(ShortRepr):
+    """A hinge or another named point in the plane of motion: distance along the direction, elevation [m]."""
+
+    name: str
+    at: Point
 
 
 @dataclass(frozen=True, repr=False)
@@ -153,6 +193,14 @@ class View(ShortRepr):
     direction: Place
     size: Place
     given: int
+
+
+@dataclass(frozen=True, repr=False)
+class HingeAxis(ShortRepr):
+    """The axis of rotation at a hinge: its two ends [m]."""
+
+    name: str
+    ends: tuple[Place, Place]
 
 
 Lasting = Literal["to collapse", "to its end", "not shown"]
@@ -186,19 +234,19 @@ class LoadResult(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class BranchMoment(ShortRepr):
-    """A moment-rotation curve."""
-
-    rotation_rad: Floats
-    restoring_n_m: Floats
-
-
-@dataclass(frozen=True, repr=False)
 class InterfaceCurves(ShortRepr):
     """Moments of the positive branch by simpler interfaces, for comparison: rigid, and hinges fixed at a_SF."""
 
     rigid: BranchMoment
     fixed_hinges: BranchMoment
+
+
+@dataclass(frozen=True, repr=False)
+class BranchMoment(ShortRepr):
+    """A moment-rotation curve."""
+
+    rotation_rad: Floats
+    restoring_n_m: Floats
 
 
 @dataclass(frozen=True, repr=False)
@@ -269,6 +317,45 @@ class DirectionCandidate(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
+class AmplificationResult(ShortRepr):
+    """The amplification of the ground motion up to the mechanism.
+
+    height_m: of its base above the ground, None where nothing is amplified; said: description of the method, with its
+    numbers and assumptions; motion: present if the motion is filtered, not only multiplied.
+    """
+
+    method: str
+    factors: tuple[AmplificationFactor, ...]
+    height_m: float | None = None
+    said: tuple[Message | str, ...] = ()
+    motion: CarriedMotion | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class AmplificationFactor(ShortRepr):
+    """The factor by which a record is amplified up the building [-]."""
+
+    record: str
+    factor: float
+
+
+@dataclass(frozen=True, repr=False)
+class CarriedMotion(ShortRepr):
+    """The record that is amplified most, scaled to the target, at the ground and at the base of the mechanism.
+
+    Response spectra [k]: of 5 % damping.
+    """
+
+    record: str
+    time_s: Floats
+    ground_acceleration_g: Floats
+    base_acceleration_g: Floats
+    period_s: Floats
+    ground_spectrum_g: Floats
+    base_spectrum_g: Floats
+
+
+@dataclass(frozen=True, repr=False)
 class HistoryResult(ShortRepr):
     """The largest rocking response to one record at one level, in the worse polarity.
 
@@ -297,6 +384,19 @@ class HistoryResult(ShortRepr):
     twin_ratios: tuple[float | None, ...] = ()
     twin_times_s: tuple[float | None, ...] = ()
     twin_impacts: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class HistoryTrace(ShortRepr):
+    """A rocking history at the steps of its motion: signed rotation, ground acceleration.
+
+    base_acceleration_g: motion at the base of the mechanism; None where that is the ground motion.
+    """
+
+    time_s: Floats
+    rotation_rad: Floats
+    ground_acceleration_g: Floats
+    base_acceleration_g: Floats | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -349,91 +449,6 @@ class EnvelopeResult(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class AmplificationResult(ShortRepr):
-    """The amplification of the ground motion up to the mechanism.
-
-    height_m: of its base above the ground, None where nothing is amplified; said: description of the method, with its
-    numbers and assumptions; motion: present if the motion is filtered, not only multiplied.
-    """
-
-    method: str
-    factors: tuple[AmplificationFactor, ...]
-    height_m: float | None = None
-    said: tuple[Message | str, ...] = ()
-    motion: CarriedMotion | None = None
-
-
-@dataclass(frozen=True, repr=False)
-class MechanismResult(ShortRepr):
-    """Everything about one mechanism; direction_sweep is None unless its direction was sought on a whole circle.
-
-    oscillator, curve: with every action that is there at rest. deciding_curve: with actions that are shown to last to
-    collapse and those that drive; displacements and histories are of this curve, and their ratios refer to its
-    overturning rotations (deciding_overturning_rad, of rigid joints, positive and negative). Both are None if the two
-    curves are the same, or if the mechanism falls at rest without the other actions.
-    direction: of positive rotation, horizontal; None for an equivalent block. candidates: directions among which the
-    weakest was found, or with which a given one was compared. base_elevation_m: of its base above the ground;
-    input_height_m: of its support, the mean of base and far support if it has both; above_ground: whether that counts
-    as above the ground; ground_known_from: source of the level of the ground. restitution_source: the English of
-    restitution_said.
-    """
-
-    name: str
-    label: str
-    kind: str
-    sides: Literal["one", "two"]
-    equation: Literal["exact", "linearised"]
-    drawing: Drawing
-    view: View | None
-    oscillator: OscillatorResult
-    oscillator_negative: OscillatorResult | None
-    curve: CapacityCurve
-    interfaces: tuple[dict[str, Any], ...]
-    amplification: AmplificationResult
-    checks: tuple[Check, ...]
-    histories: tuple[HistoryResult, ...]
-    suites: tuple[SuiteResult, ...]
-    envelope: EnvelopeResult | None
-    restitution_source: str
-    loads: tuple[LoadResult, ...]
-    direction_sweep: DirectionSweep | None
-    interface_curves: InterfaceCurves | None = None
-    hinge_forces: tuple[HingeForceResult, ...] = ()
-    deciding_curve: CapacityCurve | None = None
-    deciding_overturning_rad: tuple[float, float | None] | None = None
-    direction: tuple[float, float, float] | None = None
-    candidates: tuple[DirectionCandidate, ...] = ()
-    base_elevation_m: float | None = None
-    input_height_m: float | None = None
-    above_ground: bool | None = None
-    ground_known_from: str = ""
-    restitution_said: tuple[Term | Message, ...] = ()
-    contact_sheets: tuple[ContactSheet, ...] = ()
-
-
-@dataclass(frozen=True, repr=False)
-class HistoryTrace(ShortRepr):
-    """A rocking history at the steps of its motion: signed rotation, ground acceleration.
-
-    base_acceleration_g: motion at the base of the mechanism; None where that is the ground motion.
-    """
-
-    time_s: Floats
-    rotation_rad: Floats
-    ground_acceleration_g: Floats
-    base_acceleration_g: Floats | None = None
-
-
-@dataclass(frozen=True, repr=False)
-class CriticalBand(ShortRepr):
-    """Frequencies at which one mechanism is critical; None where nothing overturns."""
-
-    mechanism: str | None
-    from_hz: float
-    to_hz: float
-
-
-@dataclass(frozen=True, repr=False)
 class CriticalResult(ShortRepr):
     """The mechanism that the weakest pulse overturns, at each of n frequencies.
 
@@ -451,24 +466,9 @@ class CriticalResult(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class AmplificationFactor(ShortRepr):
-    """The factor by which a record is amplified up the building [-]."""
+class CriticalBand(ShortRepr):
+    """Frequencies at which one mechanism is critical; None where nothing overturns."""
 
-    record: str
-    factor: float
-
-
-@dataclass(frozen=True, repr=False)
-class CarriedMotion(ShortRepr):
-    """The record that is amplified most, scaled to the target, at the ground and at the base of the mechanism.
-
-    Response spectra [k]: of 5 % damping.
-    """
-
-    record: str
-    time_s: Floats
-    ground_acceleration_g: Floats
-    base_acceleration_g: Floats
-    period_s: Floats
-    ground_spectrum_g: Floats
-    base_spectrum_g: Floats
+    mechanism: str | None
+    from_hz: float
+    to_hz: float

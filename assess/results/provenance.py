@@ -17,6 +17,10 @@ from assess.short_repr import ShortRepr
 NAME = "rocking-assess"
 PACKAGES = ("assess", "records", "reports", "spectra")  # whose files the digest of the sources covers
 GROUPS, DIGITS = 4, 4  # of a stamp, in groups: no spreadsheet takes it for a number or a date
+Floats = tuple[float, ...]
+Point = tuple[float, float]
+Place = tuple[float, float, float]
+Ring = tuple[Point, ...]
 
 
 @dataclass(frozen=True, repr=False)
@@ -56,6 +60,89 @@ class ResolvedValue(ShortRepr):
     given: bool
     dimensions: dict[str, str] = field(default_factory=dict)
     cov: dict[str, float] = field(default_factory=dict)
+
+
+MediaType = Literal["image/png", "image/jpeg"]
+ChecklistOutcome = Literal["examined", "absent", "not-examined"]
+
+
+@dataclass(frozen=True, repr=False)
+class ReportMatter(ShortRepr):
+    """Front matter and checklist of a report; texts are the user's, "" where not given.
+
+    coordinates: latitude and longitude [deg], or the user's text; building_type, checklist: "" and empty if the project
+    file does not say what the building is.
+    """
+
+    client: str = ""
+    address: str = ""
+    coordinates: Point | str = ""
+    author: str = ""
+    office: str = ""
+    licence_number: str = ""
+    checker: str = ""
+    date: str = ""
+    status: str = ""
+    engineer: str = ""
+    reference: str = ""
+    revisions: tuple[Revision, ...] = ()
+    seismic_zone: str = ""
+    national_annex: str = ""
+    building_type: BuildingType | Literal[""] = ""
+    logo: Picture | None = None
+    figures: tuple[Picture, ...] = ()
+    checklist: tuple[ChecklistItem, ...] = ()
+
+    @property
+    def not_examined(self) -> tuple[ChecklistItem, ...]:
+        """Items that are possible and were not examined: they make the building's index an upper bound."""
+        return tuple(item for item in self.checklist if item.outcome == "not-examined")
+
+
+NO_MATTER = ReportMatter()
+"""Of results whose project file has no [report]."""
+
+
+@dataclass(frozen=True, repr=False)
+class Revision(ShortRepr):
+    """An issue of the report; date: as the user wrote it."""
+
+    number: str
+    date: str
+    description: str
+    author: str
+
+
+@dataclass(frozen=True, repr=False)
+class ChecklistItem(ShortRepr):
+    """A mechanism that buildings of this type can have, and what became of it here.
+
+    number: in the Italian form for churches, None for houses; mechanisms: names of those that examine it; reason: why
+    it is not examined, in the user's words; spoken_for: False if the project file does not mention it, which counts as
+    possible and not examined.
+    """
+
+    key: str
+    number: int | None
+    outcome: ChecklistOutcome
+    mechanisms: tuple[str, ...] = ()
+    reason: str = ""
+    spoken_for: bool = True
+
+
+@dataclass(frozen=True, repr=False)
+class Picture(ShortRepr):
+    """A logo or photograph as the report shows it; name: of its file; data: its bytes in base64.
+
+    The bytes are re-encoded by this program from the file's pixels: upright, and without the file's metadata.
+    """
+
+    name: str
+    caption: str
+    media_type: MediaType
+    width_px: int
+    height_px: int
+    data: str
 
 
 def stamp(command: str, program: Program, inputs: Sequence[Input]) -> str:
@@ -198,91 +285,3 @@ def _sha256(path: Path, size: int, mtime: int, number: int) -> str:
     """Return the SHA-256 of a file of this size, time of change [ns] and number on its disk."""
     with path.open("rb") as opened:
         return hashlib.file_digest(opened, "sha256").hexdigest()
-
-
-MediaType = Literal["image/png", "image/jpeg"]
-ChecklistOutcome = Literal["examined", "absent", "not-examined"]
-
-
-@dataclass(frozen=True, repr=False)
-class Picture(ShortRepr):
-    """A logo or photograph as the report shows it; name: of its file; data: its bytes in base64.
-
-    The bytes are re-encoded by this program from the file's pixels: upright, and without the file's metadata.
-    """
-
-    name: str
-    caption: str
-    media_type: MediaType
-    width_px: int
-    height_px: int
-    data: str
-
-
-@dataclass(frozen=True, repr=False)
-class Revision(ShortRepr):
-    """An issue of the report; date: as the user wrote it."""
-
-    number: str
-    date: str
-    description: str
-    author: str
-
-
-@dataclass(frozen=True, repr=False)
-class ChecklistItem(ShortRepr):
-    """A mechanism that buildings of this type can have, and what became of it here.
-
-    number: in the Italian form for churches, None for houses; mechanisms: names of those that examine it; reason: why
-    it is not examined, in the user's words; spoken_for: False if the project file does not mention it, which counts as
-    possible and not examined.
-    """
-
-    key: str
-    number: int | None
-    outcome: ChecklistOutcome
-    mechanisms: tuple[str, ...] = ()
-    reason: str = ""
-    spoken_for: bool = True
-
-
-@dataclass(frozen=True, repr=False)
-class ReportMatter(ShortRepr):
-    """Front matter and checklist of a report; texts are the user's, "" where not given.
-
-    coordinates: latitude and longitude [deg], or the user's text; building_type, checklist: "" and empty if the project
-    file does not say what the building is.
-    """
-
-    client: str = ""
-    address: str = ""
-    coordinates: Point | str = ""
-    author: str = ""
-    office: str = ""
-    licence_number: str = ""
-    checker: str = ""
-    date: str = ""
-    status: str = ""
-    engineer: str = ""
-    reference: str = ""
-    revisions: tuple[Revision, ...] = ()
-    seismic_zone: str = ""
-    national_annex: str = ""
-    building_type: BuildingType | Literal[""] = ""
-    logo: Picture | None = None
-    figures: tuple[Picture, ...] = ()
-    checklist: tuple[ChecklistItem, ...] = ()
-
-    @property
-    def not_examined(self) -> tuple[ChecklistItem, ...]:
-        """Items that are possible and were not examined: they make the building's index an upper bound."""
-        return tuple(item for item in self.checklist if item.outcome == "not-examined")
-
-
-Point = tuple[float, float]
-
-NO_MATTER = ReportMatter()
-"""Of results whose project file has no [report]."""
-Floats = tuple[float, ...]
-Place = tuple[float, float, float]
-Ring = tuple[Point, ...]

@@ -48,144 +48,6 @@ class Results(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class ComparisonRow(ShortRepr):
-    """One row of the comparison; rotation_ratio is None where the mechanism overturned or rotation is not known."""
-
-    mechanism: str
-    level_pga_g: float
-    procedure: str
-    rotation_ratio: float | None
-    allowable_ratio: float | None
-    demand_capacity: float | None
-
-
-ControlKind = Literal["equilibrium", "energy", "hand-multiplier", "convergence"]
-
-
-@dataclass(frozen=True, repr=False)
-class Control(ShortRepr):
-    """One control of one mechanism: a value of the run beside a reference found another way.
-
-    Values are in SI. `value`, `reference`, `difference` and `met` are None where the control was not made; `note` says
-    why. `met` is also None where the two need not agree, which the note explains.
-
-    Parameters
-    ----------
-    kind : str
-        "equilibrium", "energy", "hand-multiplier" or "convergence".
-    mechanism : str
-        Name of the mechanism.
-    quantity : str
-        What is compared, in English.
-    value : float, optional
-        The program's own value.
-    reference : float, optional
-        The value it is compared with.
-    dimension : str
-        Dimension of both, a key of `assess.messages.message.UNITS`.
-    difference : float, optional
-        Relative difference; docs/controls.md says relative to what.
-    tolerance : float
-        The largest difference that is accepted; 0 where there is none.
-    met : bool, optional
-        Whether the difference is within the tolerance.
-    note : Message
-        How the control was made, or why it was not.
-    """
-
-    kind: ControlKind
-    mechanism: str
-    quantity: str
-    value: float | None
-    reference: float | None
-    dimension: str
-    difference: float | None
-    tolerance: float
-    met: bool | None
-    note: Message
-
-
-@dataclass(frozen=True, repr=False)
-class EquivalentPeriods(ShortRepr):
-    """The shortest and longest equivalent period of a mechanism's branches, at the allowable rotation."""
-
-    mechanism: str
-    shortest_s: float
-    longest_s: float
-
-
-@dataclass(frozen=True, repr=False)
-class RemainingCandidates(ShortRepr):
-    """The number of candidates left after a step of the selection."""
-
-    step: str
-    number: int
-
-
-@dataclass(frozen=True, repr=False)
-class SelectionResult(ShortRepr):
-    """How the suite was chosen; misfit: of its mean spectrum to the target [-]; greedy_misfit: before exchanges [-]."""
-
-    fit: Literal["suite", "each"]
-    components: Literal["single", "together"]
-    one_per_event: bool
-    least_factor: float
-    largest_factor: float
-    remaining: tuple[RemainingCandidates, ...]
-    misfit: float
-    greedy_misfit: float | None
-
-
-@dataclass(frozen=True, repr=False)
-class RequirementResult(ShortRepr):
-    """A requirement of a code on the suite, the value found, and the verdict; from_s, to_s: range of periods.
-
-    caveat: why the clause was not checked against the printed standard; empty if it was. remark: the English of
-    `remarks`.
-    """
-
-    code: str
-    clause: str
-    what: str
-    value: float | None
-    sense: Literal[">=", "<="]
-    limit: float
-    unit: str
-    verdict: Literal["met", "not met", "not answered"]
-    from_s: float | None
-    to_s: float | None
-    remark: str
-    caveat: str
-    remarks: tuple[Term | Message, ...] = ()
-
-
-@dataclass(frozen=True, repr=False)
-class GroundMotionResult(ShortRepr):
-    """The suite of records compared with its target, 5 % damping.
-
-    from_s, to_s: range of periods over which it was scaled and chosen; source: of that range, in words. mean_g,
-    geometric_mean_g, target_g [k]: at period_s; misfit: of the mean to the target over the range, mean squared
-    difference of natural logarithms [-]. selection: None if all records of the project are used. lock: file that the
-    records and factors are taken from, empty if the suite is not locked; made_for: the code whose
-    rules it was made to meet, empty if none.
-    """
-
-    from_s: float
-    to_s: float
-    source: str
-    equivalent_periods: tuple[EquivalentPeriods, ...]
-    period_s: Floats
-    target_g: Floats
-    mean_g: Floats
-    geometric_mean_g: Floats
-    misfit: float
-    selection: SelectionResult | None
-    requirements: tuple[RequirementResult, ...]
-    lock: str = ""
-    made_for: str = ""
-
-
-@dataclass(frozen=True, repr=False)
 class SpectrumResult(ShortRepr):
     """The site's elastic spectrum."""
 
@@ -197,29 +59,6 @@ class SpectrumResult(ShortRepr):
     pga_g: float
     period_s: Floats
     acceleration_g: Floats
-
-
-@dataclass(frozen=True, repr=False)
-class RecordSpectrum(ShortRepr):
-    """The elastic response spectrum of a record after scaling, 5 % damping."""
-
-    period_s: Floats
-    acceleration_g: Floats
-
-
-@dataclass(frozen=True, repr=False)
-class PrimaryPulseResult(ShortRepr):
-    """A pulse within a record, scaled as the record: the one that matches it best, or another local optimum.
-
-    polarity: 1 or -1; energy_share: share of the integral of squared acceleration that the pulse explains [-].
-    """
-
-    shape: str
-    frequency_hz: float
-    amplitude_g: float
-    start_s: float
-    polarity: int
-    energy_share: float
 
 
 @dataclass(frozen=True, repr=False)
@@ -249,6 +88,121 @@ class RecordResult(ShortRepr):
     vs30_m_per_s: float | None = None
     nga: int | None = None
     processing: tuple[Message | str, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class RecordSpectrum(ShortRepr):
+    """The elastic response spectrum of a record after scaling, 5 % damping."""
+
+    period_s: Floats
+    acceleration_g: Floats
+
+
+@dataclass(frozen=True, repr=False)
+class PrimaryPulseResult(ShortRepr):
+    """A pulse within a record, scaled as the record: the one that matches it best, or another local optimum.
+
+    polarity: 1 or -1; energy_share: share of the integral of squared acceleration that the pulse explains [-].
+    """
+
+    shape: str
+    frequency_hz: float
+    amplitude_g: float
+    start_s: float
+    polarity: int
+    energy_share: float
+
+
+@dataclass(frozen=True, repr=False)
+class GroundMotionResult(ShortRepr):
+    """The suite of records compared with its target, 5 % damping.
+
+    from_s, to_s: range of periods over which it was scaled and chosen; source: of that range, in words. mean_g,
+    geometric_mean_g, target_g [k]: at period_s; misfit: of the mean to the target over the range, mean squared
+    difference of natural logarithms [-]. selection: None if all records of the project are used. lock: file that the
+    records and factors are taken from, empty if the suite is not locked; made_for: the code whose
+    rules it was made to meet, empty if none.
+    """
+
+    from_s: float
+    to_s: float
+    source: str
+    equivalent_periods: tuple[EquivalentPeriods, ...]
+    period_s: Floats
+    target_g: Floats
+    mean_g: Floats
+    geometric_mean_g: Floats
+    misfit: float
+    selection: SelectionResult | None
+    requirements: tuple[RequirementResult, ...]
+    lock: str = ""
+    made_for: str = ""
+
+
+@dataclass(frozen=True, repr=False)
+class EquivalentPeriods(ShortRepr):
+    """The shortest and longest equivalent period of a mechanism's branches, at the allowable rotation."""
+
+    mechanism: str
+    shortest_s: float
+    longest_s: float
+
+
+@dataclass(frozen=True, repr=False)
+class SelectionResult(ShortRepr):
+    """How the suite was chosen; misfit: of its mean spectrum to the target [-]; greedy_misfit: before exchanges [-]."""
+
+    fit: Literal["suite", "each"]
+    components: Literal["single", "together"]
+    one_per_event: bool
+    least_factor: float
+    largest_factor: float
+    remaining: tuple[RemainingCandidates, ...]
+    misfit: float
+    greedy_misfit: float | None
+
+
+@dataclass(frozen=True, repr=False)
+class RemainingCandidates(ShortRepr):
+    """The number of candidates left after a step of the selection."""
+
+    step: str
+    number: int
+
+
+@dataclass(frozen=True, repr=False)
+class RequirementResult(ShortRepr):
+    """A requirement of a code on the suite, the value found, and the verdict; from_s, to_s: range of periods.
+
+    caveat: why the clause was not checked against the printed standard; empty if it was. remark: the English of
+    `remarks`.
+    """
+
+    code: str
+    clause: str
+    what: str
+    value: float | None
+    sense: Literal[">=", "<="]
+    limit: float
+    unit: str
+    verdict: Literal["met", "not met", "not answered"]
+    from_s: float | None
+    to_s: float | None
+    remark: str
+    caveat: str
+    remarks: tuple[Term | Message, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class ComparisonRow(ShortRepr):
+    """One row of the comparison; rotation_ratio is None where the mechanism overturned or rotation is not known."""
+
+    mechanism: str
+    level_pga_g: float
+    procedure: str
+    rotation_ratio: float | None
+    allowable_ratio: float | None
+    demand_capacity: float | None
 
 
 @dataclass(frozen=True, repr=False)
@@ -318,9 +272,19 @@ class SensitivityResult(ShortRepr):
 
 
 Distribution = Literal["normal", "lognormal", "uniform"]
-
 QUANTILES = (5, 16, 50, 84, 95)
 """Percent of the samples below each quantile."""
+
+
+@dataclass(frozen=True, repr=False)
+class UncertaintyResult(ShortRepr):
+    """The samples of a project: their number, the seed of the Sobol sequence, what varies and the answers."""
+
+    samples: int
+    seed: int
+    inputs: tuple[UncertainInput, ...]
+    answers: tuple[UncertainAnswer, ...]
+    notes: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
@@ -336,20 +300,6 @@ class UncertainInput(ShortRepr):
     cov: float
     distribution: Distribution
     group: str
-
-
-@dataclass(frozen=True, repr=False)
-class Influence(ShortRepr):
-    """What one group of inputs does to one answer.
-
-    rank_correlation : Spearman's, of the demand over capacity; None where the group does not change the answer
-    share : of the variance of its ranks that a line over those of the group explains, the square of it [-]
-    """
-
-    group: str
-    keys: tuple[str, ...]
-    rank_correlation: float | None
-    share: float | None
 
 
 @dataclass(frozen=True, repr=False)
@@ -385,11 +335,60 @@ class UncertainAnswer(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class UncertaintyResult(ShortRepr):
-    """The samples of a project: their number, the seed of the Sobol sequence, what varies and the answers."""
+class Influence(ShortRepr):
+    """What one group of inputs does to one answer.
 
-    samples: int
-    seed: int
-    inputs: tuple[UncertainInput, ...]
-    answers: tuple[UncertainAnswer, ...]
-    notes: tuple[Message, ...] = ()
+    rank_correlation : Spearman's, of the demand over capacity; None where the group does not change the answer
+    share : of the variance of its ranks that a line over those of the group explains, the square of it [-]
+    """
+
+    group: str
+    keys: tuple[str, ...]
+    rank_correlation: float | None
+    share: float | None
+
+
+ControlKind = Literal["equilibrium", "energy", "hand-multiplier", "convergence"]
+
+
+@dataclass(frozen=True, repr=False)
+class Control(ShortRepr):
+    """One control of one mechanism: a value of the run beside a reference found another way.
+
+    Values are in SI. `value`, `reference`, `difference` and `met` are None where the control was not made; `note` says
+    why. `met` is also None where the two need not agree, which the note explains.
+
+    Parameters
+    ----------
+    kind : str
+        "equilibrium", "energy", "hand-multiplier" or "convergence".
+    mechanism : str
+        Name of the mechanism.
+    quantity : str
+        What is compared, in English.
+    value : float, optional
+        The program's own value.
+    reference : float, optional
+        The value it is compared with.
+    dimension : str
+        Dimension of both, a key of `assess.messages.message.UNITS`.
+    difference : float, optional
+        Relative difference; docs/controls.md says relative to what.
+    tolerance : float
+        The largest difference that is accepted; 0 where there is none.
+    met : bool, optional
+        Whether the difference is within the tolerance.
+    note : Message
+        How the control was made, or why it was not.
+    """
+
+    kind: ControlKind
+    mechanism: str
+    quantity: str
+    value: float | None
+    reference: float | None
+    dimension: str
+    difference: float | None
+    tolerance: float
+    met: bool | None
+    note: Message

@@ -25,7 +25,11 @@ from assess.outputs.lock import LOCK, hold_lock, is_abandoned
 from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest, link_above, read, state, stays_inside
 from assess.outputs.signals import defer_signals
 
+PREFIX = ".assess-partial-"
+MADE, OLD, JOURNAL = "made", "old", "journal.json"
 _MOST_NAMES = 5  # of files in an error
+_DAY = 86400.0  # s
+Tell = Callable[[Message], None]
 
 
 def _ignore(_: Message) -> None:
@@ -77,108 +81,6 @@ def output_folder(
         with make_stage(folder, command=command) as place:
             yield place / MADE
             _commit(place, folder, manifest, owner)
-
-
-def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> None:
-    """Raise OutputError if a folder holds files that may not be replaced or removed.
-
-    Parameters
-    ----------
-    folder : Path
-        The folder.
-    manifest : Manifest
-        Of the folder.
-    owner : str
-        The set of files to be written.
-    expected : sequence of str
-        Names of files that are certain to come.
-    """
-    _refuse(folder, _obstacles(folder, manifest, owner, expected))
-
-
-@contextmanager
-def make_folder(folder: Path) -> Iterator[None]:
-    """Make the folder and its parents if absent; remove again those that stay empty."""
-    if folder.exists() and not folder.is_dir():
-        raise OutputError(f"{folder}: is a file; give a folder for the output")
-    absent = [place for place in (folder, *folder.parents) if not place.exists()]
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(f"{folder}: cannot be made ({error.strerror}); give another folder") from None
-    try:
-        yield
-    finally:
-        with suppress(OSError):
-            for place in absent:
-                place.rmdir()
-
-
-def _obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> dict[str, str]:
-    """Return why files in the folder cannot be replaced or removed, by name.
-
-    expected : files to be written; other files of the set are to be removed, except its results
-    """
-    ours = manifest.files_of(owner)
-    found = {}
-    for name in [*expected, *(name for name in ours if name not in expected and name != owner)]:
-        path = folder / name
-        if path.is_dir():
-            found[name] = "is a folder where a file is to be written"
-        elif link_above(path, folder):
-            found[name] = "is to be written where a link leads out of the folder"
-        elif name not in ours and (path.exists() or path.is_symlink()):
-            found[name] = "was not written by assess, or by another of its commands"
-        elif name in ours and state(path, ours[name]) == "changed":
-            found[name] = "was changed since assess wrote it"
-    return found
-
-
-def _refuse(folder: Path, obstacles: Mapping[str, str], *, kept: str = "") -> None:
-    if not obstacles:
-        return
-    why = next(iter(obstacles.values()))
-    names = [str(folder / name) for name, each in obstacles.items() if each == why]
-    more = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
-    listed = ", ".join(names[:_MOST_NAMES])
-    raise OutputError(f"{listed}{more}: {why}; move it away, or give another folder with -o{kept}")
-
-
-def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
-    """Move what was made into the folder; if that is not possible, leave it beside the folder."""
-    made = place / MADE
-    files = {name: digest(made / name) for name in files_in(made)}
-    kept = {name: old for name, old in manifest.files_of(owner).items() if name == owner and name not in files}
-    listed = Manifest({**manifest.sets, owner: {**files, **kept}}).with_present_digests(folder)
-    obstacles = _obstacles(folder, manifest, owner, list(files))
-    written = listed if not obstacles else Manifest({owner: files})
-    (made / MANIFEST).write_text(written.text(), encoding="utf-8", newline="\n")
-    if obstacles:
-        left = keep_beside(place, folder)
-        _refuse(folder, obstacles, kept=f"; nothing there was touched, and what was made is in {left}")
-    gone = [name for name in manifest.files_of(owner) if name not in files and name != owner]
-    _move_into_place([*files, *gone, *manifest.earlier, MANIFEST], place, folder)
-
-
-def _move_into_place(names: Sequence[str], place: Path, folder: Path) -> None:
-    made = place / MADE
-    moves = [Move(name, digest(made / name), digest(folder / name)) for name in names]
-    moves = [move for move in moves if move.new != move.old or move.new is not None]
-    with defer_signals():  # from here on it is all or nothing
-        try:
-            for path in (made / name for name in names):
-                if path.exists():
-                    flush(path)
-            begin(place, moves)
-            finish(place, folder, moves)
-        except OSError as error:
-            take_back(place, folder, moves)
-            left = keep_beside(place, folder)
-            where = error.filename2 or error.filename or folder
-            raise OutputError(
-                f"{where}: cannot be written ({error.strerror}); nothing in {folder} was changed, and what was made is "
-                f"in {left}: close what holds the files there, make room, or give another folder with -o"
-            ) from None
 
 
 @contextmanager
@@ -244,6 +146,108 @@ def replace_file(path: Path, *, command: str, is_replaceable: Callable[[Path], b
 
 
 @contextmanager
+def make_folder(folder: Path) -> Iterator[None]:
+    """Make the folder and its parents if absent; remove again those that stay empty."""
+    if folder.exists() and not folder.is_dir():
+        raise OutputError(f"{folder}: is a file; give a folder for the output")
+    absent = [place for place in (folder, *folder.parents) if not place.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{folder}: cannot be made ({error.strerror}); give another folder") from None
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            for place in absent:
+                place.rmdir()
+
+
+def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> None:
+    """Raise OutputError if a folder holds files that may not be replaced or removed.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    manifest : Manifest
+        Of the folder.
+    owner : str
+        The set of files to be written.
+    expected : sequence of str
+        Names of files that are certain to come.
+    """
+    _raise_output_error(folder, _find_obstacles(folder, manifest, owner, expected))
+
+
+def _find_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> dict[str, str]:
+    """Return why files in the folder cannot be replaced or removed, by name.
+
+    expected : files to be written; other files of the set are to be removed, except its results
+    """
+    ours = manifest.files_of(owner)
+    found = {}
+    for name in [*expected, *(name for name in ours if name not in expected and name != owner)]:
+        path = folder / name
+        if path.is_dir():
+            found[name] = "is a folder where a file is to be written"
+        elif link_above(path, folder):
+            found[name] = "is to be written where a link leads out of the folder"
+        elif name not in ours and (path.exists() or path.is_symlink()):
+            found[name] = "was not written by assess, or by another of its commands"
+        elif name in ours and state(path, ours[name]) == "changed":
+            found[name] = "was changed since assess wrote it"
+    return found
+
+
+def _raise_output_error(folder: Path, obstacles: Mapping[str, str], *, kept: str = "") -> None:
+    if not obstacles:
+        return
+    why = next(iter(obstacles.values()))
+    names = [str(folder / name) for name, each in obstacles.items() if each == why]
+    more = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
+    listed = ", ".join(names[:_MOST_NAMES])
+    raise OutputError(f"{listed}{more}: {why}; move it away, or give another folder with -o{kept}")
+
+
+def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
+    """Move what was made into the folder; if that is not possible, leave it beside the folder."""
+    made = place / MADE
+    files = {name: digest(made / name) for name in files_in(made)}
+    kept = {name: old for name, old in manifest.files_of(owner).items() if name == owner and name not in files}
+    listed = Manifest({**manifest.sets, owner: {**files, **kept}}).with_present_digests(folder)
+    obstacles = _find_obstacles(folder, manifest, owner, list(files))
+    written = listed if not obstacles else Manifest({owner: files})
+    (made / MANIFEST).write_text(written.text(), encoding="utf-8", newline="\n")
+    if obstacles:
+        left = keep_beside(place, folder)
+        _raise_output_error(folder, obstacles, kept=f"; nothing there was touched, and what was made is in {left}")
+    gone = [name for name in manifest.files_of(owner) if name not in files and name != owner]
+    _move_into_place([*files, *gone, *manifest.earlier, MANIFEST], place, folder)
+
+
+def _move_into_place(names: Sequence[str], place: Path, folder: Path) -> None:
+    made = place / MADE
+    moves = [Move(name, digest(made / name), digest(folder / name)) for name in names]
+    moves = [move for move in moves if move.new != move.old or move.new is not None]
+    with defer_signals():  # from here on it is all or nothing
+        try:
+            for path in (made / name for name in names):
+                if path.exists():
+                    flush(path)
+            write_journal(place, moves)
+            finish_moves(place, folder, moves)
+        except OSError as error:
+            take_back_moves(place, folder, moves)
+            left = keep_beside(place, folder)
+            where = error.filename2 or error.filename or folder
+            raise OutputError(
+                f"{where}: cannot be written ({error.strerror}); nothing in {folder} was changed, and what was made is "
+                f"in {left}: close what holds the files there, make room, or give another folder with -o"
+            ) from None
+
+
+@contextmanager
 def _staged_file(path: Path, *, command: str) -> Iterator[Path]:
     """Give a path in a stage beside `path`; raise OutputError where no file can come to be there."""
     if not path.parent.is_dir():
@@ -274,12 +278,6 @@ def _refuse_another(made: Path, path: Path) -> None:
         raise OutputError(f"{path}: is there already and holds something else; move it away, or give another name")
 
 
-PREFIX = ".assess-partial-"
-MADE, OLD, JOURNAL = "made", "old", "journal.json"
-_DAY = 86400.0  # s
-Tell = Callable[[Message], None]
-
-
 def recover_for_reading(folder: Path, *, tell: Tell) -> None:
     """Recover a folder for a command that only reads in it.
 
@@ -306,6 +304,17 @@ def recover(folder: Path, *, tell: Tell) -> None:
         remove_stage(stage)
 
 
+def _finish_or_take_back(stage: Path, folder: Path) -> Message:
+    moves = read_moves(stage)
+    if moves is not None and can_finish(stage, folder, moves):
+        finish_moves(stage, folder, moves)
+        return note("writing-finished", str(folder))
+    take_back_moves(stage, folder, guess_moves(stage, folder) if moves is None else moves)
+    left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
+    place = keep_beside(stage, folder) if left else folder
+    return note("writing-taken-back", str(folder), place=str(place))
+
+
 def keep_beside(stage: Path, folder: Path) -> Path:
     """Move the files of a stage into a new folder beside `folder`, or within it, and return the new folder.
 
@@ -323,17 +332,6 @@ def keep_beside(stage: Path, folder: Path) -> Path:
     return stage / MADE
 
 
-def _finish_or_take_back(stage: Path, folder: Path) -> Message:
-    moves = read_moves(stage)
-    if moves is not None and can_finish(stage, folder, moves):
-        finish(stage, folder, moves)
-        return note("writing-finished", str(folder))
-    take_back(stage, folder, guess_moves(stage, folder) if moves is None else moves)
-    left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
-    place = keep_beside(stage, folder) if left else folder
-    return note("writing-taken-back", str(folder), place=str(place))
-
-
 @dataclass(frozen=True)
 class Move:
     """The move of one file: `name` below the folder, SHA-256 of the new and of the old file, None for no file."""
@@ -343,7 +341,7 @@ class Move:
     old: str | None
 
 
-def begin(stage: Path, moves: Sequence[Move]) -> None:
+def write_journal(stage: Path, moves: Sequence[Move]) -> None:
     """Write the journal, once all files it lists are on the disk."""
     for folder in [stage / MADE, *(path for path in (stage / MADE).rglob("*") if path.is_dir())]:
         flush(folder)
@@ -356,22 +354,22 @@ def begin(stage: Path, moves: Sequence[Move]) -> None:
     flush(stage)
 
 
-def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+def finish_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Carry out the moves that are not done yet."""
     for move in moves:
         made, saved, target = _made_saved_target(stage, folder, move)
         if made.exists() or move.new is None:
-            _save(target, saved)
+            _save_old_file(target, saved)
         if made.exists():
             target.parent.mkdir(parents=True, exist_ok=True)
             os.replace(made, target)
         elif move.new is None:
             target.unlink(missing_ok=True)
     _remove_empty(folder, [move.name for move in moves if move.new is None])
-    _close(stage, folder, moves)
+    _close_journal(stage, folder, moves)
 
 
-def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+def take_back_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Undo the moves that are done; files whose place is taken stay in the stage."""
     for move in reversed(moves):
         made, saved, target = _made_saved_target(stage, folder, move)
@@ -386,7 +384,7 @@ def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
         elif saved.exists() and now == move.old:
             saved.unlink()
     _remove_empty(folder, [move.name for move in moves if move.old is None])
-    _close(stage, folder, moves)
+    _close_journal(stage, folder, moves)
 
 
 def read_moves(stage: Path) -> list[Move] | None:
@@ -430,7 +428,7 @@ def _made_saved_target(stage: Path, folder: Path, move: Move) -> tuple[Path, Pat
     return places
 
 
-def _save(target: Path, saved: Path) -> None:
+def _save_old_file(target: Path, saved: Path) -> None:
     """Save the file in the folder; it also stays there if the disk has links, so that readers never miss it."""
     if saved.exists() or not target.exists():
         return
@@ -441,7 +439,7 @@ def _save(target: Path, saved: Path) -> None:
         os.replace(target, saved)
 
 
-def _close(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+def _close_journal(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Flush the folders and remove the journal: from now on the stage is done with."""
     for place in sorted({(folder / move.name).parent for move in moves} | {folder}):
         if place.is_dir():
@@ -487,7 +485,7 @@ def make_stage(place: Path, *, command: str) -> Iterator[Path]:
                 yield folder
             finally:
                 with defer_signals():
-                    _empty(folder)
+                    _empty_stage(folder)
     finally:
         with defer_signals():
             if not (folder / JOURNAL).exists():
@@ -503,7 +501,7 @@ def _make_hidden_folder(folder: Path) -> None:
         ) from None
 
 
-def _empty(folder: Path) -> None:
+def _empty_stage(folder: Path) -> None:
     """Remove the files of a stage except its lock, which goes last; none while moves are unfinished."""
     for each in () if (folder / JOURNAL).exists() else folder.iterdir():
         if each.name != LOCK:

@@ -65,7 +65,7 @@ def test_a_disk_that_is_full_before_the_moves_keeps_what_was_made(
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr(writing, "begin", full)
+        patch.setattr(writing, "write_journal", full)
         with pytest.raises(OutputError, match=r"No space left on device.*what was made is in"):
             run(out, {"results.json": "2"})
     assert content(out) == {"results.json": "1"}

@@ -21,7 +21,7 @@ STEEP = 0.26  # vertical part of a unit normal: a face within 15 degrees of upri
 
 
 @dataclass(frozen=True)
-class Contact:
+class ContactArea:
     """The area where a body meets a block.
 
     Attributes
@@ -47,7 +47,7 @@ class FacePatches:
     normal: FloatArray
 
 
-def find_contact(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE) -> Contact | None:
+def find_contact(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE) -> ContactArea | None:
     """Find where a body meets a block; None where it does not, or where it lies under the block and carries it.
 
     Faces are in contact where they face each other at a distance within the tolerance, whether they are separated by a
@@ -94,7 +94,7 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     return FacePatches(faces.area[upright], faces.centroid[upright], faces.normal[upright])
 
 
-def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
+def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
     """Combine the contacts of a body with the parts of one block; None where there are none."""
     bearing = any(each.bearing for each in contacts)
     chosen = [each for each in contacts if each.bearing == bearing]
@@ -108,24 +108,26 @@ def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
     return _join_patches(patches, np.ones(len(chosen), dtype=np.bool_), bearing=bearing, smallest=0.0)
 
 
-def _bearing_contact(faces: FacePatches, *, smallest: float) -> Contact | None:
+def _bearing_contact(faces: FacePatches, *, smallest: float) -> ContactArea | None:
     """Return the contact on the block's bearing faces, None if no larger than the smallest area [m2]."""
     return _join_patches(faces, faces.normal[:, 2] >= STEEP, bearing=True, smallest=smallest)
 
 
-def _upright_contact(faces: FacePatches, *, smallest: float) -> Contact | None:
+def _upright_contact(faces: FacePatches, *, smallest: float) -> ContactArea | None:
     """Return the contact on the block's upright faces, None if no larger than the smallest area [m2]."""
     return _join_patches(faces, np.abs(faces.normal[:, 2]) < STEEP, bearing=False, smallest=smallest)
 
 
-def _join_patches(patches: FacePatches, which: NDArray[np.bool_], *, bearing: bool, smallest: float) -> Contact | None:
+def _join_patches(
+    patches: FacePatches, which: NDArray[np.bool_], *, bearing: bool, smallest: float
+) -> ContactArea | None:
     """Combine the chosen patches into one contact, None if no larger than the smallest area [m2]."""
     A = patches.area[which]
     area = float(A.sum())
     if area <= smallest:
         return None
     centroid, normal = (A @ each[which] / area for each in (patches.centroid, patches.normal))
-    return Contact(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
+    return ContactArea(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
 
 
 def _facing_parts(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> FacePatches:
@@ -222,7 +224,7 @@ def _strips(corners: FloatArray, *, tolerance: float) -> NDArray[np.object_]:
     return np.asarray(shapely.polygons(ring), dtype=np.object_)
 
 
-def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> Contact | None:
+def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> ContactArea | None:
     """Find where the underside of a body lies inside the block by more than the tolerance [m] in plan."""
     shared = intersect(block, body)
     if shared is None:
@@ -241,7 +243,7 @@ def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> Contact
     weight = -normals[faces_down, 2] * areas_and_normals(underside)[0]
     z = float(weight @ underside[:, :, 2].mean(axis=1) / weight.sum())
     centre = shapely.get_coordinates(shapely.centroid(region))[0] + origin[:2]
-    return Contact(area, np.array([*centre, z]), np.array([0.0, 0.0, 1.0]), True)
+    return ContactArea(area, np.array([*centre, z]), np.array([0.0, 0.0, 1.0]), True)
 
 
 def _open_region(region: shapely.Geometry, *, width: float) -> shapely.Geometry:

@@ -13,7 +13,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import SAME_PLACE, shared_volume, shortest_distance
-from assess.geometry.contact import CONTACT_TOLERANCE, Contact, find_contact, join_contacts
+from assess.geometry.contact import CONTACT_TOLERANCE, ContactArea, find_contact, join_contacts
 from assess.geometry.cut import Piece
 from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
@@ -32,8 +32,8 @@ class Support:
     others : contact of each other body that carries it, by name
     """
 
-    contact: Contact
-    others: Mapping[str, Contact]
+    contact: ContactArea
+    others: Mapping[str, ContactArea]
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ def support(
     contact = join_contacts([each for each in met if each is not None])
     if contact is None:
         return None
-    found: dict[str, list[Contact]] = {}
+    found: dict[str, list[ContactArea]] = {}
     for other in others:
         each = find_contact(other, body, tolerance=tolerance)
         if each is not None:
@@ -61,7 +61,7 @@ def support(
     return Support(contact, {name: each for name, each in joined.items() if each is not None})
 
 
-def shares(contacts: Sequence[Contact], *, centroid: FloatArray) -> FloatArray:
+def shares(contacts: Sequence[ContactArea], *, centroid: FloatArray) -> FloatArray:
     """Return the share of a body's weight that goes to each contact [n]; they add up to 1.
 
     The body is rigid and each contact yields in proportion to its area A. With d the place of a contact in plan from
@@ -95,7 +95,7 @@ def bearing_contacts(found: Support, *, axis: FloatArray | None = None) -> Suppo
     return Support(found.contact, others)
 
 
-def carries_weight(contact: Contact, *, axis: FloatArray | None) -> bool:
+def carries_weight(contact: ContactArea, *, axis: FloatArray | None) -> bool:
     """Return whether weight passes through a contact: it bears, or a vault springs from it along the axis [3]."""
     return contact.bearing or (axis is not None and abs(float(contact.normal @ axis)) > ACROSS)
 
@@ -137,7 +137,7 @@ def no_contact_text(body: Solid, *, block: Sequence[Solid]) -> str:
     return f"it lies {distance:.3g} m away; move it, or raise `tolerance`"
 
 
-_NO_CONTACT = Contact(0.0, np.zeros(3), np.zeros(3), bearing=False)
+_NO_CONTACT = ContactArea(0.0, np.zeros(3), np.zeros(3), bearing=False)
 UPPER = 1  # the block it stands on
 ROUNDING = 1e-9  # of the thickness: a load this near its edge is on it
 WEIGHT = "a weight, which stays"

@@ -14,7 +14,7 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import OVERLAP_WARNED, SAME_PLACE, shared_volume, shortest_distance
-from assess.geometry.contact import Contact, find_contact, join_contacts
+from assess.geometry.contact import ContactArea, find_contact, join_contacts
 from assess.geometry.cut import Piece
 from assess.geometry.planar import distance_to_outline
 from assess.geometry.solid import Solid
@@ -385,7 +385,7 @@ class LoadedBlock:
 LoadedBlocks = tuple[tuple[LoadedBlock, ...], tuple[Message, ...]]  # and warnings
 
 
-def contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, Contact]:
+def contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, ContactArea]:
     """Find where a body meets each block that it touches, by the number of the block."""
     if body is None:
         return {}
@@ -396,7 +396,7 @@ def contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Pi
 def check_given_block(
     load: BodyLoad,
     given: int,
-    contacts: Mapping[int, Contact],
+    contacts: Mapping[int, ContactArea],
     touched: int,
     left_out: Sequence[int],
     *,
@@ -425,7 +425,7 @@ def _left_out_warning(load: BodyLoad, number: int) -> Message:
 def refuse_ambiguous(
     load: BodyLoad,
     found: Sequence[int],
-    contacts: Mapping[int, Contact],
+    contacts: Mapping[int, ContactArea],
     bears: Sequence[int],
     *,
     among: MechanismBlocks,
@@ -448,7 +448,7 @@ def refuse_ambiguous(
         )
 
 
-def at_one_elevation(contacts: Mapping[int, Contact], *, tolerance: float) -> bool:
+def at_one_elevation(contacts: Mapping[int, ContactArea], *, tolerance: float) -> bool:
     """Return whether the contacts lie at one elevation, as where a crack divides what a body touches."""
     heights = [float(each.centroid[2]) for each in contacts.values()]
     return len(heights) > 1 and max(heights) - min(heights) <= tolerance
@@ -488,6 +488,6 @@ def _distance_to(piece: Piece, at: Point) -> float:
     return distance_to_outline(piece.body.outline, at) if piece.body.outline else 0.0
 
 
-def _contact_with(solids: Sequence[Solid], body: Solid, tolerance: float) -> Contact | None:
+def _contact_with(solids: Sequence[Solid], body: Solid, tolerance: float) -> ContactArea | None:
     met = (find_contact(solid, body, tolerance=tolerance) for solid in solids)
     return join_contacts([each for each in met if each is not None])

@@ -8,7 +8,7 @@ from scipy.constants import g
 from scipy.optimize import minimize
 
 from assess.errors import GeometryError
-from assess.geometry.contact import Contact
+from assess.geometry.contact import ContactArea
 from assess.geometry.solid import Solid, box, join
 from assess.loads.bearing import bearing_contacts, overburden, share_of, shares, support
 
@@ -19,8 +19,8 @@ def cuboid(low, high, name, density=1000.0) -> Solid:
     return box(thickness=X - x, length=Y - y, height=Z - z, base=base, density=density, name=name)
 
 
-def resting(area, x, y) -> Contact:
-    return Contact(area, np.array([x, y, 3.0]), np.array([0.0, 0.0, 1.0]), bearing=True)
+def resting(area, x, y) -> ContactArea:
+    return ContactArea(area, np.array([x, y, 3.0]), np.array([0.0, 0.0, 1.0]), bearing=True)
 
 
 FRONT, REAR = cuboid((0, 0, 0), (0.6, 5, 4), "front"), cuboid((6, 1, 0), (7, 3, 4), "rear")

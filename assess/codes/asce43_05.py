@@ -1,6 +1,6 @@
-"""ASCE/SEI 43-05: rocking of an unanchored rigid body, by the spectrum method of Appendix A.2 and by histories.
+"""ASCE/SEI 43-05, Appendix A.2: rocking of an unanchored rigid body by a spectrum, as an equivalent linear oscillator.
 
-The spectrum method, an equivalent linear oscillator, stands in two readings: the clause's, and the thesis' that
+The method stands in two readings: the clause's, and the thesis' that
 reproduces its Tables 8.5-8.6. Above the ground the clause's reading uses the floor's own spectrum where there is one.
 The formulas are written for any rocking oscillator: E(phi) is the work stored, B0 and I0 are excitation and inertia at
 rest. For a block of half-width b and centroid height h, a = b/h, these give the clause's own quantities: h = B0/M,
@@ -9,12 +9,6 @@ C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
 Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The clause's
 limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half, the limit
 of the response-history method of the same standard, is shown beside it. One function for each formula.
-
-The response-history method takes the mean of the largest rotations of at least five records as the best estimate of the
-demand; a factor of 2 on instability makes half the rotation that overturns the allowable one (thesis 3.3.2 and 8.4.2,
-Table 8.10). Each maximum is divided by the rotation that really overturns the mechanism in the branch where it
-happened, joints included. A record that overturns the body fails the level. A pass needs the rule to hold in 84 % of
-the draws among the runs of each record, too.
 """
 
 from __future__ import annotations
@@ -385,7 +379,7 @@ def _rotation_steps(
     level: float,
     f_v: float,
 ) -> tuple[Step, ...]:
-    """Write the way from a rotation to the PGA that takes the body there."""
+    """Write the steps from a rotation to the PGA that takes the body there."""
     theta, B0 = np.array([at]), float(branch.excitation[0])
     f1, stored = float(stored_work(branch, theta)[0]), float(energy(branch, theta)[0])
     cap = float(capacity_acceleration(branch, theta, f_v=f_v)[0])

@@ -29,6 +29,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from assess.codes.calculation_sheet import Given
+from assess.codes.check import TABLE_SPECTRUM
 from assess.codes.context import Context, FreePeriod
 from assess.codes.italian_kinematic import (
     DisplacementCapacity,
@@ -275,7 +276,6 @@ ELASTIC_DAMPING = 0.05  # largest of an elastic building, and of an element befo
 SCANNED_FIRST_PERIODS = 401  # periods of the building tried besides those where the largest demand is expected
 GROUND_PERIODS = 501  # periods of the mechanism at which the largest displacement of the ground is sought
 FLOOR_PERIODS = 201  # the same of the floor
-TABLE = "table"
 
 
 @dataclass(frozen=True)
@@ -433,7 +433,7 @@ def floor_demand(context: Context, modes: FirstModes, *, T0: float, T: float, da
     FloorDemand
     """
     at_T = _floor_demand_at(context, modes, T, damping=damping)
-    if context.spectrum.code != TABLE:
+    if context.spectrum.code != TABLE_SPECTRUM:
         return at_T
     worst = _worst_period(context, modes, T0=T0, T=T, damping=damping)
     return max(at_T, _floor_demand_at(context, modes, worst, damping=damping), key=lambda each: each.largest)

@@ -69,13 +69,6 @@ class CodeOptions:
     ec8: Ec8Options = field(default_factory=Ec8Options)
 
 
-def find_procedure(name: str) -> CodeProcedure:
-    """Return a procedure by its name; raise ProcedureError for an unknown one, with the known ones."""
-    if name not in PROCEDURES:
-        raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
-    return PROCEDURES[name]
-
-
 def procedure(name: str, options: CodeOptions) -> Assess:
     """Return what makes the checks of a procedure, with the options of its code.
 
@@ -94,7 +87,9 @@ def procedure(name: str, options: CodeOptions) -> Assess:
     ProcedureError
         For an unknown name; it lists the known ones.
     """
-    found = find_procedure(name)
+    if name not in PROCEDURES:
+        raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
+    found = PROCEDURES[name]
     return partial(found.assess, options=getattr(options, found.options)) if found.options else found.assess
 
 
@@ -123,11 +118,11 @@ def history_rules(options: CodeOptions) -> dict[str, tuple[HistoryRule, ItalianO
 
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
 
-ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
-"""What follows a mechanism as it moves, and so asks for what lasts."""
+FOLLOWING_MOTION = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
+"""Comparisons that follow a mechanism as it moves, and so need actions that last."""
 
-ROCKING = (*ON_THE_WAY, Family.LINEAR)
-"""What takes it that the mechanism rocks and does not slide."""
+ROCKING = (*FOLLOWING_MOTION, Family.LINEAR)
+"""Comparisons that presume that the mechanism rocks and does not slide."""
 
 FLOOR_CLAUSES: dict[Family, Term] = {
     Family.LINEAR: Term("give [building] height and storeys"),
@@ -184,9 +179,9 @@ def find_applicability(procedure: str, oscillator: Oscillator, context: Context)
     Applicability
     """
     family = PROCEDURES[procedure].family
-    rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
-    spoken = (rule(procedure, family, oscillator, context) for rule in rules)
-    found = [each for each in spoken if each is not None]
+    rules = (_clause_objection, _unheld_objection, _impossible_objection, _histories_objection, _height_objection)
+    objections = (rule(procedure, family, oscillator, context) for rule in rules)
+    found = [each for each in objections if each is not None]
     if not found or found[0].may == Allowed.NOT_APPLY:
         return found[0] if found else APPLICABLE
     first, *rest = found
@@ -214,7 +209,7 @@ def apply_procedure(
     if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
         context = replace(context, starting=None, breaking=None, limits=())
     found = (
-        _as_admitted(check, _with_missing_inputs(given, missing_inputs(procedure, check.limit_state, context)))
+        _restricted_check(check, _with_missing_inputs(given, missing_inputs(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)
     )
     return tuple(_condition_on_sliding(check, context) for check in found)
@@ -222,11 +217,9 @@ def apply_procedure(
 
 def _condition_on_sliding(check: Check, context: Context) -> Check:
     """Return the check; a pass by rocking of what slides first depends on its being kept from sliding."""
-    slides_at = (
-        sliding_pga(context)
-        if PROCEDURES[check.procedure].family in ROCKING and check.verdict == Outcome.PASS
-        else None
-    )
+    if check.verdict != Outcome.PASS or PROCEDURES[check.procedure].family not in ROCKING:
+        return check
+    slides_at = sliding_pga(context)
     if slides_at is None or check.level_pga_g * g <= slides_at:
         return check
     pga = Quantity(slides_at / g, "ground acceleration", 3)
@@ -234,19 +227,19 @@ def _condition_on_sliding(check: Check, context: Context) -> Check:
     return replace(check, conditions=(*check.conditions, held))
 
 
-def _with_missing_inputs(given: Applicability, lacking: tuple[MissingInput, ...]) -> Applicability:
-    """Return the applicability of a procedure together with what one of its limit states lacks."""
-    if not lacking or given.may in (Allowed.NOT_APPLY, Allowed.NOT_ANSWER):
-        return replace(given, others=(*given.others, *(each.reason for each in lacking)))
-    reasons = [each.reason for each in lacking]
+def _with_missing_inputs(given: Applicability, missing: tuple[MissingInput, ...]) -> Applicability:
+    """Return the applicability of a procedure together with the inputs that one of its limit states lacks."""
+    if not missing or given.may in (Allowed.NOT_APPLY, Allowed.NOT_ANSWER):
+        return replace(given, others=(*given.others, *(each.reason for each in missing)))
+    reasons = [each.reason for each in missing]
     if given.reason is None:
         return Applicability(
-            Allowed.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), others=tuple(reasons[1:])
+            Allowed.NOT_ANSWER, reasons[0], all(each.safe for each in missing), others=tuple(reasons[1:])
         )
     return replace(given, may=Allowed.NOT_ANSWER, others=tuple(reasons))
 
 
-def _as_admitted(check: Check, given: Applicability) -> Check:
+def _restricted_check(check: Check, given: Applicability) -> Check:
     if given.reason is None or check.verdict == Outcome.NOT_APPLICABLE:
         return check
     if given.may == Allowed.NOT_APPLY:
@@ -301,7 +294,7 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
     )
 
 
-def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _clause_objection(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """Return the objection of the clause: mechanisms that it does not cover."""
     by_impacts = PROCEDURES[procedure].damped_by_impacts
     if by_impacts and oscillator.negative is None:
@@ -315,19 +308,23 @@ def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: 
     return None
 
 
-def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _impossible_objection(
+    procedure: str, family: Family, oscillator: Oscillator, context: Context
+) -> Applicability | None:
     """Return the objection to any answer, as where the elevation of the ground is not known."""
     return Applicability(Allowed.NOT_ANSWER, context.impossible[0]) if context.impossible else None
 
 
-def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _unheld_objection(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """Return the objection to displacements and histories where only actions not shown to last hold it."""
-    if family not in ON_THE_WAY or not context.not_lasting:
+    if family not in FOLLOWING_MOTION or not context.not_lasting:
         return None
     return Applicability(Allowed.NOT_ANSWER, context.not_lasting[0], void=True, others=context.impossible)
 
 
-def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _histories_objection(
+    procedure: str, family: Family, oscillator: Oscillator, context: Context
+) -> Applicability | None:
     """Return the objection to histories: an impact without rebound, or a suite that misses its code's rules."""
     if family != Family.HISTORY:
         return None
@@ -335,7 +332,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     return Applicability(Allowed.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
-def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _height_objection(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """Return the objection to the motion of the ground at height: it may fail a check and cannot pass it."""
     if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
         return None

@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.asce41_13 import (
-    SLENDERNESS,
+    ASCE41_13_SLENDERNESS,
     Asce41Options,
     assess_slenderness,
     permissible_slenderness,
@@ -127,7 +127,10 @@ MISSING = {
 @pytest.mark.parametrize(("change", "verdict", "reason"), list(MISSING.values()), ids=list(MISSING))
 def test_what_is_missing_is_said(change, verdict, reason) -> None:
     (check,) = apply_procedure(
-        SLENDERNESS, partial(assess_slenderness, options=Asce41Options()), BLOCK, dataclasses.replace(AT, **change)
+        ASCE41_13_SLENDERNESS.name,
+        partial(assess_slenderness, options=Asce41Options()),
+        BLOCK,
+        dataclasses.replace(AT, **change),
     )
     assert (check.verdict, check.reason.key) == (verdict, reason)
 

@@ -11,7 +11,7 @@ from scipy.constants import g
 
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
-from assess.codes.en1998_1 import ELEMENT, Ec8Options, amplification, assess_element, element_period
+from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options, amplification, assess_element, element_period
 from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
@@ -28,7 +28,7 @@ def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Contex
 
 
 def asked(context: Context):
-    return apply_procedure(ELEMENT, partial(assess_element, options=Ec8Options()), PARAPET, context)
+    return apply_procedure(EC8_ELEMENT.name, partial(assess_element, options=Ec8Options()), PARAPET, context)
 
 
 @pytest.mark.parametrize(

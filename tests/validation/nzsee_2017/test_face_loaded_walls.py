@@ -16,7 +16,7 @@ from scipy.constants import g
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.nzsee2017 import (
-    FACE_LOADED,
+    NZSEE2017_FACE_LOADED,
     Nzsee2017Options,
     assess_face_loaded,
     floor_factor,
@@ -252,7 +252,7 @@ def test_what_is_no_face_loaded_wall_is_not_answered() -> None:
         (Context(WELLINGTON, (0.1,), 0.0, 9.0, HOUSE), "not-answered", Reason.ABOVE_BUILDING),
     ):
         (check,) = apply_procedure(
-            FACE_LOADED, partial(assess_face_loaded, options=Nzsee2017Options()), wall(), context
+            NZSEE2017_FACE_LOADED.name, partial(assess_face_loaded, options=Nzsee2017Options()), wall(), context
         )
         assert (check.verdict, check.reason.key) == (verdict, reason)
 

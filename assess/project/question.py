@@ -158,7 +158,7 @@ def _missing_masonry(content: sections.Content, name: str, premises: Sequence[Pr
         key = f"{table}.disintegration"
         if disintegration != "excluded":
             yield missing_input(key, message("missing-disintegration"), 'disintegration = "excluded"')
-        if disintegration != "possible" and not source_of(content, key):
+        if disintegration != "possible" and not content.report.source_of(key):
             why = message("missing-source", {"key": key})
             yield missing_input(SOURCES, why, f'"{key}" = "measured: …"')
 
@@ -340,12 +340,3 @@ def _hazard_result(risk: sections.Risk, site: SiteHazard | None, folder: Path) -
         return None
     rates = tuple(1.0 / years for years in site.return_period)
     return HazardResult(measure("pga"), "site.spectrum.hazard", tuple(pga / g for pga in site.pga), rates)
-
-
-ASSUMED = "assumed"
-
-
-def source_of(content: sections.Content, key: str) -> str:
-    """Return the source of a key, or of a table that holds it, if it is not an assumption; else an empty text."""
-    given = (text for start, text in content.report.sources.items() if f"{key}.".startswith(f"{start}."))
-    return next((text for text in given if text.partition(":")[0].strip() != ASSUMED), "")

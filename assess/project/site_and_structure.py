@@ -32,7 +32,7 @@ from assess.model.bodies import Bodies, Body, Material, PointValues
 from assess.project import sections
 from assess.project.keys import error_line
 from assess.project.project_file import bare_number_messages, load
-from assess.project.question import limit_state_of, source_of, use_class_of
+from assess.project.question import limit_state_of, use_class_of
 from assess.project.section import ProjectSection
 from assess.project.sections.ground_motion import SiteSection
 from assess.study.amplification import (
@@ -65,7 +65,7 @@ SHOWN = (ForceLoad, TieLoad)
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
     """Return the definition of each mechanism of a project, with the evidence of its loads by [report.sources]."""
     return {
-        name: definition_of(section, evidence=source_of(content, f"mechanisms.{name}.loads"))
+        name: definition_of(section, evidence=content.report.source_of(f"mechanisms.{name}.loads"))
         for name, section in content.mechanisms.items()
     }
 

@@ -51,12 +51,12 @@ from assess.project.sections.mechanisms import (
 from assess.project.sections.procedures import Procedures, VerdictSection
 from assess.results import ChecklistItem
 
-ALIKE = ("client", "checker", "date", "reference")
-"""Keys that may stand at the top of the file or in [report]."""
-
-
+ASSUMED = "assumed"
+SOURCE_KINDS = ("measured", "literature", ASSUMED)
 MOST_FIGURES = 12
 MOST_REVISIONS = 40
+ALIKE = ("client", "checker", "date", "reference")
+"""Keys that may stand at the top of the file or in [report]."""
 
 
 def _begins_with_its_kind(text: str) -> str:
@@ -145,6 +145,11 @@ class Report(ProjectSection):
     sources: dict[str, SourceText] = Field(default_factory=dict)
     """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
     "assumed: …\""""
+
+    def source_of(self, key: str) -> str:
+        """Return the source of a key, or of a table that holds it, if it is not an assumption; else an empty text."""
+        given = (text for start, text in self.sources.items() if f"{key}.".startswith(f"{start}."))
+        return next((text for text in given if text.partition(":")[0].strip() != ASSUMED), "")
 
     @model_validator(mode="after")
     def _revisions_differ(self) -> Report:
@@ -259,9 +264,6 @@ class Content(ProjectSection):
 
 def _known_names(table: str, names: Mapping[str, Any]) -> str:
     return f"known: {quote_names(names)}" if names else f"add a table [{table}.NAME]"
-
-
-SOURCE_KINDS = ("measured", "literature", "assumed")
 
 
 def checklist(report: Report, mechanisms: Mapping[str, MechanismSection]) -> tuple[ChecklistItem, ...]:

@@ -1,9 +1,10 @@
 """ASCE/SEI 43-05, Appendix A.2: rocking of an unanchored rigid body by a spectrum, as an equivalent linear oscillator.
 
 The method stands in two readings: the clause's, and the thesis' that reproduces its Tables 8.5-8.6. Above the ground
-the clause's reading uses the floor's own spectrum where there is one. The formulas are written for any rocking oscillator: E(phi) is the work stored, B0 and I0 are excitation and inertia at
-rest. For a block of half-width b and centroid height h, a = b/h, these give the clause's own quantities: h = B0/M,
-C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
+the clause's reading uses the floor's own spectrum where there is one. The formulas are written for any rocking
+oscillator: E(phi) is the work stored, B0 and I0 are excitation and inertia at rest. For a block of half-width b and
+centroid height h, a = b/h, these give the clause's own quantities: h = B0/M, C1 = I0/(M h^2),
+f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
 
 Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The clause's
 limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half, the limit

@@ -47,7 +47,7 @@ class Method:
 
     procedure : its name
     acceptance : whether it must be named
-    yields_to : procedures that are never stood in for: where one of them is asked, this one is not
+    yields_to : procedures that are never stood in for: where one of them is requested, this one is not
     """
 
     procedure: str
@@ -107,17 +107,17 @@ class Basis:
         )
 
 
-NTC2018_HISTORY = Method("ntc2018-history", Acceptance.IF_NAMED)
-NTC2018_NONLINEAR = Method("ntc2018-nonlinear")
-NTC2018_LINEAR = Method("ntc2018-linear", Acceptance.IF_NAMED, yields_to=("ntc2018-nonlinear",))
+BY_HISTORIES = Method("ntc2018-history", Acceptance.IF_NAMED)
+BY_CAPACITY_CURVE = Method("ntc2018-nonlinear")
+BY_MULTIPLIER = Method("ntc2018-linear", Acceptance.IF_NAMED, yields_to=("ntc2018-nonlinear",))
 
 NTC2018 = Basis(
     name="ntc2018",
     edition="NTC 2018 (DM 17.1.2018) with Circolare 7/2019",
     index=IndexKind.ZETA_E,
     states=(
-        LimitState("SLV", "SLV", ("SLV",), ((NTC2018_HISTORY,), (NTC2018_NONLINEAR,), (NTC2018_LINEAR,))),
-        LimitState("SLC", "SLC", ("SLC",), ((NTC2018_HISTORY,), (NTC2018_NONLINEAR,))),
+        LimitState("SLV", "SLV", ("SLV",), ((BY_HISTORIES,), (BY_CAPACITY_CURVE,), (BY_MULTIPLIER,))),
+        LimitState("SLC", "SLC", ("SLC",), ((BY_HISTORIES,), (BY_CAPACITY_CURVE,))),
         LimitState("SLD", "SLD", ("SLD",), ((Method("ntc2018-linear"),),), LimitStateRole.BESIDES, classes=("IV",)),
     ),
     default="SLV",
@@ -133,14 +133,15 @@ NTC2018 = Basis(
     ),
     uncompared=("clauses by a public transcription of the decree and the circular, not by the printed texts",),
 )
-DMI2008_KINEMATIC = (Method("dmi2008-linear"), Method("dmi2008-nonlinear"))
+"""NTC 2018 with Circolare 7/2019: local mechanisms of existing masonry buildings (8.3, 8.5.4, C8.7.1.2)."""
+BY_EITHER = (Method("dmi2008-linear"), Method("dmi2008-nonlinear"))
 
 DMI2008 = Basis(
     name="dmi2008",
     edition="NTC 2008 (DM 14.1.2008) with Circolare 617/2009, superseded in 2018",
     index=IndexKind.ZETA_E,
     states=(
-        LimitState("SLV", "SLV", ("SLV",), (DMI2008_KINEMATIC,)),
+        LimitState("SLV", "SLV", ("SLV",), (BY_EITHER,)),
         LimitState("SLD", "SLD", ("SLD",), ((Method("dmi2008-linear"),),), LimitStateRole.BESIDES, classes=("IV",)),
     ),
     default="SLV",
@@ -152,6 +153,7 @@ DMI2008 = Basis(
     ),
     uncompared=("all clauses are from memory of the circular",),
 )
+"""NTC 2008 with Circolare 617/2009, superseded in 2018: local mechanisms (C8A.4)."""
 
 NZSEE2017 = Basis(
     name="nzsee2017",
@@ -163,6 +165,7 @@ NZSEE2017 = Basis(
     clauses=(("usable rotation of a face-loaded wall against the demand on a part", "C8.8.5, NZS 1170.5 section 8"),),
     uncompared=("the chapter was not compared with its print; its formulas were derived anew",),
 )
+"""NZSEE/MBIE 2017, Part C8: face-loaded walls, as a share of the new building standard."""
 SLENDERNESS_TABLE = ((Method("asce41-13-ht"),),)
 
 ASCE41_13 = Basis(
@@ -178,6 +181,7 @@ ASCE41_13 = Basis(
     clauses=(("permissible h/t at S_X1 of the declared hazard level", "Table 11-5"),),
     uncompared=("the table is from memory of the standard",),
 )
+"""ASCE/SEI 41-13: permissible h/t of unreinforced masonry walls out of plane (11.3.3, Table 11-5)."""
 
 ASCE43_05 = Basis(
     name="asce43-05",
@@ -205,6 +209,7 @@ ASCE43_05 = Basis(
         "the limit of clause 7.1 for A.2 could not be read: one third of the rotation that overturns is taken",
     ),
 )
+"""ASCE/SEI 43-05: rocking of unanchored bodies by response histories, or by the approximate method of A.2."""
 
 EC8 = Basis(
     name="ec8",
@@ -216,6 +221,7 @@ EC8 = Basis(
     clauses=(("static force on a non-structural element", "4.3.5.2 (4.24), (4.25)"),),
     uncompared=("q_a and gamma_a of the element are from memory; national annexes may change them",),
 )
+"""EN 1998-1: elements that carry no floor, by the static force of 4.3.5."""
 BASES: Mapping[str, Basis] = {each.name: each for each in (NTC2018, DMI2008, NZSEE2017, ASCE41_13, ASCE43_05, EC8)}
 
 BY_SITE: Mapping[str, str] = {"ntc2018": "ntc2018", "ntc2008": "dmi2008", "nzs1170.5": "nzsee2017", "ec8": "ec8"}

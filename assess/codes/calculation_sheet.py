@@ -119,8 +119,8 @@ def step(
     """
     inputs = tuple(_symbol_value(name, each) for name, each in (given or {}).items())
     places = tuple(_symbol_value(name, each) for name, each in (at or {}).items())
-    said = (substitute(formula, inputs) if inputs else "", values_text(places), remark)
-    substituted = ", ".join(part for part in said if part) or _value_text(value)
+    written = (substitute(formula, inputs) if inputs else "", values_text(places), remark)
+    substituted = ", ".join(part for part in written if part) or _value_text(value)
     return Step(
         symbol,
         description,
@@ -176,8 +176,8 @@ def _operand(found: re.Match[str], number: str) -> str:
     """Return a number for a symbol; a negative one in brackets, unless it opens the formula or a bracket."""
     before, after = found.string[: found.start()], found.string[found.end() :]
     opens = before in ("", "(") or before.endswith(("(", "|"))
-    alone = opens and not after.startswith(("²", "³", "^"))
-    return number if number[:1] not in "-−" or alone else f"({number})"
+    unbracketed = opens and not after.startswith(("²", "³", "^"))
+    return number if number[:1] not in "-−" or unbracketed else f"({number})"
 
 
 def _pattern(symbols: list[str]) -> re.Pattern[str]:

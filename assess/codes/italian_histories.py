@@ -136,7 +136,7 @@ def required_pga(
     hazard : of the site over return periods; None where it has one spectrum
     spectrum : the site's
     rule : of the edition
-    options : the limit states asked for
+    options : the limit states requested
     factors : confidence factors FC [-]
 
     Returns
@@ -273,8 +273,8 @@ def _ratio_steps(
     if found.governing_ratio is None:
         return (ratio,)
     given: Given = {f"d / d_{state}": found.governing_ratio, f"d_{state}": (capacity.displacement, "m")}
-    said, value = DEMAND_AT[curves.name], found.governing_ratio * capacity.displacement
-    return ratio, step("d", said, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)
+    words, value = DEMAND_AT[curves.name], found.governing_ratio * capacity.displacement
+    return ratio, step("d", words, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)
 
 
 def _governing_step(found: SuiteDisplacements, rule: HistoryRule, symbol: str) -> Step:

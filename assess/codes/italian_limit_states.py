@@ -138,11 +138,11 @@ def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
     own, symbol = own_spectrum(context.hazard, state), f"PGA_{state}"
     if own is None:
         remark = "" if context.hazard is None else "no hazard of this limit state"
-        said, given = "peak ground acceleration, that of the level", {"PGA_L": (level, "m/s2")}
-        return step(symbol, said, HAZARD_CLAUSE, "PGA_L", pga, "m/s2", given=given, remark=remark)
-    said = "peak ground acceleration of the limit state: the level multiplies every limit state"
+        words, given = "peak ground acceleration, that of the level", {"PGA_L": (level, "m/s2")}
+        return step(symbol, words, HAZARD_CLAUSE, "PGA_L", pga, "m/s2", given=given, remark=remark)
+    words = "peak ground acceleration of the limit state: the level multiplies every limit state"
     given = {"PGA_L": (level, "m/s2"), f"S a_g,{state}": (own.pga, "m/s2"), "PGA": (context.spectrum.pga, "m/s2")}
-    return step(symbol, said, HAZARD_CLAUSE, f"PGA_L · S a_g,{state} / PGA", pga, "m/s2", given=given)
+    return step(symbol, words, HAZARD_CLAUSE, f"PGA_L · S a_g,{state} / PGA", pga, "m/s2", given=given)
 
 
 def add_safety_index(check: Check, context: Context) -> Check:

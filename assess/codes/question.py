@@ -178,7 +178,7 @@ def methods_of(question: Question) -> tuple[str, ...]:
 
 
 def requested_ranks(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank, ...]:
-    """Return the methods of each rank that the project asks for; where it names none, those accepted without a name.
+    """Return the methods of each rank that the project requests; where it names none, those accepted without a name.
 
     A limit state that decides besides the chosen one keeps its own methods where the project names none of them.
 
@@ -354,7 +354,7 @@ def _missing_of_check(mechanism: str, check: Check) -> tuple[Missing, ...]:
 
 def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
     why = message("missing-of-mechanism", {"mechanism": mechanism, "procedure": check.procedure, "reason": reason})
-    if reason.where:  # of the whole project, as a suite of records is, said once for all mechanisms
+    if reason.where:  # of the whole project, as a suite of records is, listed once for all mechanisms
         own = reason.where.startswith("mechanisms.")
         line = str(reason.values.get("toml", ""))
         return (missing_input(reason.where, why if own else reason, line, reasons=(reason,)),)

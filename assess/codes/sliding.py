@@ -57,9 +57,9 @@ def assess_sliding(oscillator: Oscillator, context: Context) -> tuple[Check, ...
 
     It is answered only where the friction of every hinge is known, and every hinge presses.
     """
-    silent = reason_friction_unknown(context.hinges)
+    unanswerable = reason_friction_unknown(context.hinges)
     checks = [
-        _friction_unanswered(level, context, silent) if silent else _friction_check_at_level(level, context)
+        _friction_unanswered(level, context, unanswerable) if unanswerable else _friction_check_at_level(level, context)
         for level in context.levels
     ]
     lifts = least_if_all_known([threshold(branch) for branch in oscillator.branches])
@@ -215,11 +215,11 @@ def _friction_steps(hinge: HingeForces, level: float, context: Context, slides_a
 def _held_steps(top: HingeForces) -> tuple[Step, ...]:
     """Write the force on the support at the top of a wall, and the friction it needs without an anchorage."""
     N, name = top.starting.normal, top.hinge
-    said = "friction needed without an anchorage; none where nothing rests on the top"
+    words = "friction needed without an anchorage; none where nothing rests on the top"
     friction = (
-        _friction_step(f"μ_{name}", said, top)
+        _friction_step(f"μ_{name}", words, top)
         if N > 0.0
-        else step(f"μ_{name}", said, FRICTION_EDITION, "|T| / N", None)
+        else step(f"μ_{name}", words, FRICTION_EDITION, "|T| / N", None)
     )
     return (
         step(
@@ -373,9 +373,9 @@ def reason_not_covered(context: Context) -> tuple[Outcome, Message] | None:
 
 
 def _distance_check_at_level(level: float, context: Context, mass: float, allowable: float | None) -> Check:
-    silent = reason_not_covered(context)
-    if silent is not None:
-        verdict, reason = silent
+    not_covered = reason_not_covered(context)
+    if not_covered is not None:
+        verdict, reason = not_covered
         steps = (step("δ_s", "best estimate of sliding", A1, "-", None, "m", remark=UNANSWERED),)
         return _distance_check(level, context, verdict=verdict, reason=reason, steps=steps)
     first = context.hinges[0]
@@ -465,7 +465,7 @@ def _distance_steps(
     period = longest_sliding_period(context, level, c_s) if c_s > 0.0 else None
     f_es = 1.0 / period if period else None
     none = "the spectrum does not reach c_s" if period == 0.0 else "no such frequency"
-    said = none if f_es is None else ""
+    remark = none if f_es is None else ""
     shaken = {"S_aV/S_aH": (context.vertical_ratio, "-"), "PGA": (level, "m/s2")}
     slid = {"c_s": (c_s, "m/s2"), "f_es": (f_es or 0.0, "Hz")}
     at_f = "lowest frequency at which the spectrum of 10 % damping reaches c_s"
@@ -475,9 +475,9 @@ def _distance_steps(
         step("μ_e", "effective coefficient of friction (A-1)", A1, "max(0, μ_M (1 − 0.4 A_v / g))", mu_e,
              given={"μ_M": (mu, "-"), "A_v": (vertical, "m/s2")}),
         step("c_s", "sliding coefficient (A-2)", A1, "2 μ_e g", c_s, "m/s2", given={"μ_e": mu_e}),
-        step("f_es", at_f, A1, "S_A(f_es, 10 %) = c_s", f_es, "Hz", remark=said,
+        step("f_es", at_f, A1, "S_A(f_es, 10 %) = c_s", f_es, "Hz", remark=remark,
              at={"c_s": (c_s, "m/s2"), "ξ": (A1_DAMPING, "-"), "PGA": (level, "m/s2")}),
-        step("δ_s", estimate, A1, formula, found, "m", remark=said)
+        step("δ_s", estimate, A1, formula, found, "m", remark=remark)
         if f_es is None
         else step("δ_s", estimate, A1, formula, found, "m", given=slid),
     )  # fmt: skip

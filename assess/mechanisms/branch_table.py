@@ -169,14 +169,9 @@ class ActionMoments(ShortRepr):
     at_rotations: Callable[[FloatArray], FloatArray]
 
 
-def actions_of(chain: Chain) -> tuple[Action, ...]:
-    """Return the forces and ties on a chain."""
-    return tuple(load for load in chain.loads if not isinstance(load, PointMass))
-
-
 def rigid_moments(chain: Chain, *, end: float) -> ActionMoments:
     """Return the moments of the actions as the blocks rotate about their hinges, up to the rotation `end` [rad]."""
-    actions = actions_of(chain)
+    actions = chain.actions
 
     def of(rotation: FloatArray) -> FloatArray:
         motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: whether a tie is slack depends on it
@@ -188,7 +183,7 @@ def rigid_moments(chain: Chain, *, end: float) -> ActionMoments:
 
 def negligible_moments(chain: Chain) -> FloatArray:
     """Return the moment of each action that counts as zero [actions, 1] [N m]."""
-    actions = actions_of(chain)
+    actions = chain.actions
     points = np.array([*chain.hinges, *(block.centroid for block in chain.blocks), *(each.at for each in actions)])
     forces = [hypot(*each.force) if isinstance(each, Force) else each.tension for each in actions]
     return NEGLIGIBLE * hypot(*np.ptp(points, axis=0)) * np.array(forces)[:, None]
@@ -207,7 +202,7 @@ def stage_signature(found: Stages) -> Signature:
 def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMoments) -> Stages:
     """Divide the motion of a chain into stages: each action resists up to its end [rad] and drives everywhere.
 
-    ends : of each of `actions_of(chain)`: 0 if it never resists, inf if it always does
+    ends : of each of `chain.actions`: 0 if it never resists, inf if it always does
     """
     if not ends:
         return single_stage(chain)
@@ -234,7 +229,7 @@ def remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
     """Remove actions from a chain, by their number; a joint at its top without load becomes rigid."""
     if not absent:
         return chain
-    actions = actions_of(chain)
+    actions = chain.actions
     gone = [id(actions[number]) for number in absent]
     left = replace(chain, loads=tuple(load for load in chain.loads if id(load) not in gone))
     if len(chain.blocks) == 2 and chain.joints and not top_loads(left):

@@ -45,15 +45,18 @@ from scipy.constants import g
 from assess.errors import FallingError, MechanismError
 from assess.interfaces.contact import JointLaw, JointModel
 from assess.interfaces.section import ContactSection
-from assess.loads.load import Force, Load, Point, PointMass, Tie, mirror_load, pull_at_rest
+from assess.loads.load import Action, Force, Load, Point, PointMass, Tie, mirror_load, pull_at_rest
 from assess.messages.message import Value, lengths
 from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
 
-HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; the far end is described in motion.py
+HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks
 ROUNDING = 1e-9  # m: accuracy of coordinates
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
 APART = 1e4  # ratio of the largest distance between hinges to the least; beyond, rounding moves the corners of the loop
+NEAR_TOP_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top acts through its joint
+FLAT = 1e-6  # of the geometric limit, at which the rates of a loop grow without bound: a loop stays this far from it
+TOUCH = 1e-12  # of a cosine: a portal of two equal columns just reaches its flat position, which rounding may hide
 
 
 @dataclass(frozen=True)
@@ -96,6 +99,11 @@ class Chain:
         carried = sum(load.mass for load in self.loads if isinstance(load, PointMass))
         return sum(block.mass for block in self.blocks) + carried
 
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """The forces and ties on the chain."""
+        return tuple(load for load in self.loads if not isinstance(load, PointMass))
+
 
 @dataclass(frozen=True, eq=False)
 class ChainPair:
@@ -117,9 +125,47 @@ class ChainPair:
         return any(joint is not None for joint in self.positive.joints)
 
 
+FacingBlocks = tuple[int | None, int]
+
+FACING_BLOCKS: dict[int, tuple[FacingBlocks, ...]] = {
+    1: ((None, 0),),
+    2: ((None, 0), (0, 1), (None, 1)),
+    3: ((None, 0), (0, 1), (2, 1), (None, 2)),
+}
+"""By the number of blocks, for each hinge: the block whose face stays with the joint (None: ground, or the support at
+the top of a wall), and the block whose corner presses on it. The block nearer to the ground holds the face."""
+
+
+@dataclass(frozen=True)
+class Joint:
+    """The contact at a hinge, whose compressed edge is the hinge itself.
+
+    Attributes
+    ----------
+    inward : unit vector (x, z) from the hinge along the joint, in the plane of motion
+    section : of the contact, seen in the direction in which it is compressed
+    law : stiffness and strength
+    model : "rigid" with a strength: the plastic block; "flexible"; "semi-flexible": inertia about a fixed hinge,
+        a_SF inside the edge; "flexible-thesis": inertia about the resultant, where "flexible" takes it about the
+        instantaneous centre of the faces
+    """
+
+    inward: tuple[float, float]
+    section: ContactSection
+    law: JointLaw
+    model: JointModel
+
+
 def hinge_names(chain: Chain) -> str:
     """Return the letters of the hinges, A at the base."""
     return "ABCD"[: len(chain.hinges)]
+
+
+def top_loads(chain: Chain) -> tuple[Load, ...]:
+    """Return the loads at the hinge at the top of a wall of two blocks, which act through its joint."""
+    x, z = chain.hinges[2]
+    near = NEAR_TOP_HINGE * (z - chain.hinges[0][1])
+    return tuple(load for load in chain.loads if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= near)
 
 
 def mirror_point(point: Point) -> Point:
@@ -210,41 +256,6 @@ def _bend(a: Point, b: Point, c: Point) -> float:
     """Return the sine of the angle between a b and b c."""
     (ux, uz), (vx, vz) = (b[0] - a[0], b[1] - a[1]), (c[0] - b[0], c[1] - b[1])
     return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))
-
-
-FacingBlocks = tuple[int | None, int]
-
-FACING_BLOCKS: dict[int, tuple[FacingBlocks, ...]] = {
-    1: ((None, 0),),
-    2: ((None, 0), (0, 1), (None, 1)),
-    3: ((None, 0), (0, 1), (2, 1), (None, 2)),
-}
-"""By the number of blocks, for each hinge: the block whose face stays with the joint (None: ground, or the support at
-the top of a wall), and the block whose corner presses on it. The block nearer to the ground holds the face."""
-
-
-@dataclass(frozen=True)
-class Joint:
-    """The contact at a hinge, whose compressed edge is the hinge itself.
-
-    Attributes
-    ----------
-    inward : unit vector (x, z) from the hinge along the joint, in the plane of motion
-    section : of the contact, seen in the direction in which it is compressed
-    law : stiffness and strength
-    model : "rigid" with a strength: the plastic block; "flexible"; "semi-flexible": inertia about a fixed hinge,
-        a_SF inside the edge; "flexible-thesis": inertia about the resultant, where "flexible" takes it about the
-        instantaneous centre of the faces
-    """
-
-    inward: tuple[float, float]
-    section: ContactSection
-    law: JointLaw
-    model: JointModel
-
-
-FLAT = 1e-6  # of the geometric limit, at which the rates of a loop grow without bound: a loop stays this far from it
-TOUCH = 1e-12  # of a cosine: a portal of two equal columns just reaches its flat position, which rounding may hide
 
 
 @dataclass(frozen=True, repr=False)
@@ -387,12 +398,12 @@ def _slider_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
 
 def _pinned_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
     """Solve arm 2 turning 2 + arm 3 turning 3 = `load` [n] for the turnings of the second and third block [2, n]."""
-    turnings = np.array([_cross(load, arms[2]), _cross(arms[1], load)])
-    return np.asarray(turnings / _cross(arms[1], arms[2]), dtype=np.float64)
+    turnings = np.array([cross(load, arms[2]), cross(arms[1], load)])
+    return np.asarray(turnings / cross(arms[1], arms[2]), dtype=np.float64)
 
 
-def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
-    """Return the cross product of two vectors."""
+def cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    """Return the cross product of two vectors, or the anticlockwise moment about the origin of forces b at places a."""
     return np.asarray((np.conj(a) * b).imag)
 
 
@@ -499,13 +510,3 @@ def _load_text(load: Force | Tie) -> str:
     along, up = load.force if isinstance(load, Force) else pull_at_rest(load)
     found = f" ({load.source})" if load.source else ""
     return f'load "{load.name}" with H = {abs(along) / 1e3:.4g} kN, V = {up / 1e3:+.4g} kN up{found}'
-
-
-def top_loads(chain: Chain) -> tuple[Load, ...]:
-    """Return the loads at the hinge at the top of a wall of two blocks, which act through its joint."""
-    x, z = chain.hinges[2]
-    near = NEAR_TOP_HINGE * (z - chain.hinges[0][1])
-    return tuple(load for load in chain.loads if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= near)
-
-
-NEAR_TOP_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top acts through its joint

@@ -26,7 +26,7 @@ from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
-from assess.loads.load import Action, Force, Load, PointMass, Tie, pull_at_rest, upward
+from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, upward
 from assess.mechanisms.chain import (
     FACING_BLOCKS,
     Chain,
@@ -34,6 +34,7 @@ from assess.mechanisms.chain import (
     Joint,
     Work,
     close_loop,
+    cross,
     generalised_moment,
     hinge_names,
     move,
@@ -123,7 +124,7 @@ class FlexibleChain(ShortRepr):
         """Return the moment of each action at `rotation` [n] [rad]; positive overturns [actions, n] [N m]."""
         found = self.solve_joints(rotation)
         points = self._points(found, "resultant")
-        held = [holding_moment(self.jointed, found.configuration, points, [action]) for action in self.jointed.actions]
+        held = [holding_moment(self.jointed, found.configuration, points, [action]) for action in self.chain.actions]
         return -np.array(held).reshape(-1, rotation.size)
 
     @cached_property
@@ -186,7 +187,7 @@ class FlexibleChain(ShortRepr):
         return Work(
             inertia,
             weight,
-            -holding_moment(self.jointed, configuration, points, self.jointed.actions),
+            -holding_moment(self.jointed, configuration, points, self.chain.actions),
             excitation,
             participation,
             lift,
@@ -275,11 +276,6 @@ class JointedChain(ShortRepr):
         return tuple(
             tie for tie in ties if not generalised_moment(tie, trace_point(leaving, block=tie.block, at=tie.at)).any()
         )
-
-    @cached_property
-    def actions(self) -> tuple[Action, ...]:
-        """The forces and ties on the chain."""
-        return tuple(load for load in self.chain.loads if not isinstance(load, PointMass))
 
     @cached_property
     def places(self) -> list[str]:
@@ -556,8 +552,3 @@ def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> Complex
         return np.full_like(here, complex(*pull_at_rest(load)))
     towards = complex(*load.anchor) - here
     return load.tension * towards / np.abs(towards)
-
-
-def cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
-    """Return the moment about the origin of forces b at places a, anticlockwise [n]."""
-    return np.asarray((np.conj(a) * b).imag)

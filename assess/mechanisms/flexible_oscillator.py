@@ -21,6 +21,7 @@ import numpy as np
 from assess.errors import MechanismError
 from assess.interfaces.contact import thresholds
 from assess.mechanisms.branch_table import (
+    FEWEST,
     NODES,
     REACH,
     ActionMoments,
@@ -159,7 +160,6 @@ FIRST = 6  # steps up to the first change of regime
 NEGLIGIBLE = 1e-9  # of the rigid restoring moment at rest: less is zero
 NEAR = 1e-4  # of a root found on the table: distance at which the moment is evaluated again
 ONSET = 1e-6  # of the table's length: a rotation that has just begun
-FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
 SAME = 1e-9  # of the largest of them: places that move by less have converged
 CORRECTIONS = 4  # of the places where joints open and crush, or moments are zero
 CONVERGED = 1e-7  # of a root: after so short a step the error goes with its square

@@ -28,7 +28,7 @@ from assess.mechanisms.assembly import (
     hinges_in_plane,
     loose_hinges,
 )
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, mirror_point, point_text
+from assess.mechanisms.chain import Chain, RigidBlock, cross, mirror_chain, mirror_point, point_text
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
 from assess.mechanisms.restitution import ImpactRules, RestitutionChoice, conserve_momentum, no_rebound
 from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
@@ -400,8 +400,8 @@ def _multipliers(voussoirs: Sequence[RigidBlock], ends: ComplexArray, chosen: In
     others = np.stack([ends[chosen[:, n], (face + n + 1) % 2] for n in range(4)], axis=1)
     arms = np.diff(hinges, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        second = -_cross(arms[:, 0], arms[:, 2]) / _cross(arms[:, 1], arms[:, 2])
-        third = -_cross(arms[:, 1], arms[:, 0]) / _cross(arms[:, 1], arms[:, 2])
+        second = -cross(arms[:, 0], arms[:, 2]) / cross(arms[:, 1], arms[:, 2])
+        third = -cross(arms[:, 1], arms[:, 0]) / cross(arms[:, 1], arms[:, 2])
     turning = np.stack([np.ones(len(chosen)), second, third], axis=1)
     mass, moment = _block_sums(voussoirs, chosen)
     at_start = np.concatenate([np.zeros((len(chosen), 1)), np.cumsum(-1j * arms * turning, axis=1)], axis=1)[:, :3]
@@ -433,7 +433,3 @@ def _vectors_across(voussoirs: Sequence[RigidBlock], ends: ComplexArray) -> Comp
     before = np.concatenate([[2 * middles[0] - centres[0]], centres])
     after = np.concatenate([centres, [2 * middles[-1] - centres[-1]]])
     return np.asarray(after - before)
-
-
-def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
-    return np.asarray((np.conj(a) * b).imag, dtype=np.float64)

@@ -22,7 +22,6 @@ from assess.mechanisms.branch_table import (
     ChainStage,
     Signature,
     Stages,
-    actions_of,
     divide_into_stages,
     end_of,
     rigid_moments,
@@ -233,7 +232,7 @@ class ChainActions:
     @property
     def actions(self) -> tuple[Action, ...]:
         """The forces and ties on the chain."""
-        return actions_of(self.chain)
+        return self.chain.actions
 
     @property
     def lasting_ends(self) -> tuple[float, ...]:
@@ -278,7 +277,7 @@ def mechanism_actions(pair: ChainPair, starting: Oscillator) -> tuple[ChainActio
 
 def chain_actions(chain: Chain, *, name: str, end: float) -> ChainActions:
     """Return the actions on one chain, with moments up to the rotation `end` [rad]; name: of the mechanism."""
-    actions = actions_of(chain)
+    actions = chain.actions
     flexible = actions and any(chain.joints)
     moments = flexible_moments(chain, name=name) if flexible else rigid_moments(chain, end=end)
     return ChainActions(chain, moments, tuple(end_of(chain, each) for each in actions))

@@ -24,7 +24,7 @@ from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, distinct, warning
-from assess.model.bodies import Bodies, Material, pieces_of, scene_of
+from assess.model.bodies import Bodies, Material, materials_of, pieces_of, scene_of
 from assess.model.joint_planes import DOWN, UP, JointPlane, MotionPlane, Vector, faces_of, find_joint_plane
 from assess.model.loading import loads_of
 from assess.model.walls import Crack, blocks_at, crack_of, require_as_found
@@ -172,7 +172,7 @@ class PressedHinge:
 def joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
     """Return the joint under a hinge, with warnings; None if it is rigid or carries nothing."""
     interface = hinge.interface
-    law = law_of(interface, material_of(hinge.definition, bodies), where=hinge.where)
+    law = law_of(interface, next(materials_of(hinge.definition.bodies, bodies), None), where=hinge.where)
     if law is None:
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
@@ -230,11 +230,6 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
             f"{where}: course_thickness needs young_modulus of the material; give it, or stiffness instead"
         )
     return JointLaw(material.young_modulus / (interface.course_thickness or inf), strength)
-
-
-def material_of(definition: BlockMechanism, bodies: Bodies) -> Material | None:
-    """Return the material of the first body of a mechanism that has one."""
-    return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
 
 
 def section_of_shape(shape: Shape, view: MotionPlane) -> ContactSection:

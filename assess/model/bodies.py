@@ -99,6 +99,14 @@ def solids_of(bodies: Bodies) -> dict[str, Solid | None]:
     return {name: body.solid for name, body in bodies.items()}
 
 
+def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:
+    """Return the materials of the bodies of a block that have geometry."""
+    for name in block:
+        material = bodies[name].material
+        if material is not None:
+            yield material
+
+
 def box(
     *,
     thickness: float,
@@ -264,7 +272,7 @@ def cut_of(definition: BlockMechanism, *, where: str) -> Plane | None:
     if isinstance(cut, CutPlane):
         return inclined_plane(cut.point, cut.normal, where=where)
     if isinstance(cut, CutAngle):
-        x, y, _ = np.asarray(definition.towards) / np.linalg.norm(definition.towards)
+        x, y, _ = definition.along
         return inclined_plane(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
     return None if cut is None else level_plane(cut)
 

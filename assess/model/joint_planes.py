@@ -18,7 +18,7 @@ from assess.mechanisms.chain import FACING_BLOCKS, Chain
 from assess.mechanisms.flexible_chain import JointedChain
 from assess.mechanisms.mechanism import BlockMechanism, Face, Mechanism
 from assess.messages.message import Message, Term, message
-from assess.model.bodies import Bodies, Material, cut_of
+from assess.model.bodies import Bodies, cut_of, materials_of
 from spectra.arrays import FloatArray
 
 Vector = tuple[float, float]
@@ -281,11 +281,3 @@ def friction_at(number: int, definition: BlockMechanism, bodies: Bodies) -> tupl
             return None, message("remedy-keys", {"keys": keys}) if keys else none
         least = min(given) if least is None else min(least, *given)
     return least, Term("")
-
-
-def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:
-    """Return the materials of the bodies of a block that have geometry."""
-    for name in block:
-        material = bodies[name].material
-        if material is not None:
-            yield material

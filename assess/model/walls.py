@@ -24,7 +24,7 @@ from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, move, virtu
 from assess.mechanisms.mechanism import Sides, Vector
 from assess.mechanisms.two_block import Hinges, TwoBlock
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.model.bodies import Bodies, Body, Material, piece_above_cut, pieces_of
+from assess.model.bodies import Bodies, Body, materials_of, piece_above_cut, pieces_of
 from assess.model.check import check_definition, with_floats
 from assess.model.loading import loads_of
 
@@ -125,7 +125,7 @@ def crack_of(
         return Crack(float(crack))
     find = crack_by_formula if crack == "sorrentino" else crack_by_search
     load_set = loads()
-    strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0
+    strength = next(materials_of(definition.blocks[0], bodies)).tensile_strength or 0.0
     elevation, notice = find(definition, whole, load_set, strength=strength)
     return Crack(elevation, (notice,), loads_above(load_set, elevation))
 
@@ -161,15 +161,10 @@ def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
         )
 
 
-def material_of(block: Sequence[str], bodies: Bodies) -> Material:
-    """Return the material of the first body of a block that has geometry."""
-    return next(material for name in block if (material := bodies[name].material) is not None)
-
-
 def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> WallPanel:
     """Return the box around a wall and the load on its top: forces and bearing masses of the upper block."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
-    along = np.array(definition.towards) / np.linalg.norm(definition.towards)
+    along = definition.along
     x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
     upper = [load for load in loads if load.block == UPPER]
     pressing = [(-load.force[1], load.at[0]) for load in upper if isinstance(load, Force)]

@@ -20,7 +20,7 @@ from assess.dynamics.packing import Equation
 from assess.errors import locate_errors
 from assess.geometry.cut import Scene
 from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_phrase
-from assess.mechanisms.branch_table import actions_of, load_displacement, rigid_branch
+from assess.mechanisms.branch_table import load_displacement, rigid_branch
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Directions, Mechanism
 from assess.messages.message import Message, Quantity, Severity, Term, message
@@ -406,7 +406,7 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
             yield message(
                 "pretension-above-strength", {"load": tie.name, **forces}, severity=Severity.WARNING, where=where
             )
-    if not actions_of(mechanism.positive):
+    if not mechanism.positive.actions:
         return
     thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in load_results(mechanism):

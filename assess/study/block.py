@@ -90,7 +90,7 @@ class RockingParameters:
 class Block:
     """A mechanism made of plain data, ready for histories, envelopes and the procedures of the codes.
 
-    definition : what was asked for; bodies : by name; mechanism : as built; scene : its bodies in space
+    definition : as given; bodies : by name; mechanism : as built; scene : its bodies in space
     """
 
     name: str

@@ -408,11 +408,8 @@ def _crossing_of_edge(a: Point, b: Point, level: float) -> list[float]:
 LEAST_RECORDS = 5  # of the response-history method of the same standard
 BROADENING = 0.15  # of the period, to both sides
 
-SHORTEST_PERIOD, LONGEST_PERIOD, PERIOD_RATIO = (
-    0.02,
-    15.0,
-    1.03,
-)  # s, s, and the ratio of two periods at which the motions are asked
+SHORTEST_PERIOD, LONGEST_PERIOD = 0.02, 15.0  # s: between which the response to the motions is sampled
+PERIOD_RATIO = 1.03  # of two periods at which it is
 NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
 PERIOD_VARIATION = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
 MOST_DAMPING = 0.99  # of an oscillator that still swings

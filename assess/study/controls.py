@@ -5,8 +5,8 @@ once: the sum of its reactions must balance the sum of weights, loads and inerti
 list of masses and loads with the uplift multiplier of the oscillator, found by virtual work, or on joints that deform
 or crush with that by moments about the hinges moved inwards.
 
-By moments, what lies beyond a hinge is in equilibrium about it. With S the moment of all masses shaken at one g, P the
-overturning moment of weights and forces, and (H, V) the reaction of the far support at (x_E, z_E):
+By moments, what lies beyond a hinge is in equilibrium about it. With S the moment of the inertia of all masses at one
+g, P the overturning moment of weights and forces, and (H, V) the reaction of the far support at (x_E, z_E):
 
     lambda S_k + P_k + H (z_E - z_k) - V (x_E - x_k) = 0        for each hinge k but the far support
 
@@ -49,7 +49,7 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
     Returns
     -------
     tuple of Control
-        Vertical and horizontal; differences are relative to the weight that shakes.
+        Vertical and horizontal; differences are relative to the weight of all masses.
     """
     forces = hinge_forces(mechanism)
     if not forces:

@@ -113,7 +113,8 @@ def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark
     rotation = display_rotation(chain, branch.overturning, pieces)
 
     def turned(points: Sequence[Point], block: int) -> Ring:
-        return as_points(move_points(chain, np.array(points), block=block, rotation=rotation))
+        moved = move_points(chain, np.array(points), block=block, rotation=rotation)
+        return tuple((float(x), float(z)) for x, z in moved)
 
     return DisplacedDrawing(
         rotation_rad=rotation,
@@ -168,11 +169,6 @@ def unit_vector(vector: Point) -> Point | None:
     """Return the unit vector along a vector; None for a zero vector."""
     length = float(np.hypot(*vector))
     return (vector[0] / length, vector[1] / length) if length else None
-
-
-def as_points(array: FloatArray) -> tuple[Point, ...]:
-    """Return points [k, 2] as plain numbers."""
-    return tuple((float(x), float(z)) for x, z in array)
 
 
 VIEW_TRIANGLES = 4000  # triangles of a view

@@ -25,7 +25,6 @@ from assess.results.fragility import (
     LARGE_SCALE,
     FragilityCurve,
     FragilityResults,
-    LognormalResult,
     MechanismFragility,
     RecordRunsResult,
     StateResult,
@@ -119,14 +118,14 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = report_no
     question = question_with_measures(study)
     progress("ground motions", 0, 1)
     records = unscaled_records(study, jobs=jobs)
-    shaken = []
+    with_runs = []
     for count, mechanism in enumerate(study.mechanisms):
         progress("rocking histories", count, len(study.mechanisms))
         if mechanism.variants.collapse is not None:
-            shaken.append(run_records(study, mechanism, records, question, jobs=jobs))
+            with_runs.append(run_records(study, mechanism, records, question, jobs=jobs))
     origins = origins_of(records)
     with ThreadPoolExecutor(jobs or available_cores()) as pool:
-        found = list(pool.map(lambda one: mechanism_fragility(study, one, records, origins, question), shaken))
+        found = list(pool.map(lambda runs: mechanism_fragility(study, runs, records, origins, question), with_runs))
     progress("fragility curves", len(found), len(found))
     program = describe_program()
     return FragilityResults(
@@ -147,7 +146,7 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = report_no
 
 
 def question_with_measures(study: Study) -> FragilityQuestion:
-    """Return what is asked of a study, with all measures that apply where none are named."""
+    """Return the question on fragility of a study, with all measures that apply where none are named."""
     if study.fragility.measures:
         return study.fragility
     period = None if study.building is None else study.building.period
@@ -243,7 +242,7 @@ def mechanism_fragility(
         epistemic=epistemic,
         epistemic_sources=dict(question.epistemic) or None,
         measures=tuple(intensities.measure for intensities in mechanism_runs.all_intensities),
-        notes=mechanism_notes(study, mechanism, runs, question),
+        notes=tuple(mechanism_notes(study, mechanism, runs, question)),
     )
 
 
@@ -281,7 +280,7 @@ def curves_of_state(
 
 
 def applicable_states(case: RockingCase, question: FragilityQuestion) -> tuple[StateResult, ...]:
-    """Return the states asked that a mechanism has: on joints that deform at once there is no uplift."""
+    """Return the requested states that a mechanism has: on joints that deform at once there is no uplift."""
     return tuple(state for state in question.states if state.name != "rocking" or not vibrates(case.oscillator))
 
 
@@ -375,8 +374,8 @@ def _measure_messages(records: Sequence[Record], study: Study, question: Fragili
 
 def mechanism_notes(
     study: Study, mechanism: Mechanism, runs: FragilityRuns, question: FragilityQuestion
-) -> tuple[Message, ...]:
-    """Return what should be known of the curves of a mechanism.
+) -> Iterator[Message]:
+    """Yield what should be known of the curves of a mechanism.
 
     Parameters
     ----------
@@ -387,14 +386,8 @@ def mechanism_notes(
     runs : FragilityRuns
         Of all records.
     question : FragilityQuestion
-        States that are asked.
+        States that are requested.
     """
-    return tuple(_mechanism_messages(study, mechanism, runs, question))
-
-
-def _mechanism_messages(
-    study: Study, mechanism: Mechanism, runs: FragilityRuns, question: FragilityQuestion
-) -> Iterator[Message]:
     where = f"mechanisms.{mechanism.name}"
     if not base_motion_known(study, mechanism):
         unamplified = study.amplified[mechanism.name].method == "none"
@@ -472,18 +465,14 @@ def _state_severity(curve: FragilityCurve) -> float:
 
 
 def _exported_state(curve: FragilityCurve) -> ExportedState:
-    share = curve.state.share
+    share, fitted = curve.state.share, curve.lognormal
     points = curve.empirical
     return ExportedState(
         name=curve.state.name if share is None else f"{curve.state.name}-{share:g}",
-        lognormal=_exported_lognormal(curve.lognormal),
+        lognormal=None if fitted is None else Lognormal(fitted.median, fitted.dispersion),
         intensity=np.array([each.intensity for each in points]),
         records=np.array([each.records for each in points], dtype=np.int64),
         reached=np.array([each.reached for each in points], dtype=np.int64),
         low=np.array([each.low for each in points]),
         high=np.array([each.high for each in points]),
     )
-
-
-def _exported_lognormal(fitted: LognormalResult | None) -> Lognormal | None:
-    return None if fitted is None else Lognormal(fitted.median, fitted.dispersion)

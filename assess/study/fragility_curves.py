@@ -410,13 +410,13 @@ def _trends(runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve
 ExceedanceCurve = EmpiricalCurve | Lognormal
 
 NOTABLE = 0.05
-"""Share of the rate from which what may be missing of it is told."""
+"""Share of the rate from which a warning says what may be missing of it."""
 
 INTENSITY_RANGES = 32
-"""Ranges of intensity that contributions are told of."""
+"""Ranges of intensity that contributions are given for."""
 
 FAR_FROM_SITE = 10.0
-"""Distance of the hazard from the site from which it is told [km]."""
+"""Distance of the hazard from the site from which there is a warning [km]."""
 
 
 def risks(
@@ -547,7 +547,7 @@ def _rate_above(top: float, probability: Probability, hazard: HazardCurve) -> fl
 def _risk_notes(
     curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
 ) -> tuple[Message, ...]:
-    """Tell where the hazard or the runs end too soon for the rate."""
+    """Return warnings where the hazard or the runs end too soon for the rate."""
     first, last = float(hazard.intensity[0]), float(hazard.intensity[-1])
     starts, ends = (Quantity(float(probability(np.array([at]))[0]), "ratio", 2) for at in (first, last))
     dimension, notes = curve.measure.dimension, []
@@ -567,7 +567,7 @@ def _risk_notes(
 def _beyond_runs(
     curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
 ) -> Iterator[Message]:
-    """Tell where motions of the hazard are stronger than any run, and of a cloud what the rate has of them."""
+    """Yield a warning if motions of the hazard are stronger than any run, for a cloud with their share of the rate."""
     at, lacking = Quantity(curve.end, curve.measure.dimension, 3), Quantity(risk.above_runs, "ratio", 2)
     if curve.method == "cloud":
         yield from _below_runs(curve, risk, hazard, probability)
@@ -583,7 +583,7 @@ def _beyond_runs(
 def _below_runs(
     curve: FragilityCurve, risk: RiskResult, hazard: HazardCurve, probability: Probability
 ) -> Iterator[Message]:
-    """Tell of a cloud which share of the rate is of motions weaker than any record."""
+    """Yield a warning with the share of the rate of a cloud that is of motions weaker than any record."""
     least = curve.least_run
     if least is None or least <= hazard.intensity[0]:
         return
@@ -594,7 +594,7 @@ def _below_runs(
 
 
 def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:
-    """Yield a warning if the hazard is in a measure that is not asked, and if it is of a place far from the site."""
+    """Yield warnings if the hazard is in a measure that is not requested, or of a place far from the site."""
     if hazard is None:
         return
     if not any(same_measure(each, hazard.measure) for each in measures):

@@ -86,17 +86,13 @@ def run_levels(case: RockingCase, unit: FloatArray, question: FragilityQuestion,
     highest = min(question.largest or highest_level(severity, unit, lowest, most=most), end)
     scale = scale_factors(np.geomspace(min(lowest, 0.5 * highest), highest, question.levels), unit, most=most)
     scale[np.isnan(scale).all(axis=1), 0] = most
-    return run_scales(severity, scale)
+    return FragilityRuns(scale, severity(scale))
 
 
 def run_once(case: RockingCase, factor: float, *, threads: int) -> FragilityRuns:
     """Run every record once, times a factor."""
-    return run_scales(severity_solver(case, threads=threads), np.full((len(case.base), 1), factor))
-
-
-def run_scales(severity: SeveritySolver, scale: FloatArray) -> FragilityRuns:
-    """Run every record at its scale factors [records, levels]."""
-    return FragilityRuns(scale, severity(scale))
+    scale = np.full((len(case.base), 1), factor)
+    return FragilityRuns(scale, severity_solver(case, threads=threads)(scale))
 
 
 def scale_factors(levels: FloatArray, unit: FloatArray, *, most: float) -> FloatArray:

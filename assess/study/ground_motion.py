@@ -218,27 +218,8 @@ def selection_result(selection: Selection) -> SelectionResult:
 
 SHORTEST_SHOWN = 0.01  # [s]
 LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
-ROUND_PERIODS = (
-    0.02,
-    0.05,
-    0.1,
-    0.15,
-    0.2,
-    0.3,
-    0.4,
-    0.5,
-    0.6,
-    0.75,
-    1.0,
-    1.5,
-    2.0,
-    2.5,
-    3.0,
-    4.0,
-    5.0,
-    6.0,
-    7.5,
-)  # [s]
+ROUND_PERIODS = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5)
+"""Periods that are shown in any case [s]."""
 SAME_PERIOD = 1e-9  # relative difference of periods that are one
 
 

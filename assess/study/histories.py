@@ -431,11 +431,7 @@ TWIN_EXPONENTS = (3, 4, 5, 6)
 TWIN_FACTORS = np.array([1.0, *(1.0 + sign * 10.0**-u for u in TWIN_EXPONENTS for sign in (1.0, -1.0))])
 """On the PGA: of the record as it is, then of its eight twins [9]."""
 
-ALL_TWINS, OUTER_TWINS, INNER_TWINS = (
-    slice(1, 9),
-    slice(1, 3),
-    slice(3, 9),
-)  # of them: all twins, those with u = 3, the others
+ALL_TWINS, OUTER_TWINS, INNER_TWINS = slice(1, 9), slice(1, 3), slice(3, 9)  # outer: u = 3, inner: the others
 AGREEMENT = 0.01  # of the ratio: where outer twins differ by no more, the inner ones are not run in a scan
 
 

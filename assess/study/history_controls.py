@@ -409,11 +409,9 @@ def _work_of_load(load: Force | Tie, moved: PointPath) -> FloatArray:
 
 
 LOOSER_TOLERANCE = 100.0  # times the error allowed in a step
-LARGEST_ROTATION, OVERTURNING_TIME, OVERTURNING_ROTATION = (
-    "largest rotation over that of overturning",
-    "time of overturning",
-    "overturning rotation",
-)
+LARGEST_ROTATION = "largest rotation over that of overturning"
+OVERTURNING_TIME = "time of overturning"
+OVERTURNING_ROTATION = "overturning rotation"
 TABLE_COLUMNS = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
 
 

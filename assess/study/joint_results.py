@@ -175,12 +175,9 @@ def contact_sheets(
         if joint is None or rest.contacts[number] is None:
             continue
         N = float(rest.normal_force[number, 0])
-        steps = (*_force_steps(flexible, number, rest, reactions), *rest_steps(joint, N))
-        yield ContactSheet(name, (*steps, *_contact_steps(joint, N), *_state_steps(joint, number, N, joints)))
-
-
-def _contact_steps(joint: Joint, N: float) -> tuple[Step, ...]:
-    return block_steps(joint, N) if joint.law.stiffness == inf else threshold_steps(joint, N)
+        at_rest = (*_force_steps(flexible, number, rest, reactions), *rest_steps(joint, N))
+        opening = block_steps(joint, N) if joint.law.stiffness == inf else threshold_steps(joint, N)
+        yield ContactSheet(name, (*at_rest, *opening, *_state_steps(joint, number, N, joints)))
 
 
 def _rotated_joints(flexible: FlexibleChain, branch: Branch, equilibrium: float) -> RotatedJoints:
@@ -251,12 +248,8 @@ def _force_steps(
     if level and isclose(total, N, rel_tol=SAME_FORCE):
         return tuple(lines)
     if level or not isclose(abs(reaction.imag), abs(total), rel_tol=SAME_FORCE, abs_tol=SAME_FORCE * abs(N)):
-        return (_solved_force(N),)
+        return (step("N", "normal force on the joint at rest", BALANCE, AT_REST, N, "N"),)
     return (*lines, *_inclined_steps(reaction, normal, N, middle))
-
-
-def _solved_force(N: float) -> Step:
-    return step("N", "normal force on the joint at rest", BALANCE, AT_REST, N, "N")
 
 
 def _inclined_steps(reaction: complex, normal: complex, N: float, middle: MiddleHinge | None) -> tuple[Step, ...]:

@@ -196,7 +196,7 @@ class CheckedMechanism:
 def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
     """Return the verdict of a study as `run` finds it.
 
-    What is at the limit is told by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
+    What is at the limit is found by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
     tried. A study with sweeps is run whole, since its controlling cases decide.
 
     Parameters

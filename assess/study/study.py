@@ -43,7 +43,7 @@ LARGEST_FACTOR = 10.0
 
 @dataclass(frozen=True)
 class FragilityQuestion:
-    """What is asked of the fragility of every mechanism.
+    """The question on the fragility of every mechanism.
 
     measures : at the ground, the primary one first; empty: all that apply
     samples : intensities at which each record is run; None for that of the method
@@ -97,7 +97,7 @@ class Study:
     survey : returns the surveyed numbers of a mechanism by its name
     variables : numbers that the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None if none are requested
-    fragility : what `assess fragility` asks
+    fragility : the question of `assess fragility`
     report : what the report states besides the analysis
     scan : whether histories are run at rising PGA for the capacity
     sampling : how its uncertain numbers are sampled; None if that is not requested

@@ -118,7 +118,7 @@ def build_to_decide(project: Project) -> Study:
     AssessError, SpectrumError or RecordError : as `build`
     """
     with locate_errors(str(project.path)):
-        if project.variations:
+        if project.sweeps:
             return study_of(project)
         study, files, messages = deciding_study(project)
         return replace(study, messages=input_messages(project, study, files, messages))
@@ -151,8 +151,8 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=with_procedures_run(resolve(project), content),
         messages=(*input_messages(project, study, files, messages), *annex_messages),
         sweeps=tuple(
-            sweep_of(variation, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
-            for variation in project.variations
+            sweep_of(sweep, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
+            for sweep in project.sweeps
         ),
         survey=survey_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
@@ -267,17 +267,13 @@ def input_messages(
     )
 
 
-def sweep_of(
-    variation: KeySweep, project: Project, files: ProjectFiles, *, beside: Mapping[str, tuple[str, ...]]
-) -> Sweep:
+def sweep_of(sweep: KeySweep, project: Project, files: ProjectFiles, *, beside: Mapping[str, tuple[str, ...]]) -> Sweep:
     """Build the cases of a sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
-    names = dependents(project.content, variation.path, beside=beside)
+    names = dependents(project.content, sweep.path, beside=beside)
     if not names:
-        raise ProjectError(
-            f"{variation.where}.key: {value_text(variation.key)}: no mechanism depends on it; name another"
-        )
-    cases = tuple(case_of(variant, project, files, names=names) for variant in variation.variants)
-    return Sweep(variation.key, variation.unit, cases)
+        raise ProjectError(f"{sweep.where}.key: {value_text(sweep.key)}: no mechanism depends on it; name another")
+    cases = tuple(case_of(variant, project, files, names=names) for variant in sweep.variants)
+    return Sweep(sweep.key, sweep.unit, cases)
 
 
 def case_of(variant: ProjectVariant, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> SweepCase:

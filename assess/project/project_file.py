@@ -73,7 +73,7 @@ class Project:
 
     content : its tables, every quantity an SI float, every path absolute or below `folder`
     path : the project file; sha256 : of its bytes
-    variations : its sweeps, each with the content of every case
+    sweeps : each with the content of every case
     messages : what looks like a slip in the file as it was written
     raw : what the file says, in the newest format, as it was written, with the means of uncertain numbers
     uncertain : numbers given as { mean, cov }
@@ -82,7 +82,7 @@ class Project:
     content: Content
     path: Path
     sha256: str
-    variations: tuple[KeySweep, ...]
+    sweeps: tuple[KeySweep, ...]
     messages: tuple[Message, ...]
     raw: Mapping[str, Any]
     uncertain: tuple[UncertainValue, ...] = ()

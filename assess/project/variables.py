@@ -83,7 +83,7 @@ def variables_of(
     sensitivity = project.content.analysis.sensitivity
     if sensitivity is None:
         return ()
-    swept = {name for each in project.variations for name in dependents(project.content, each.path)}
+    swept = _mechanisms_in_sweeps(project)
     found: list[Variable | UnvariedNumber] = []
     for mechanism in study.mechanisms:
         if mechanism.name in swept:
@@ -94,6 +94,11 @@ def variables_of(
                 VariedMechanism(mechanism, study.amplified[mechanism.name], directed, solids, build_study), sensitivity
             )
     return tuple(found)
+
+
+def _mechanisms_in_sweeps(project: Project) -> set[str]:
+    """Return the mechanisms that a parametric study of the project changes."""
+    return {name for each in project.sweeps for name in dependents(project.content, each.path)}
 
 
 def fix_direction(project: Project, mechanism: Mechanism) -> Project:
@@ -390,8 +395,8 @@ def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesO
     section = project.content.analysis.uncertainty
     if section is None:
         return None
-    varied = {name for each in project.variations for name in dependents(project.content, each.path)}
-    swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in varied]
+    changed = _mechanisms_in_sweeps(project)
+    swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in changed]
     directed = reduce(fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
     beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
     numbers = [

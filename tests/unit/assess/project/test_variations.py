@@ -24,7 +24,7 @@ PROJECT = project_toml(
 
 def swept(folder: Path, sweep: str) -> tuple[KeySweep, ...]:
     (folder / "project.toml").write_text(PROJECT + sweep)
-    return load(folder).variations
+    return load(folder).sweeps
 
 
 def one(folder: Path, key: str, values: str) -> KeySweep:

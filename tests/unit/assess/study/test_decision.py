@@ -32,7 +32,7 @@ def without_limit(found: Verdict | None) -> Verdict:
 def test_verdict_alone_is_that_of_the_run(name: str, tmp_path: Path) -> None:
     if EXAMPLES[name].models():
         pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
-    project = replace(load(copy_example(name, tmp_path / name)), variations=())
+    project = replace(load(copy_example(name, tmp_path / name)), sweeps=())
     study = replace(build(project), pulses=None, variables=())
     assert without_limit(find_verdict(build_to_decide(project))) == without_limit(run_study(study).verdict)
 

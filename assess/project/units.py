@@ -25,27 +25,16 @@ from scipy.constants import g
 
 from assess.errors import ProjectError
 
-_POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
-SIGNS = "%‰°'\""
+
+class QuantityError(ProjectError):
+    """A quantity cannot be read; the text says what is wrong and the remedy, its caller adds the key and the value."""
 
 
-def name_pattern(letter: str) -> str:
-    """Return the pattern of a unit's name, of a class of letters."""
-    return f"{letter}+(?:_{letter}+)*"
-
-
-def unit_pattern(letter: str) -> str:
-    """Return the pattern of a unit: names and signs with their powers, multiplied and divided."""
-    factor = rf"(?:1(?=\s*/)|{name_pattern(letter)}|[{SIGNS}]){_POWER}"
-    return rf"{factor}(?:\s*[*/·]\s*{factor}|\s+{factor})*"
-
-
-_UNIT = re.compile(unit_pattern(r"[^\W\d_]"))
-SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
 _TURNS = frozenset(
     {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
 )
 _ANGLES = frozenset({"radian", "degree", "gradian", "grade", "turn", "arcminute", "arcsecond"})
+SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
 
 
 @dataclass(frozen=True)
@@ -165,9 +154,92 @@ def _from_text(text: str, kind: QuantityKind) -> Fraction:
     return Fraction(number) * _factor(unit, kind)
 
 
+def _remedy(kind: QuantityKind) -> str:
+    if kind.unit == "dimensionless":
+        return f"write a {kind.name} without unit, like {kind.example}"
+    article = "an" if kind.name[0] in "aeiou" else "a"
+    weighing = f' or "{kind.weighing}"' if kind.weighing else ""
+    return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'
+
+
+LONGEST = 60  # characters
+NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?"
+_NUMBER = re.compile(rf"\s*({NUMBER})\s*")
+_SEPARATED = re.compile(r"([+-]?)(\d*,\d+(?:(?:[.,'_]\d+)| \d{3})*|\d+(?:[.,'_]\d+| \d{3})+)(?![.\d/])")
+_GROUPED = re.compile(r"(\d{1,3}(?:,\d{3})+|\d{1,3}(?:\.\d{3})+|\d{1,3}(?:['_ ]\d{3})+)(?:[.,](\d+))?")
+_FEET_AND_INCHES = re.compile(r"'[\s-]*\d|(?:ft|feet|foot)[\s-]+\d")
+_PLAIN = str.maketrans({
+    "−": "-", "‐": "-", "‑": "-", "–": "-", "﹣": "-", "－": "-",  # minus signs, hyphens, an en dash
+    "⋅": "·", "∙": "·", "×": "·", "∕": "/", "⁄": "/",
+    "º": "°", "˚": "°", "’": "'", "′": "'", "ʹ": "'", "”": '"', "″": '"', "ʺ": '"',
+    "\u200b": None, "\u2060": None, "\ufeff": None,  # spaces without width
+})  # fmt: skip
+
+
+def number_and_unit(text: str) -> tuple[str, str]:
+    """Split a quantity into its number and its unit, both in plain signs; raise QuantityError if it has none."""
+    plain = " ".join(text.translate(_PLAIN).split())
+    found = _NUMBER.match(plain)
+    unit = plain[found.end() :] if found else ""
+    fault = "" if len(text) > LONGEST else _separated(plain) or _in_two_units(unit) or _pointless(plain)
+    if fault:
+        raise QuantityError(fault)
+    if len(text) > LONGEST or found is None:
+        raise QuantityError("not a number with a unit")
+    return found[1], unit
+
+
+def _separated(text: str) -> str:
+    """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
+    found = _SEPARATED.match(text)
+    if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
+        return ""
+    sign, number, rest = found[1], found[2], text[found.end() :]
+    grouped = _GROUPED.fullmatch(number)
+    whole, point = (f"{sign}{digits}{rest}" for digits in (re.sub(r"\D", "", number), number.replace(",", ".")))
+    if re.fullmatch(r"[1-9]\d{0,2},\d{3}", number):
+        return f'a comma that may mean two things; write "{point}" for a decimal comma, "{whole}" for thousands'
+    if re.fullmatch(r"\d*,\d+", number):
+        return f'a decimal comma; write "{point if number[0] != "," else point.replace(".", "0.", 1)}"'
+    if grouped is None:
+        return 'more in the number than one decimal point; write it like "1250.5"'
+    decimals = f".{grouped[2]}" if grouped[2] else ""
+    return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
+
+
+def _pointless(text: str) -> str:
+    """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
+    found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
+    return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
+
+
+def _in_two_units(unit: str) -> str:
+    """Say what is wrong with feet and inches in one quantity."""
+    return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""
+
+
+_POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
+SIGNS = "%‰°'\""
+
+
+def name_pattern(letter: str) -> str:
+    """Return the pattern of a unit's name, of a class of letters."""
+    return f"{letter}+(?:_{letter}+)*"
+
+
+def unit_pattern(letter: str) -> str:
+    """Return the pattern of a unit: names and signs with their powers, multiplied and divided."""
+    factor = rf"(?:1(?=\s*/)|{name_pattern(letter)}|[{SIGNS}]){_POWER}"
+    return rf"{factor}(?:\s*[*/·]\s*{factor}|\s+{factor})*"
+
+
+_UNIT = re.compile(unit_pattern(r"[^\W\d_]"))
+UNITS_OF_ACCELERATION = ("g", "gal")
+
+
 def _factor(unit: str, kind: QuantityKind) -> Fraction:
     """Return how many SI units of `kind` one `unit` is."""
-    if kind.name == "acceleration" and unit in ("g", "gal"):
+    if kind.name == "acceleration" and unit in UNITS_OF_ACCELERATION:
         return Fraction(str(g)) if unit == "g" else Fraction(1, 100)
     if not unit and kind.unit == "dimensionless":
         return Fraction(1)
@@ -279,14 +351,6 @@ def _as_pint(unit: str, kind: QuantityKind) -> str:
     return plain.replace("%", "percent").replace("‰", "permille").replace("·", "*").replace("°", "degree")
 
 
-def _remedy(kind: QuantityKind) -> str:
-    if kind.unit == "dimensionless":
-        return f"write a {kind.name} without unit, like {kind.example}"
-    article = "an" if kind.name[0] in "aeiou" else "a"
-    weighing = f' or "{kind.weighing}"' if kind.weighing else ""
-    return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'
-
-
 INCH, FOOT = Fraction("0.0254"), Fraction("0.3048")
 POUND = Fraction("0.45359237")
 G = Fraction("9.80665")  # standard gravity [m/s2]
@@ -347,71 +411,10 @@ AMBIGUOUS: Mapping[str, str] = dict.fromkeys(
     ("ton", "tons"), '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'
 )
 """What is wrong with units that mean different things in different countries, and the remedy."""
-LONGEST = 60  # characters
-NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?"
-_NUMBER = re.compile(rf"\s*({NUMBER})\s*")
-_SEPARATED = re.compile(r"([+-]?)(\d*,\d+(?:(?:[.,'_]\d+)| \d{3})*|\d+(?:[.,'_]\d+| \d{3})+)(?![.\d/])")
-_GROUPED = re.compile(r"(\d{1,3}(?:,\d{3})+|\d{1,3}(?:\.\d{3})+|\d{1,3}(?:['_ ]\d{3})+)(?:[.,](\d+))?")
-_FEET_AND_INCHES = re.compile(r"'[\s-]*\d|(?:ft|feet|foot)[\s-]+\d")
-_PLAIN = str.maketrans({
-    "−": "-", "‐": "-", "‑": "-", "–": "-", "﹣": "-", "－": "-",  # minus signs, hyphens, an en dash
-    "⋅": "·", "∙": "·", "×": "·", "∕": "/", "⁄": "/",
-    "º": "°", "˚": "°", "’": "'", "′": "'", "ʹ": "'", "”": '"', "″": '"', "ʺ": '"',
-    "\u200b": None, "\u2060": None, "\ufeff": None,  # spaces without width
-})  # fmt: skip
-
-
-class QuantityError(ProjectError):
-    """A quantity cannot be read; the text says what is wrong and the remedy, its caller adds the key and the value."""
-
-
-def number_and_unit(text: str) -> tuple[str, str]:
-    """Split a quantity into its number and its unit, both in plain signs; raise QuantityError if it has none."""
-    plain = " ".join(text.translate(_PLAIN).split())
-    found = _NUMBER.match(plain)
-    unit = plain[found.end() :] if found else ""
-    fault = "" if len(text) > LONGEST else _separated(plain) or _in_two_units(unit) or _pointless(plain)
-    if fault:
-        raise QuantityError(fault)
-    if len(text) > LONGEST or found is None:
-        raise QuantityError("not a number with a unit")
-    return found[1], unit
-
-
-def _separated(text: str) -> str:
-    """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
-    found = _SEPARATED.match(text)
-    if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
-        return ""
-    sign, number, rest = found[1], found[2], text[found.end() :]
-    grouped = _GROUPED.fullmatch(number)
-    whole, point = (f"{sign}{digits}{rest}" for digits in (re.sub(r"\D", "", number), number.replace(",", ".")))
-    if re.fullmatch(r"[1-9]\d{0,2},\d{3}", number):
-        return f'a comma that may mean two things; write "{point}" for a decimal comma, "{whole}" for thousands'
-    if re.fullmatch(r"\d*,\d+", number):
-        return f'a decimal comma; write "{point if number[0] != "," else point.replace(".", "0.", 1)}"'
-    if grouped is None:
-        return 'more in the number than one decimal point; write it like "1250.5"'
-    decimals = f".{grouped[2]}" if grouped[2] else ""
-    return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
-
-
-def _pointless(text: str) -> str:
-    """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
-    found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
-    return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
-
-
-def _in_two_units(unit: str) -> str:
-    """Say what is wrong with feet and inches in one quantity."""
-    return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""
-
-
 QuantityForm = Literal["quantity", "quantity or infinite", "change", "unit"]
 INFINITE = ("inf", "infinite")
 SHARE_UNITS = ("", "%", "percent", "permille")
 """The units of a change that is a share of a number, and no amount."""
-UNITS_OF_ACCELERATION = ("g", "gal")
 _LETTER = "[A-Za-z]"
 _PLAIN_UNIT = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
 _BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"

@@ -58,8 +58,8 @@ LOADS: dict[type[ProjectSection], type[LoadDefinition]] = {
     sections.BodyLoadSection: BodyLoad,
 }
 
-SHOWN = (ForceLoad, TieLoad)
-"""The loads that count up to collapse only where somebody shows that they last."""
+LOADS_WITH_EVIDENCE = (ForceLoad, TieLoad)
+"""The loads that count up to collapse only with evidence that they last."""
 
 
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
@@ -103,7 +103,7 @@ def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
 def load_of(load: ProjectSection, *, evidence: str = "") -> LoadDefinition:
     """Return one entry of `loads`."""
     kind = LOADS[type(load)]
-    return fill(kind, load, **({"evidence": evidence} if kind in SHOWN else {}))
+    return fill(kind, load, **({"evidence": evidence} if kind in LOADS_WITH_EVIDENCE else {}))
 
 
 def restitution_of(section: sections.ChainSection | sections.EquivalentBlockSection) -> Restitution:

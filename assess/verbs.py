@@ -40,16 +40,16 @@ if TYPE_CHECKING:
     from spectra.arrays import FloatArray
     from spectra.spectrum import Spectrum
 
-
+PROBES = ("1", "0.01", "100")
+"""Numbers of which one at least is within the range of any key, in a unit of its dimension."""
 Progress = Callable[[str, int, int], None]
-"""Hears of long work: the stage, how many of its parts are done, and how many there are."""
-
+"""Called during long work with the stage, how many of its parts are done, and how many there are."""
 Tell = Callable[[str], None]
-"""Hears a line about what was found."""
+"""Called with a line about what was found."""
 
 
 def ignore_progress(stage: str, done: int, total: int) -> None:
-    """Say nothing of long work."""
+    """Show nothing of long work."""
 
 
 def ignore_line(line: str) -> None:
@@ -93,37 +93,6 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
         scale=scale,
         equation=block.equation if equation is None else equation,
     )
-
-
-def _check_block(block: Block) -> None:
-    """Raise MechanismError for what is no mechanism."""
-    from assess.errors import MechanismError
-    from assess.study.block import Block as Known
-
-    if not isinstance(block, Known):
-        raise MechanismError(f"block: {type(block).__name__} given; give a mechanism, as single_block returns it")
-
-
-def _check_jobs(jobs: int, progress: Progress | None = None) -> None:
-    """Raise AssessError for what is no number of threads, and for a progress that cannot be called."""
-    from assess.errors import AssessError
-
-    if not isinstance(jobs, int) or jobs < 0:
-        raise AssessError(f"jobs = {jobs!r:.60}: give a whole number, 0 for all cores")
-    if progress is not None and not callable(progress):
-        raise AssessError(f"progress = {progress!r:.60}: give a function of (stage, done, total)")
-
-
-def _check_site(target: Spectrum, building: Building | None) -> None:
-    """Raise ProcedureError for what is no spectrum, and for what is no building."""
-    from assess.codes.context import Building as KnownBuilding
-    from assess.errors import ProcedureError
-    from spectra.spectrum import Spectrum as KnownSpectrum
-
-    if not isinstance(target, KnownSpectrum):
-        raise ProcedureError(f"target: {type(target).__name__} given; give a spectrum, as assess.spectrum returns it")
-    if building is not None and not isinstance(building, KnownBuilding):
-        raise ProcedureError(f"building: {type(building).__name__} given; give what assess.building returns")
 
 
 def envelope(
@@ -345,10 +314,10 @@ def write_report(
     if language is not None and language not in languages():
         raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
     _check_jobs(jobs, progress)
-    place, said = Path(folder), progress or ignore_progress
+    place, show = Path(folder), progress or ignore_progress
     with output_folder(place, command="write_report", expected=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())
-        pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: said(step, 0, 1))
+        pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: show(step, 0, 1))
         return place / pdf.relative_to(stage)
 
 
@@ -393,28 +362,55 @@ def batch(
     from reports.portfolio import write_ranking
 
     _check_jobs(jobs, progress)
-    said = progress or ignore_progress
-    order = BatchOptions(Path(folder), keep, parse_shard(shard), resume)
+    show = progress or ignore_progress
+    options = BatchOptions(Path(folder), keep, parse_shard(shard), resume)
     engine = processes(jobs or None) if scheduler is None else dask(scheduler)
     tasks = find_tasks(
         Path(source),
         None if template is None else Path(template),
         unit_fault,
-        progress=lambda found: said("reading", found, 0),
+        progress=lambda found: show("reading", found, 0),
     )
     return run_batch(
         tasks,
-        order,
+        options,
         runner=assess_project,
         engine=engine,
         write=write_ranking,
         tell=tell,
-        progress=lambda done, total: said("projects", done, total),
+        progress=lambda done, total: show("projects", done, total),
     )
 
 
-PROBES = ("1", "0.01", "100")
-"""Numbers of which one at least is within the range of any key, in a unit of its dimension."""
+def _check_block(block: Block) -> None:
+    """Raise MechanismError for what is no mechanism."""
+    from assess.errors import MechanismError
+    from assess.study.block import Block as Known
+
+    if not isinstance(block, Known):
+        raise MechanismError(f"block: {type(block).__name__} given; give a mechanism, as single_block returns it")
+
+
+def _check_jobs(jobs: int, progress: Progress | None = None) -> None:
+    """Raise AssessError for what is no number of threads, and for a progress that cannot be called."""
+    from assess.errors import AssessError
+
+    if not isinstance(jobs, int) or jobs < 0:
+        raise AssessError(f"jobs = {jobs!r:.60}: give a whole number, 0 for all cores")
+    if progress is not None and not callable(progress):
+        raise AssessError(f"progress = {progress!r:.60}: give a function of (stage, done, total)")
+
+
+def _check_site(target: Spectrum, building: Building | None) -> None:
+    """Raise ProcedureError for what is no spectrum, and for what is no building."""
+    from assess.codes.context import Building as KnownBuilding
+    from assess.errors import ProcedureError
+    from spectra.spectrum import Spectrum as KnownSpectrum
+
+    if not isinstance(target, KnownSpectrum):
+        raise ProcedureError(f"target: {type(target).__name__} given; give a spectrum, as assess.spectrum returns it")
+    if building is not None and not isinstance(building, KnownBuilding):
+        raise ProcedureError(f"building: {type(building).__name__} given; give what assess.building returns")
 
 
 def assess_project(job: Job) -> ProjectRow:
@@ -424,11 +420,11 @@ def assess_project(job: Job) -> ProjectRow:
     ------
     AssessError, RecordError or SpectrumError : something the user can mend
     """
-    with _located(job.task):
-        return _assess(job)
+    with _locate_in_table(job.task):
+        return _assess_task(job)
 
 
-def _assess(job: Job) -> ProjectRow:
+def _assess_task(job: Job) -> ProjectRow:
     from assess.outputs.manifest import RESULTS
     from assess.portfolio.tasks import row_of_verdict
     from assess.project.build import build, build_to_decide
@@ -440,13 +436,13 @@ def _assess(job: Job) -> ProjectRow:
         return row_of_verdict(job, find_verdict(study), study.messages)
     study = build(project)
     results = run_study(study, jobs=1)
-    report = _write(job, results)
-    said = [each for each in study.messages if not each.key.startswith("annex-")]  # which is of the report
-    return row_of_verdict(job, results.verdict, said, report=report, results=f"{job.folder.name}/{RESULTS}")
+    report = _write_outputs(job, results)
+    on_input = [each for each in study.messages if not each.key.startswith("annex-")]  # which is of the report
+    return row_of_verdict(job, results.verdict, on_input, report=report, results=f"{job.folder.name}/{RESULTS}")
 
 
 @contextmanager
-def _located(task: Task) -> Iterator[None]:
+def _locate_in_table(task: Task) -> Iterator[None]:
     """Locate the errors of a project of a table in the table."""
     from assess.portfolio.projects import row_fault
 
@@ -472,14 +468,14 @@ def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
     from assess.portfolio.projects import key_text, keys_of, with_row
     from assess.project.project_file import load_tree
 
-    told, first = f"{path}: {key_text(keys_of(tables)[column.key])}: ", ""
+    prefix, first = f"{path}: {key_text(keys_of(tables)[column.key])}: ", ""
     for number in PROBES:
         try:
             load_tree(with_row(tables, {column.key: (number, column.unit)}), path, sha256="")
         except ProjectError as error:
-            if not str(error).startswith(told):
+            if not str(error).startswith(prefix):
                 return ""
-            first = first or str(error).removeprefix(told).removeprefix(f'"{number} {column.unit}": ')
+            first = first or str(error).removeprefix(prefix).removeprefix(f'"{number} {column.unit}": ')
         else:
             return ""
     return first
@@ -495,14 +491,14 @@ def load_task(task: Task) -> Project:
     return load_tree(project_tree(task), task.path, sha256=task.sha256)
 
 
-def _write(job: Job, results: Results) -> str:
+def _write_outputs(job: Job, results: Results) -> str:
     """Write the outputs of a project, whole or not at all; return the link to its report, "" for none."""
     from assess.outputs.manifest import REPORT, RESULTS
     from assess.outputs.writing import output_folder
     from assess.results.json import dumps
 
-    wanted = (RESULTS, *(REPORT if job.keep == "report" else ()))
-    with output_folder(job.folder, command="assess batch", expected=wanted) as stage:
+    expected = (RESULTS, *(REPORT if job.keep == "report" else ()))
+    with output_folder(job.folder, command="assess batch", expected=expected) as stage:
         (stage / RESULTS).write_bytes(dumps(results).encode())
         if job.keep == "results":
             return ""

@@ -1,19 +1,4 @@
-"""Closed triangle surfaces: how the examples' bodies are made and written, and those of three examples.
-
-- The façade of `chiesa`, a wall with a gable, of our own making.
-- Two readings of the Dharahara tower, Kathmandu. Mehrotra gives the ring at the foot of the shaft and the tower's
-weight
-  (Table 7.1), twenty layers of 3.0 m of which the shaft was built in a discrete-element model, its "tapering form", and
-  the density (section 4.3.2). The shape stands in figures only. What is left open, how the ring becomes the shaft, is
-  closed by the weight, in two ways: the ring shrinks evenly with height, its outline and its hole alike
-  (`tapered_tower`); the outer radius stays, the wall is even and thinner than the ring at the foot (`prismatic_tower`).
-- The spire of San Leonardo Limosino, a hollow cone. Mehrotra, Table 5.1, gives p and slenderness of what a crack
-leaves of
-  the spire, for cracks that start at a depth h_c below the tip and rise at an angle beta; the elevation of the start is
-  h. All h + h_c are 22.25 m and h_c = H is at 18.25 m, so the spire is H = 4.0 m high. Its width stands in a figure
-  only. Radius and wall are those of the cone that fits the table best: 0.76 m and 0.23 m, two numbers found from twelve
-  by least squares of their relative distances.
-"""
+"""Closed triangle surfaces: how the examples' bodies are made and written, and the bodies of three examples."""
 
 from __future__ import annotations
 
@@ -102,7 +87,7 @@ FACADE_HALF_WIDTH, FACADE_EAVES, FACADE_RIDGE = 5.0, 7.5, 10.5  # m
 
 
 def facade_meshes() -> dict[str, Surface]:
-    """Return the façade by its path in the folder."""
+    """Return the façade of `chiesa`, a wall with a gable of our own making, by its path in the folder."""
     return {"facade.ply": slab(_facade_face(FACADE_INSIDE), _facade_face(FACADE_OUTSIDE))}
 
 
@@ -121,6 +106,19 @@ TOWER_FACES = 24  # of the prism that stands for the round tower
 TOWER_HEIGHT = TOWER_LAYERS * TOWER_LAYER
 SHAFT_AREA = TOWER_WEIGHT / (g * TOWER_DENSITY * TOWER_HEIGHT)  # m2: of the shaft's section, on average
 PRISM_AREA_FACTOR = TOWER_FACES * tan(pi / TOWER_FACES)  # area of the prism's section over r^2, in place of pi
+
+
+def tower_meshes() -> dict[str, Surface]:
+    """Return two readings of the Dharahara tower, Kathmandu, by the file that the project names.
+
+    Mehrotra gives the ring at the foot of the shaft and the tower's weight (Table 7.1), twenty layers of 3.0 m of which
+    the shaft was built in a discrete-element model, its "tapering form", and the density (section 4.3.2). The shape
+    stands in figures only. What is left open, how the ring becomes the shaft, is closed by the weight, in two ways:
+
+    - `tapered_tower`: the ring shrinks evenly with height, its outline and its hole alike;
+    - `prismatic_tower`: the outer radius stays, the wall is even and thinner than the ring at the foot.
+    """
+    return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": prismatic_tower()}
 
 
 def tapered_tower() -> Surface:
@@ -148,15 +146,22 @@ def _tower_shell(outer: FloatArray, inner: FloatArray) -> Surface:
     return revolve([*zip(outer, z, strict=True), *zip(inner[::-1], z[::-1], strict=True)], faces=TOWER_FACES)
 
 
-def tower_meshes() -> dict[str, Surface]:
-    """Return the tower's surfaces, by the file that the project names."""
-    return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": prismatic_tower()}
-
-
 SPIRE_FOOT, SPIRE_HEIGHT = 18.25, 4.0  # m: Table 5.1
 SPIRE_RADIUS, SPIRE_WALL = 0.76, 0.23  # m: radius of the foot, and level thickness of the wall
 SPIRE_FACES = 24
 SPIRE_ROWS = 13
+
+
+def spire_meshes() -> dict[str, Surface]:
+    """Return the spire of San Leonardo Limosino, a hollow cone, by the file that the project names.
+
+    Mehrotra, Table 5.1, gives p and slenderness of what a crack leaves of the spire, for cracks that start at a depth
+    h_c below the tip and rise at an angle beta; the elevation of the start is h. All h + h_c are 22.25 m and h_c = H is
+    at 18.25 m, so the spire is H = 4.0 m high. Its width stands in a figure only. Radius and wall are those of the cone
+    that fits the table best: 0.76 m and 0.23 m, two numbers found from twelve by least squares of their relative
+    distances.
+    """
+    return {"spire.ply": spire()}
 
 
 def spire(*, radius: float = SPIRE_RADIUS, wall: float = SPIRE_WALL) -> Surface:
@@ -167,8 +172,3 @@ def spire(*, radius: float = SPIRE_RADIUS, wall: float = SPIRE_WALL) -> Surface:
     return revolve(
         [*zip(outer, SPIRE_FOOT + up, strict=True), *zip(inner, SPIRE_FOOT + down, strict=True)], faces=SPIRE_FACES
     )
-
-
-def spire_meshes() -> dict[str, Surface]:
-    """Return the spire's surface, by the file that the project names."""
-    return {"spire.ply": spire()}

@@ -2,7 +2,7 @@
 
 The ledger keeps the rows computed so far in an SQLite file that outlives a kill at any moment. One process writes it,
 the one that gives out the tasks. A row counts only under the identity of its job: with another input, another program
-or other outputs asked for it is computed again. Several commands can divide a portfolio into shards, each with a ledger
+or other outputs it is computed again. Several commands can divide a portfolio into shards, each with a ledger
 of its own.
 """
 
@@ -30,10 +30,14 @@ from assess.results.provenance import describe_program
 COMMAND = "assess batch"
 TABLE = "ranked.html"
 WANTED = (TABLE, "ranked.xlsx", "ranked.csv")
-
 WORST_CODES = (70, 2, 1, 3, 0)
 """Exit codes, the worst first."""
-
+_SHARD = re.compile(r"([0-9]{1,6})/([0-9]{1,6})")
+LEDGER_PATTERNS = ("ledger.sqlite", "ledger-*-of-*.sqlite")
+"""Patterns of the names of ledgers."""
+LEDGER_APPLICATION = 0x41534C47  # marks the file as ours
+LEDGER_VERSION = 1
+WAIT_FOR_WRITER = 60.0  # s, to wait for another process that writes
 TableWriter = Callable[[Sequence[ProjectRow], Path], object]
 """Writes the ranked table of rows into a folder."""
 
@@ -59,9 +63,17 @@ class Shard:
 WHOLE = Shard()
 
 
+def parse_shard(text: str) -> Shard:
+    """Return the share that "i/n" names; raise AssessError for what names none."""
+    found = _SHARD.fullmatch(text)
+    if found is None or not 1 <= int(found[1]) <= int(found[2]):
+        raise AssessError(f"--shard {text!r:.40}: give i/n, such as 1/8, with i from 1 to n")
+    return Shard(int(found[1]), int(found[2]))
+
+
 @dataclass(frozen=True)
 class BatchOptions:
-    """What is asked for.
+    """What a batch computes and writes, and where.
 
     place : folder of the outputs
     keep : what is written of each project
@@ -105,7 +117,7 @@ def no_progress(done: int, total: int) -> None:
 
 def run_batch(
     tasks: Sequence[Task],
-    order: BatchOptions,
+    options: BatchOptions,
     *,
     runner: Runner,
     engine: Engine,
@@ -121,8 +133,8 @@ def run_batch(
     ----------
     tasks : sequence of Task
         The whole portfolio, the same for every share.
-    order : Order
-        What is asked for.
+    options : BatchOptions
+        What it computes and writes, and where.
     runner : callable
         Assesses one project, in a worker.
     engine : callable
@@ -140,47 +152,52 @@ def run_batch(
         If two projects have one key, the folder cannot be written, or the executor is lost.
     """
     program = describe_program().sha256
-    jobs = {task.key: Job(task, order.place.absolute(), order.keep, program) for task in tasks}
+    jobs = {task.key: Job(task, options.place.absolute(), options.keep, program) for task in tasks}
     if len(jobs) < len(tasks):
         twice = next(key for key, number in Counter(task.key for task in tasks).items() if number > 1)
         raise AssessError(f"{twice!r:.100}: the key of two projects; give each its own")
-    mine = [job for key, job in jobs.items() if order.shard.holds(key)]
-    with _own_ledger(order) as ledger:
-        done = _rows_to_keep(jobs, mine, ledger, order, tell)
+    mine = [job for key, job in jobs.items() if options.shard.holds(key)]
+    with _own_ledger(options) as ledger:
+        done = _rows_to_keep(jobs, mine, ledger, options, tell)
         left = [job for job in mine if job.task.key not in done]
         _compute(left, len(mine), runner, engine, ledger, progress)
-    rows = _known_rows(jobs, order)
+    rows = _known_rows(jobs, options)
     own = tuple(rows[job.task.key] for job in mine)
     if len(rows) < len(jobs):
         return Portfolio(own, len(jobs) - len(rows), None)
-    with output_folder(order.place, command=COMMAND, owner=manifest.PORTFOLIO, expected=WANTED, patient=True) as stage:
+    with output_folder(
+        options.place, command=COMMAND, owner=manifest.PORTFOLIO, expected=WANTED, patient=True
+    ) as stage:
         write([rows[key] for key in jobs], stage)
-    return Portfolio(own, 0, order.place / TABLE)
+    return Portfolio(own, 0, options.place / TABLE)
 
 
 @contextmanager
-def _own_ledger(order: BatchOptions) -> Iterator[Ledger]:
+def _own_ledger(options: BatchOptions) -> Iterator[Ledger]:
     """Open the ledger of the share, which no other command may use meanwhile."""
-    with make_folder(order.place):
-        refuse_obstacles(order.place, manifest.read(order.place), manifest.PORTFOLIO, WANTED)
-        name = order.shard.ledger
-        with hold_lock(order.place, command=COMMAND, name=f"{LOCK}-{name}"), open_ledger(order.place / name) as ledger:
+    with make_folder(options.place):
+        refuse_obstacles(options.place, manifest.read(options.place), manifest.PORTFOLIO, WANTED)
+        name = options.shard.ledger
+        with (
+            hold_lock(options.place, command=COMMAND, name=f"{LOCK}-{name}"),
+            open_ledger(options.place / name) as ledger,
+        ):
             yield ledger
 
 
 def _rows_to_keep(
-    jobs: Mapping[str, Job], mine: Sequence[Job], ledger: Ledger, order: BatchOptions, tell: Callable[[str], None]
+    jobs: Mapping[str, Job], mine: Sequence[Job], ledger: Ledger, options: BatchOptions, tell: Callable[[str], None]
 ) -> Mapping[str, ProjectRow]:
     """Return the rows of this share that need not be computed; without `resume` begin the ledger anew."""
     found = sum(1 for _ in ledger.rows())
-    if not order.resume:
+    if not options.resume:
         if found:
             tell(f"{ledger.path}: has {found} of an earlier run, which are computed again; --resume keeps what is done")
         ledger.clear()
         return {}
-    known = _known_rows(jobs, order)
+    known = _known_rows(jobs, options)
     done = {job.task.key: known[job.task.key] for job in mine if job.task.key in known}
-    done = {key: row for key, row in done.items() if row.status == "done" and _has_outputs(row, order.place)}
+    done = {key: row for key, row in done.items() if row.status == "done" and _has_outputs(row, options.place)}
     if found or done:
         changed = found - sum(1 for identity, row in ledger.rows() if _is_of(jobs, identity, row))
         more = f"; {changed} of other inputs, options or versions of the program are not used" if changed else ""
@@ -214,12 +231,12 @@ def _compute(
     compute_all(left, total=len(left), runner=runner, engine=engine, keep=keep)
 
 
-def _known_rows(jobs: Mapping[str, Job], order: BatchOptions) -> dict[str, ProjectRow]:
+def _known_rows(jobs: Mapping[str, Job], options: BatchOptions) -> dict[str, ProjectRow]:
     """Return the rows of all ledgers of the folder, by key; of several of one project the first that is done."""
-    names = {path.name for pattern in LEDGER_PATTERNS for path in order.place.glob(pattern)}
+    names = {path.name for pattern in LEDGER_PATTERNS for path in options.place.glob(pattern)}
     known: dict[str, ProjectRow] = {}
-    for name in sorted(names, key=lambda name: (name != order.shard.ledger, name)):
-        with open_ledger(order.place / name) as ledger:
+    for name in sorted(names, key=lambda name: (name != options.shard.ledger, name)):
+        with open_ledger(options.place / name) as ledger:
             for identity, row in ledger.rows():
                 if _is_of(jobs, identity, row) and (row.key not in known or known[row.key].status == "broken"):
                     known[row.key] = row
@@ -229,25 +246,6 @@ def _known_rows(jobs: Mapping[str, Job], order: BatchOptions) -> dict[str, Proje
 def _is_of(jobs: Mapping[str, Job], identity: str, row: ProjectRow) -> bool:
     """Return whether a row is of a project as it is now."""
     return row.key in jobs and jobs[row.key].identity == identity
-
-
-_SHARD = re.compile(r"([0-9]{1,6})/([0-9]{1,6})")
-
-LEDGER_PATTERNS = ("ledger.sqlite", "ledger-*-of-*.sqlite")
-"""Patterns of the names of ledgers."""
-
-
-def parse_shard(text: str) -> Shard:
-    """Return the share that "i/n" names; raise AssessError for what names none."""
-    found = _SHARD.fullmatch(text)
-    if found is None or not 1 <= int(found[1]) <= int(found[2]):
-        raise AssessError(f"--shard {text!r:.40}: give i/n, such as 1/8, with i from 1 to n")
-    return Shard(int(found[1]), int(found[2]))
-
-
-LEDGER_APPLICATION = 0x41534C47  # marks the file as ours
-LEDGER_VERSION = 1
-WAIT_FOR_WRITER = 60.0  # s, to wait for another process that writes
 
 
 class Ledger:
@@ -303,10 +301,12 @@ def _prepare_ledger(connection: sqlite3.Connection, path: Path) -> None:
     """Make the table in an empty file; refuse a file that is newer or not ours."""
     connection.execute("PRAGMA journal_mode = DELETE")  # a log beside the file fails on disks of a network
     connection.execute("PRAGMA synchronous = FULL")
+    connection.execute("BEGIN")  # one state of the file, which another process may be making
     application, version, tables = (
         int(connection.execute(query).fetchone()[0])
         for query in ("PRAGMA application_id", "PRAGMA user_version", "SELECT count(*) FROM sqlite_master")
     )
+    connection.execute("COMMIT")
     if tables and application != LEDGER_APPLICATION:
         raise OutputError(f"{path}: not a ledger of a portfolio; move it away, or give another folder with -o")
     if version > LEDGER_VERSION:

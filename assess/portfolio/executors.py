@@ -27,18 +27,40 @@ from assess.workers import SpawnedPool, available_cores, end_on_error
 if TYPE_CHECKING:
     from distributed import Client
 
-
 CHUNK_DURATION = 0.5  # s
 LARGEST_CHUNK = 256  # tasks of a chunk
-CHECK_EVERY = 1.0  # s, between looks at the executor
-
+CHECK_EVERY = 1.0  # s, between checks of the executor
+CONNECT_WITHIN = 10.0  # s
+MOST_WAITING = 16  # chunks that wait at a scheduler, so that it sees work for workers which are yet to come
 WORKER_ENDED = (
     "it ended the process that computed it, alone and twice: not enough memory, or a fault in compiled code; try it "
     "with `assess run`"
 )
-
 RowReceiver = Callable[[Sequence[tuple[Job, ProjectRow]]], None]
 """Takes rows as they come, with their jobs."""
+
+
+@dataclass(frozen=True)
+class OpenExecutor:
+    """An executor that takes work.
+
+    width : returns how many tasks it computes at a time; 0 while there are no workers
+    spare : chunks of tasks given to it beyond those
+    losses : exceptions of a task whose worker ended
+    trials : how often a task may end its worker, alone, before it is given up
+    check : raises AssessError if the executor itself is lost
+    """
+
+    executor: Executor
+    width: Callable[[], int]
+    spare: int
+    losses: tuple[type[BaseException], ...]
+    trials: int
+    check: Callable[[], None]
+
+
+Engine = Callable[[], AbstractContextManager[OpenExecutor]]
+"""Opens an executor; again after one has broken."""
 
 
 def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engine, keep: RowReceiver) -> None:
@@ -54,7 +76,7 @@ def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engi
         Assesses one.
     engine : Engine
         Where it is computed.
-    keep : Keeper
+    keep : RowReceiver
         Called in this process with rows that are done.
 
     Raises
@@ -62,13 +84,13 @@ def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engi
     AssessError
         If the executor is lost, or cannot compute anything.
     """
-    line, suspects, losses = _Queue(jobs, total), list[Job](), Counter[str]()
-    while line.left or suspects:
+    queue, suspects, losses = _Queue(jobs, total), list[Job](), Counter[str]()
+    while queue.left or suspects:
         with engine() as opened:
             if suspects:
                 suspects = _compute_alone(suspects, losses, runner, opened, keep)
             else:
-                suspects = _compute_together(line, runner, opened, keep)
+                suspects = _compute_together(queue, runner, opened, keep)
 
 
 class _Queue:
@@ -93,14 +115,14 @@ class _Queue:
         self._pace = now if self._pace is None else 0.5 * (self._pace + now)
 
 
-def _compute_together(line: _Queue, runner: Runner, opened: OpenExecutor, keep: RowReceiver) -> list[Job]:
-    """Compute the jobs in line until all are done or a worker has ended; return those that may have ended it."""
+def _compute_together(queue: _Queue, runner: Runner, opened: OpenExecutor, keep: RowReceiver) -> list[Job]:
+    """Compute the jobs in the queue until all are done or a worker has ended; return those that may have ended it."""
     given: dict[Future[Computed], tuple[Job, ...]] = {}
     suspects: list[Job] = []
-    while given or (line.left and not suspects):
+    while given or (queue.left and not suspects):
         width = opened.width()
-        while line.left and not suspects and len(given) < width + opened.spare:
-            chunk = line.take(width)
+        while queue.left and not suspects and len(given) < width + opened.spare:
+            chunk = queue.take(width)
             try:
                 given[opened.executor.submit(compute_rows, runner, chunk)] = chunk
             except opened.losses:
@@ -112,7 +134,7 @@ def _compute_together(line: _Queue, runner: Runner, opened: OpenExecutor, keep: 
             if computed is None:
                 suspects.extend(chunk)
             else:
-                line.learn(computed)
+                queue.learn(computed)
                 rows.extend(zip(chunk, computed.rows, strict=True))
         if rows:
             keep(rows)  # all at once: each time waits for the disk
@@ -167,33 +189,6 @@ def _result(future: Future[Computed], opened: OpenExecutor) -> Computed | None:
         raise AssessError("the scheduler gave up the tasks; go on with --resume") from None
     except ImportError as error:
         raise AssessError(f"a worker cannot import the program ({error}); install rocking-assess there") from None
-
-
-CONNECT_WITHIN = 10.0  # s
-MOST_WAITING = 16  # chunks that wait at a scheduler, so that it sees work for workers which are yet to come
-
-
-@dataclass(frozen=True)
-class OpenExecutor:
-    """An executor that takes work.
-
-    width : returns how many tasks it computes at a time; 0 while there are no workers
-    spare : chunks of tasks given to it beyond those
-    losses : exceptions of a task whose worker ended
-    trials : how often a task may end its worker, alone, before it is given up
-    check : raises AssessError if the executor itself is lost
-    """
-
-    executor: Executor
-    width: Callable[[], int]
-    spare: int
-    losses: tuple[type[BaseException], ...]
-    trials: int
-    check: Callable[[], None]
-
-
-Engine = Callable[[], AbstractContextManager[OpenExecutor]]
-"""Opens an executor; again after one has broken."""
 
 
 def processes(jobs: int | None) -> Engine:

@@ -27,7 +27,14 @@ from spectra.errors import SpectrumError
 Keep = Literal["report", "results", "rows"]
 """What is written of each project besides its row: its report and results, its results alone, or nothing."""
 INPUT_IS_WRONG, BUG = 2, 70
+Status = Literal["done", "broken"]
+RowOutcome = Literal["pass", "fail", "incomplete", ""]
+EXIT_CODES: dict[RowOutcome, int] = {"pass": 0, "fail": 1, "incomplete": 3, "": 3}
+WORST_FIRST = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)
+"""Outcomes in the order of a ranking; a project without any verdict stands with the incomplete ones."""
 LONGEST_REASON = 1000  # characters
+LONGEST_NAME = 48  # characters of a key that are kept: paths have an end on Windows
+LOGS = "logs"
 
 
 @dataclass(frozen=True)
@@ -175,10 +182,6 @@ def _write_log(job: Job) -> str:
     return name
 
 
-EXIT_CODES: dict[RowOutcome, int] = {"pass": 0, "fail": 1, "incomplete": 3, "": 3}
-_WORST_FIRST = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)  # the worst first
-
-
 def row_of_verdict(
     job: Job, found: Verdict | None, messages: Sequence[Message] = (), *, report: str = "", results: str = ""
 ) -> ProjectRow:
@@ -196,10 +199,10 @@ def row_of_verdict(
         Links to its report and to its results.json; "" for none.
     """
     task = job.task
-    warned = sum(each.severity is Severity.WARNING for each in messages)
+    warnings = sum(each.severity is Severity.WARNING for each in messages)
     if found is None:
-        kept = ProjectRow(task.key, task.title, task.sha256, "done", report=report, results=results)
-        return replace(kept, warnings=warned, exit_code=EXIT_CODES[""])
+        row = ProjectRow(task.key, task.title, task.sha256, "done", report=report, results=results)
+        return replace(row, warnings=warnings, exit_code=EXIT_CODES[""])
     one = min(found.mechanisms, key=_mechanism_severity, default=None)
     answer = None if one is None else min(one.answers, key=_answer_severity, default=None)
     outcome: RowOutcome = found.outcome.value
@@ -216,7 +219,7 @@ def row_of_verdict(
         demand_capacity=None if answer is None else answer.ratio,
         procedure="" if answer is None else answer.procedure,
         missing=len(found.missing),
-        warnings=warned,
+        warnings=warnings,
         mechanisms=len(found.mechanisms),
         report=report,
         results=results,
@@ -227,19 +230,42 @@ def row_of_verdict(
 def _mechanism_severity(one: MechanismVerdict) -> tuple[int, float, float]:
     """Return what sorts mechanisms, the worst first: by outcome, then by margin, then by demand over capacity."""
     ratios = [answer.ratio for answer in one.answers if answer.ratio is not None]
-    return (_WORST_FIRST.index(one.outcome), inf if one.margin is None else one.margin, -max(ratios, default=-inf))
+    return (WORST_FIRST.index(one.outcome), inf if one.margin is None else one.margin, -max(ratios, default=-inf))
 
 
 def _answer_severity(answer: Answer) -> tuple[int, float]:
-    return (_WORST_FIRST.index(answer.outcome), inf if answer.ratio is None else -answer.ratio)
+    return (WORST_FIRST.index(answer.outcome), inf if answer.ratio is None else -answer.ratio)
 
 
-LONGEST_NAME = 48  # characters of a key that are kept: paths have an end on Windows
+def rank(rows: Iterable[ProjectRow]) -> tuple[ProjectRow, ...]:
+    """Return the rows in the order in which an owner wants to read them.
+
+    Projects that fail come first, then those without an answer, then those that pass, and broken ones at the end; in
+    each of these the least margin first, then those of unknown margin; equals by key.
+    """
+    return tuple(sorted(rows, key=_rank_key))
+
+
+def _rank_key(row: ProjectRow) -> tuple[int, float, str]:
+    if row.status == "broken":
+        return len(WORST_FIRST), 0.0, row.key
+    return WORST_FIRST.index(Decision(row.outcome or "incomplete")), margin_of(row), row.key
+
+
+def margin_of(row: ProjectRow) -> float:
+    """Return the margin that ranks a row [-]: 1 / (D/C) where that of PGA is unknown, infinite if both are."""
+    if row.margin is not None and isfinite(row.margin):
+        return row.margin
+    ratio = row.demand_capacity
+    if ratio is None or ratio != ratio or ratio <= 0.0:
+        return inf
+    return 1.0 / ratio
+
+
 _FIT = re.compile(rf"[a-z0-9][a-z0-9_-]{{0,{LONGEST_NAME - 1}}}")
 _NOT_KEPT = re.compile(r"[^A-Za-z0-9_]+")
 _LIKE_ANOTHER = re.compile(r".*-[0-9a-f]{10}")
 _DEVICE = re.compile(r"con|prn|aux|nul|com\d|lpt\d")  # which Windows takes for devices
-LOGS = "logs"
 
 
 def folder_name(key: str) -> str:
@@ -258,35 +284,3 @@ def folder_name(key: str) -> str:
         return key
     kept = _NOT_KEPT.sub("-", key)[:LONGEST_NAME].strip("-") or "project"
     return f"{kept}-{hashlib.sha256(key.encode('utf-8', 'surrogatepass')).hexdigest()[:10]}"
-
-
-Status = Literal["done", "broken"]
-RowOutcome = Literal["pass", "fail", "incomplete", ""]
-
-RANKED_OUTCOMES = ("fail", "incomplete", "pass")
-"""Outcomes in the order of a ranking; a project without any verdict stands with the incomplete ones."""
-
-
-def rank(rows: Iterable[ProjectRow]) -> tuple[ProjectRow, ...]:
-    """Return the rows in the order in which an owner wants to read them.
-
-    Projects that fail come first, then those without an answer, then those that pass, and broken ones at the end; in
-    each of these the least margin first, then those of unknown margin; equals by key.
-    """
-    return tuple(sorted(rows, key=_rank_key))
-
-
-def _rank_key(row: ProjectRow) -> tuple[int, float, str]:
-    if row.status == "broken":
-        return len(RANKED_OUTCOMES), 0.0, row.key
-    return RANKED_OUTCOMES.index(row.outcome or "incomplete"), margin_of(row), row.key
-
-
-def margin_of(row: ProjectRow) -> float:
-    """Return the margin that ranks a row [-]: 1 / (D/C) where that of PGA is unknown, infinite if both are."""
-    if row.margin is not None and isfinite(row.margin):
-        return row.margin
-    ratio = row.demand_capacity
-    if ratio is None or ratio != ratio or ratio <= 0.0:
-        return inf
-    return 1.0 / ratio

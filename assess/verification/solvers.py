@@ -11,9 +11,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from assess.oscillator import RockingBlock
 
 Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
+QUANTILES = (0.1, 0.25, 0.5, 0.75, 0.9)
 
 
 def solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -32,6 +36,18 @@ def solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     with project_file(folder, given) as file:
         tree: dict[str, Any] = json.loads(dumps(run_study(build(load(file)), jobs=1)))
     return tree
+
+
+@contextmanager
+def project_file(folder: Path, given: Mapping[str, Any]) -> Iterator[Path]:
+    """Yield the project file of a case; an example is copied for as long as it is needed."""
+    if "example" not in given:
+        yield folder / given["file"]
+        return
+    from assess.examples import copy_example
+
+    with TemporaryDirectory() as temporary:
+        yield copy_example(given["example"], Path(temporary) / given["example"])
 
 
 def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -163,7 +179,7 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     from scipy.constants import g
 
     from assess.dynamics.history import peaks, product
-    from assess.oscillator import Oscillator, RockingBlock, plain_branch
+    from assess.oscillator import Oscillator, plain_branch
     from records.record import make_record
     from records.response import response_spectrum
 
@@ -173,8 +189,7 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     spectrum = response_spectrum(motion, periods) / g
     tree: dict[str, Any] = {"spectrum_g": {f"{T:g} s": float(a) for T, a in zip(periods, spectrum, strict=True)}}
     for name, block in given.get("blocks", {}).items():
-        plain = RockingBlock(1.0, 1.0, block["slenderness"], g / block["p"] ** 2)
-        side = plain_branch(plain, restitution=block["restitution"])
+        side = plain_branch(_plain_block(block), restitution=block["restitution"])
         job = product(1, 1, [block["scale"]])
         found = peaks([Oscillator(side, side, 1.0)], [motion], job, equation=given["equation"])
         tree[name] = {
@@ -183,6 +198,23 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
             "overturned": int(found.overturned[0]),
         }
     return tree
+
+
+def _plain_block(given: Mapping[str, Any]) -> RockingBlock:
+    """Return a block of unit mass and radius by its `p` [1/s] and `slenderness` [rad]."""
+    from scipy.constants import g
+
+    from assess.oscillator import RockingBlock
+
+    return RockingBlock(1.0, 1.0, given["slenderness"], g / given["p"] ** 2)
+
+
+def _sum_of_sines(given: Mapping[str, Any]) -> Sequence[float]:
+    """Return the samples of a sum of sines."""
+    from math import pi, sin
+
+    times = [step * given["step"] for step in range(round(given["duration"] / given["step"]) + 1)]
+    return [sum(a * sin(2 * pi * f * t + phase) for a, f, phase in given["sines"]) for t in times]
 
 
 def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -205,11 +237,10 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
     from os.path import relpath
 
     import numpy as np
-    from scipy.constants import g
     from scipy.stats import ks_2samp
 
     from assess.dynamics.history import Jobs, peaks
-    from assess.oscillator import Oscillator, RockingBlock, plain_branch
+    from assess.oscillator import Oscillator, plain_branch
     from assess.results.provenance import file_sha256
     from records.reading import read_records
 
@@ -218,9 +249,7 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
     names = sorted({row["motion"] for row in rows})
     motions = [read_records(folder / name)[0] for name in names]
     block = given["block"]
-    side = plain_branch(
-        RockingBlock(1.0, 1.0, block["slenderness"], g / block["p"] ** 2), restitution=block["restitution"]
-    )
+    side = plain_branch(_plain_block(block), restitution=block["restitution"])
     which = np.array([names.index(row["motion"]) for row in rows], dtype=np.int64)
     jobs = Jobs(np.zeros_like(which), which, np.array([float(row["scale"]) for row in rows]))
     found = peaks([Oscillator(side, side, 1.0)], motions, jobs, equation=given["equation"])
@@ -235,6 +264,13 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
         "computed": _distribution_of(computed),
         "apart": {"distance": float(apart.statistic), "probability": float(apart.pvalue)},
     }
+
+
+def _distribution_of(ratios: Any) -> Mapping[str, Any]:
+    import numpy as np
+
+    quantiles = {f"{100 * share:g} %": float(np.quantile(ratios, share)) for share in QUANTILES}
+    return {"tests": len(ratios), "overturned": float(np.mean(ratios >= 1.0)), "quantiles": quantiles}
 
 
 def solve_pulses(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -270,6 +306,24 @@ def solve_pulses(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     return tree
 
 
+def _overturning_amplitudes(given: Mapping[str, Any], equation: Any) -> Mapping[str, float]:
+    from math import pi
+
+    import numpy as np
+
+    from assess.dynamics.pulses import envelope, uplift_acceleration
+    from assess.oscillator import Oscillator, plain_branch
+    from records.pulses import PULSE_SHAPES
+
+    side = plain_branch(_plain_block(given), restitution=given["restitution"], end=4.0)
+    body = Oscillator(side, side, 1.0)
+    unit, p = uplift_acceleration(body, equation), side.linearised.p if equation == "linearised" else given["p"]
+    omegas = np.array(given["frequencies"])
+    amplitudes = np.array([0.0, given["highest"]]) * unit
+    found = envelope(body, PULSE_SHAPES["sine"], omegas * p / (2 * pi), amplitudes, equation=equation, threads=1)
+    return {f"{omega:g}": float(a) / unit for omega, a in zip(omegas, found.lower_bound, strict=True)}
+
+
 def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return what a joint does, by its name in `given`.
 
@@ -288,91 +342,6 @@ def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
         places of the force and depths of contact and of crushing from that edge [m].
     """
     return {name: _solve_joint(each) for name, each in given.items()}
-
-
-def solve_risk(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return lognormal fits and annual rates.
-
-    Parameters
-    ----------
-    folder : of the case, not read
-    given : `counts`, by name `intensity` of stripes, how many records `reached` a state there, of how many `records`;
-        `curves`, by name a `median` and `dispersion`, or `intensity` and `share` of an empirical curve; `hazards`, of
-        the same names, the rows `intensity` and `rate` [1/year]; `epistemic`, a dispersion that widens the curves
-
-    Returns
-    -------
-    Mapping
-        By name of counts `median` and `dispersion`, `low` and `high` of Wilson's interval of the first stripe; by name
-        of curves `rate` and `widened` [1/year], and `in_50_years`, the probability.
-    """
-    counts = {name: _fit_counts(each) for name, each in given.get("counts", {}).items()}
-    curves = given.get("curves", {})
-    rates = {name: _rates(each, given["hazards"][name], given["epistemic"]) for name, each in curves.items()}
-    return {**counts, **rates}
-
-
-SOLVERS: dict[str, Solver] = {
-    "free-rocking": solve_free_rocking,
-    "joints": solve_joints,
-    "motion": solve_motion,
-    "parameters": solve_parameters,
-    "project": solve_project,
-    "pulses": solve_pulses,
-    "risk": solve_risk,
-    "shake-table": solve_shake_table,
-    "spectra": solve_spectra,
-}
-
-
-@contextmanager
-def project_file(folder: Path, given: Mapping[str, Any]) -> Iterator[Path]:
-    """Yield the project file of a case; an example is copied for as long as it is needed."""
-    if "example" not in given:
-        yield folder / given["file"]
-        return
-    from assess.examples import copy_example
-
-    with TemporaryDirectory() as temporary:
-        yield copy_example(given["example"], Path(temporary) / given["example"])
-
-
-def _sum_of_sines(given: Mapping[str, Any]) -> Sequence[float]:
-    """Return the samples of a sum of sines."""
-    from math import pi, sin
-
-    times = [step * given["step"] for step in range(round(given["duration"] / given["step"]) + 1)]
-    return [sum(a * sin(2 * pi * f * t + phase) for a, f, phase in given["sines"]) for t in times]
-
-
-QUANTILES = (0.1, 0.25, 0.5, 0.75, 0.9)
-
-
-def _distribution_of(ratios: Any) -> Mapping[str, Any]:
-    import numpy as np
-
-    quantiles = {f"{100 * share:g} %": float(np.quantile(ratios, share)) for share in QUANTILES}
-    return {"tests": len(ratios), "overturned": float(np.mean(ratios >= 1.0)), "quantiles": quantiles}
-
-
-def _overturning_amplitudes(given: Mapping[str, Any], equation: Any) -> Mapping[str, float]:
-    from math import pi
-
-    import numpy as np
-    from scipy.constants import g
-
-    from assess.dynamics.pulses import envelope, uplift_acceleration
-    from assess.oscillator import Oscillator, RockingBlock, plain_branch
-    from records.pulses import PULSE_SHAPES
-
-    plain = RockingBlock(1.0, 1.0, given["slenderness"], g / given["p"] ** 2)
-    side = plain_branch(plain, restitution=given["restitution"], end=4.0)
-    body = Oscillator(side, side, 1.0)
-    unit, p = uplift_acceleration(body, equation), side.linearised.p if equation == "linearised" else given["p"]
-    omegas = np.array(given["frequencies"])
-    amplitudes = np.array([0.0, given["highest"]]) * unit
-    found = envelope(body, PULSE_SHAPES["sine"], omegas * p / (2 * pi), amplitudes, equation=equation, threads=1)
-    return {f"{omega:g}": float(a) / unit for omega, a in zip(omegas, found.lower_bound, strict=True)}
 
 
 def _solve_joint(given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -395,6 +364,28 @@ def _solve_joint(given: Mapping[str, Any]) -> Mapping[str, Any]:
         tree["opening"], tree["crushing"] = thresholds(section, law, normal_force=force)
         tree["fixed"] = semi_flexible_shift(section, law, normal_force=force)
     return tree
+
+
+def solve_risk(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return lognormal fits and annual rates.
+
+    Parameters
+    ----------
+    folder : of the case, not read
+    given : `counts`, by name `intensity` of stripes, how many records `reached` a state there, of how many `records`;
+        `curves`, by name a `median` and `dispersion`, or `intensity` and `share` of an empirical curve; `hazards`, of
+        the same names, the rows `intensity` and `rate` [1/year]; `epistemic`, a dispersion that widens the curves
+
+    Returns
+    -------
+    Mapping
+        By name of counts `median` and `dispersion`, `low` and `high` of Wilson's interval of the first stripe; by name
+        of curves `rate` and `widened` [1/year], and `in_50_years`, the probability.
+    """
+    counts = {name: _fit_counts(each) for name, each in given.get("counts", {}).items()}
+    curves = given.get("curves", {})
+    rates = {name: _rates(each, given["hazards"][name], given["epistemic"]) for name, each in curves.items()}
+    return {**counts, **rates}
 
 
 def _fit_counts(given: Mapping[str, Any]) -> Mapping[str, float]:
@@ -424,3 +415,16 @@ def _rates(curve: Mapping[str, Any], hazard: Mapping[str, Any], epistemic: float
     found = rate(drawn.probability, rows, breaks=kinks).annual_rate
     widened = rate(drawn.convolve(epistemic).probability, rows, breaks=kinks).annual_rate
     return {"rate": found, "widened": widened, "in_50_years": probability_of(found)}
+
+
+SOLVERS: dict[str, Solver] = {
+    "free-rocking": solve_free_rocking,
+    "joints": solve_joints,
+    "motion": solve_motion,
+    "parameters": solve_parameters,
+    "project": solve_project,
+    "pulses": solve_pulses,
+    "risk": solve_risk,
+    "shake-table": solve_shake_table,
+    "spectra": solve_spectra,
+}

@@ -25,10 +25,9 @@ from assess.results.run import (
 if TYPE_CHECKING:
     from pandas import DataFrame
 
+
 Row = dict[str, Any]
-
 _DTYPES = {"float": "float64", "float | None": "float64", "int | None": "Int64"}
-
 UNITS: Mapping[str, str] = {
     "stiffness_n_m_per_rad": "N m/rad",
     "vs30_m_per_s": "m/s",
@@ -114,8 +113,27 @@ def _values(of: Any, columns: Mapping[str, str]) -> Iterator[Row]:
         yield {name: _cell(value) for name, value in zip(names, values, strict=True)}
 
 
-MECHANISM = {"mechanism": "str"}
+def _rows_of_run(field: str, columns: Mapping[str, str]) -> Callable[[Results], Iterator[Row]]:
+    """A row for each thing that a run lists in a field."""
+    return lambda results: (_cells(each, columns) for each in getattr(results, field))
 
+
+def _rows_of_mechanisms(field: str, columns: Mapping[str, str]) -> Callable[[Results], Iterator[Row]]:
+    """A row for each thing that the mechanisms list in a field."""
+    return lambda results: (
+        {"mechanism": mechanism.name, **_cells(each, columns)}
+        for mechanism in results.mechanisms
+        for each in getattr(mechanism, field)
+    )
+
+
+MECHANISM = {"mechanism": "str"}
+CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score", "caveats", "numerical"))}
+HISTORIES = {**MECHANISM, **_columns(HistoryResult, without=("trace",))}
+SUITES = {**MECHANISM, **_columns(SuiteResult)}
+RECORDS = _columns(RecordResult, without=("spectrum", "primary_pulses"))
+COMPARISON = _columns(ComparisonRow)
+SENSITIVITY = _columns(SensitivityResult, without=("remarks",))
 _LINEARISED = "linearised_"
 PARAMETERS = {
     **MECHANISM,
@@ -132,30 +150,6 @@ def _parameters(results: Results) -> Iterator[Row]:
             if oscillator is not None:
                 linearised = _cells(oscillator.linearised, PARAMETERS, prefix=_LINEARISED)
                 yield {"mechanism": mechanism.name, "branch": branch, **_cells(oscillator, PARAMETERS), **linearised}
-
-
-CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score", "caveats", "numerical"))}
-
-
-def _checks(results: Results) -> Iterator[Row]:
-    for mechanism in results.mechanisms:
-        yield from ({"mechanism": mechanism.name, **_cells(check, CHECKS)} for check in mechanism.checks)
-
-
-HISTORIES = {**MECHANISM, **_columns(HistoryResult, without=("trace",))}
-
-
-def _histories(results: Results) -> Iterator[Row]:
-    for mechanism in results.mechanisms:
-        yield from ({"mechanism": mechanism.name, **_cells(each, HISTORIES)} for each in mechanism.histories)
-
-
-SUITES = {**MECHANISM, **_columns(SuiteResult)}
-
-
-def _suites(results: Results) -> Iterator[Row]:
-    for mechanism in results.mechanisms:
-        yield from ({"mechanism": mechanism.name, **_cells(suite, SUITES)} for suite in mechanism.suites)
 
 
 _ANSWER = ("limit_state", "procedure", "ratio", "reason")
@@ -200,20 +194,6 @@ def _envelopes(results: Results) -> Iterator[Row]:
             yield from ({**own, **row} for row in _values(mechanism.envelope, columns))
 
 
-RECORDS = _columns(RecordResult, without=("spectrum", "primary_pulses"))
-
-
-def _records(results: Results) -> Iterator[Row]:
-    yield from (_cells(record, RECORDS) for record in results.records)
-
-
-COMPARISON = _columns(ComparisonRow)
-
-
-def _comparison(results: Results) -> Iterator[Row]:
-    yield from (_cells(row, COMPARISON) for row in results.comparison)
-
-
 _OF_SWEEP = ("mechanism", "key", "unit")
 _CASES = dict.fromkeys(_columns(SweepResult, without=(*_OF_SWEEP, "controlling", "governs")), "float")
 SWEEPS = {**MECHANISM, "key": "str", "unit": "str", **_CASES, "overturned": "bool", "outcome": "str"}
@@ -223,13 +203,6 @@ def _sweeps(results: Results) -> Iterator[Row]:
     for sweep in results.sweeps:
         own = {name: getattr(sweep, name) for name in _OF_SWEEP}
         yield from ({**own, **row} for row in _values(sweep, {name: "" for name in SWEEPS if name not in own}))
-
-
-SENSITIVITY = _columns(SensitivityResult, without=("remarks",))
-
-
-def _sensitivity(results: Results) -> Iterator[Row]:
-    yield from (_cells(row, SENSITIVITY) for row in results.sensitivity)
 
 
 UNCERTAINTY = {
@@ -257,15 +230,15 @@ def _uncertainty(results: Results) -> Iterator[Row]:
 
 TABLES: Mapping[str, tuple[Mapping[str, str], Callable[[Results], Iterator[Row]]]] = {
     "parameters": (PARAMETERS, _parameters),
-    "checks": (CHECKS, _checks),
-    "histories": (HISTORIES, _histories),
-    "suites": (SUITES, _suites),
+    "checks": (CHECKS, _rows_of_mechanisms("checks", CHECKS)),
+    "histories": (HISTORIES, _rows_of_mechanisms("histories", HISTORIES)),
+    "suites": (SUITES, _rows_of_mechanisms("suites", SUITES)),
     "verdict": (VERDICT, _verdict),
     "envelopes": (ENVELOPES, _envelopes),
-    "records": (RECORDS, _records),
-    "comparison": (COMPARISON, _comparison),
+    "records": (RECORDS, _rows_of_run("records", RECORDS)),
+    "comparison": (COMPARISON, _rows_of_run("comparison", COMPARISON)),
     "sweeps": (SWEEPS, _sweeps),
-    "sensitivity": (SENSITIVITY, _sensitivity),
+    "sensitivity": (SENSITIVITY, _rows_of_run("sensitivity", SENSITIVITY)),
     "uncertainty": (UNCERTAINTY, _uncertainty),
 }
 """What tables there are: their columns with the types of these, and their rows."""

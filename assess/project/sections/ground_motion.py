@@ -43,6 +43,9 @@ from records.compliance import CodeName
 ASCE7 = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 NTC = ("ntc2008", "ntc2018")
 SPECTRA = (*ASCE7, "ec8", "nzs1170.5", *NTC, "table")
+MAPPED = ("s_s", "s_1", "site_class")  # in place of s_ds and s_d1
+LIVES = ("nominal_life", "use_class")  # of a hazard over return periods
+LIMIT_STATES = ("SLO", "SLD", "SLV", "SLC")
 Asce7Code = Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"]
 
 
@@ -127,7 +130,6 @@ class Nzs1170Spectrum(Damped):
         return self
 
 
-LIVES = ("nominal_life", "use_class")  # of a hazard over return periods
 NtcCode = Literal["ntc2008", "ntc2018"]
 
 
@@ -298,9 +300,6 @@ class BuildingSection(ProjectSection):
     effective_height: PositiveLength | None = None
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""
 
-
-MAPPED = ("s_s", "s_1", "site_class")  # in place of s_ds and s_d1
-LIMIT_STATES = ("SLO", "SLD", "SLV", "SLC")
 
 T = TypeVar("T", bound=tuple[float, float])
 

@@ -32,7 +32,6 @@ from assess.project.section import (
     unique,
 )
 
-BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
 Procedure = Literal[
     "asce43-05-spectrum",
     "asce43-05-spectrum-thesis",
@@ -50,6 +49,9 @@ Procedure = Literal[
     "asce43-05-sliding",
     "sliding",
 ]
+PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
+READINGS: tuple[Procedure, ...] = ("asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis")
+BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
 
 
 class VerdictSection(ProjectSection, title="VerdictSection"):
@@ -102,8 +104,6 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
         return self
 
 
-PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
-READINGS: tuple[Procedure, ...] = ("asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis")
 KnowledgeLevel = Literal["LC1", "LC2", "LC3"]
 
 

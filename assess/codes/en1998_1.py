@@ -129,8 +129,8 @@ def element_demand(branch: Branch, context: Context, options: Ec8Options, level:
 
 
 def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Options, level: float) -> Check:
-    found, resistance = element_demand(branch, context, options, level), linear_multiplier(branch)
-    lifts, ratio = uplift_pga(branch, found.surface * found.amplified), found.force / resistance
+    demand, resistance = element_demand(branch, context, options, level), linear_multiplier(branch)
+    lifts, ratio = uplift_pga(branch, demand.surface * demand.amplified), demand.force / resistance
     verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
     return Check(
         procedure=EC8_ELEMENT.name,
@@ -142,36 +142,36 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
         damping=None,
         quantity="force over weight",
         unit="-",
-        demand=found.force,
+        demand=demand.force,
         capacity=resistance,
         ratio=ratio,
         verdict=verdict,
         reason=reason_message(
             Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("what the weight resists")
         ),
-        capacity_pga_g=level * resistance / found.force / g,
+        capacity_pga_g=level * resistance / demand.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
-        steps=_steps(branch, context, found),
+        steps=_steps(branch, context, demand),
         **caveats_of(CAVEAT, *EC8_ELEMENT.spectrum_caveats(context.spectrum.code)),
     )
 
 
-def _steps(branch: Branch, context: Context, found: ElementDemand) -> tuple[Step, ...]:
+def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Step, ...]:
     resistance, raised = linear_multiplier(branch), height_ratio(context)
-    S_a = found.alpha_s * found.amplified
-    shaken = {"α S": found.alpha_s, "z/H": raised, "T_a/T_1": found.ratio}
-    forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}
-    held = {"F_a/W_a": found.force, "λ": resistance}
+    S_a = demand.alpha_s * demand.amplified
+    shaken = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
+    forced = {"S_a": S_a, "γ_a": demand.gamma_a, "q_a": demand.q_a}
+    held = {"F_a/W_a": demand.force, "λ": resistance}
     return (
-        _period_step(branch, context, found.ratio),
+        _period_step(branch, context, demand.ratio),
         _height_step(context),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
              given=shaken),
-        step("q_a", "behaviour factor", TABLE, "given", found.q_a, remark=ELEMENTS[context.support]),
-        step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", found.gamma_a),
-        step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", found.force, given=forced),
+        step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=ELEMENTS[context.support]),
+        step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", demand.gamma_a),
+        step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", demand.force, given=forced),
         multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),
-        step("D/C", "ratio", FORCE, "F_a/W_a / λ", found.force / resistance, given=held),
+        step("D/C", "ratio", FORCE, "F_a/W_a / λ", demand.force / resistance, given=held),
     )  # fmt: skip
 
 

@@ -148,24 +148,24 @@ def _check(name: BranchName, context: Context, level: float) -> Check:
     )
 
 
-def _answered(check: Check, branch: Branch, context: Context, found: WallResponse, level: float) -> Check:
-    demanded = 0.0 if level <= (found.uplift or 0.0) else found.per_pga * level
-    ratio = demanded / found.usable_rotation
+def _answered(check: Check, branch: Branch, context: Context, response: WallResponse, level: float) -> Check:
+    demanded = 0.0 if level <= (response.uplift or 0.0) else response.per_pga * level
+    ratio = demanded / response.usable_rotation
     verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
-    stands = demanded < found.instability
+    stands = demanded < response.instability
     return replace(
         check,
         demand=demanded,
-        capacity=found.usable_rotation,
+        capacity=response.usable_rotation,
         ratio=ratio,
         verdict=verdict,
         reason=_reason(demanded, verdict),
-        capacity_pga_g=found.capacity / g,
-        uplift_pga_g=None if found.uplift is None else found.uplift / g,
-        capacity_rotation_ratio=found.usable_rotation / branch.overturning,
+        capacity_pga_g=response.capacity / g,
+        uplift_pga_g=None if response.uplift is None else response.uplift / g,
+        capacity_rotation_ratio=response.usable_rotation / branch.overturning,
         rotation_ratio=demanded / branch.overturning if stands else None,
-        pga_curve=_curve(branch, found),
-        steps=sheet_steps(branch, context, found, level=level),
+        pga_curve=_curve(branch, response),
+        steps=sheet_steps(branch, context, response, level=level),
     )
 
 
@@ -177,11 +177,11 @@ def _reason(demanded: float, verdict: Outcome) -> Message:
     )
 
 
-def _curve(branch: Branch, found: WallResponse) -> PgaCurve:
+def _curve(branch: Branch, response: WallResponse) -> PgaCurve:
     def pga_of(rotation: FloatArray) -> FloatArray:
-        return rotation / found.per_pga
+        return rotation / response.per_pga
 
-    return to_pga_curve(pga_rotation(pga_of, overturning=found.instability, uplift=found.uplift or 0.0), branch)
+    return to_pga_curve(pga_rotation(pga_of, overturning=response.instability, uplift=response.uplift or 0.0), branch)
 
 
 def _scored(check: Check) -> Check:
@@ -198,15 +198,15 @@ def _scored(check: Check) -> Check:
 class WallResponse:
     """One branch by the clause.
 
-    whole, part : with its own and with its effective thickness; gravity : None where they are the same
+    nominal, effective : with its own and with its effective thickness; gravity : None where they are the same
     Tp : period [s]; usable : phi_m / phi_i [-]; floor : C_Hi [-]; risk_factor : R_p [-]
     surface : C(0) over the PGA of the spectrum [-]
     per_pga : phi_D over PGA [rad s2/m]; multiplier : at rest [-], uplift : PGA below which nothing rocks [m/s2]; both
     None on joints without a threshold
     """
 
-    whole: FaceLoadedWall
-    part: FaceLoadedWall
+    nominal: FaceLoadedWall
+    effective: FaceLoadedWall
     gravity: Gravity | None
     Tp: float
     usable: float
@@ -225,7 +225,7 @@ class WallResponse:
     @property
     def instability(self) -> float:
         """phi_i [rad]."""
-        return self.part.line.instability
+        return self.effective.line.instability
 
     @property
     def usable_rotation(self) -> float:
@@ -253,20 +253,20 @@ def wall_response(branch: Branch, name: BranchName, context: Context, options: N
     """
     whole, floor = nominal(branch), floor_factor(context)
     gravity = gravity_of(whole, name, context)
-    part = whole if gravity is None else with_effective_thickness(whole, gravity)
-    Tp, R_p, at_rest = part_period(part, support=context.support), options.risk_factor, threshold(branch)
-    multiplier = None if at_rest is None else at_rest * (part.line.b / part.B) / (whole.line.b / whole.B)
+    wall = whole if gravity is None else with_effective_thickness(whole, gravity)
+    Tp, R_p, at_rest = part_period(wall, support=context.support), options.risk_factor, threshold(branch)
+    multiplier = None if at_rest is None else at_rest * (wall.line.b / wall.B) / (whole.line.b / whole.B)
     surface = 1.0 if options.c_0 is None else options.c_0 * g / context.spectrum.pga
     return WallResponse(
-        whole=whole,
-        part=part,
+        nominal=whole,
+        effective=wall,
         gravity=gravity,
         Tp=Tp,
         usable=USABLE[context.support] if options.usable is None else options.usable,
         floor=floor,
         risk_factor=R_p,
         surface=surface,
-        per_pga=surface * demand_per_pga(part, Tp, floor=floor, risk_factor=R_p),
+        per_pga=surface * demand_per_pga(wall, Tp, floor=floor, risk_factor=R_p),
         multiplier=multiplier,
         uplift=uplift_pga(multiplier, floor=surface * floor, risk_factor=R_p),
     )
@@ -316,12 +316,12 @@ def nominal(branch: Branch) -> FaceLoadedWall:
     return FaceLoadedWall(straight_line(branch), float(branch.inertia[0]), float(branch.excitation[0]))
 
 
-def with_effective_thickness(part: FaceLoadedWall, gravity: Gravity) -> FaceLoadedWall:
+def with_effective_thickness(wall: FaceLoadedWall, gravity: Gravity) -> FaceLoadedWall:
     """Return the wall with its effective thickness, by the formulas at the top of this file.
 
     Parameters
     ----------
-    part : the wall with its own thickness
+    wall : the wall with its own thickness
     gravity : what its own weight and the overburden give to it
 
     Returns
@@ -329,10 +329,10 @@ def with_effective_thickness(part: FaceLoadedWall, gravity: Gravity) -> FaceLoad
     FaceLoadedWall
     """
     k = thickness_factor(gravity.overburden_ratio)
-    b = part.line.b - (1.0 - k**2) * gravity.own_moment - (1.0 - k) * gravity.moment
-    a = part.line.a - (1.0 - k) * gravity.own_slope
-    J = part.J - (1.0 - k) * gravity.own_inertia - (1.0 - k**2) * gravity.inertia
-    return FaceLoadedWall(MomentLine(b, a), J, part.B - (1.0 - k) * gravity.own_excitation)
+    b = wall.line.b - (1.0 - k**2) * gravity.own_moment - (1.0 - k) * gravity.moment
+    a = wall.line.a - (1.0 - k) * gravity.own_slope
+    J = wall.J - (1.0 - k) * gravity.own_inertia - (1.0 - k**2) * gravity.inertia
+    return FaceLoadedWall(MomentLine(b, a), J, wall.B - (1.0 - k) * gravity.own_excitation)
 
 
 def thickness_factor(overburden_ratio: float) -> float:
@@ -354,19 +354,19 @@ def straight_line(branch: Branch) -> MomentLine:
     return MomentLine(b, b / phi_i)
 
 
-def part_period(part: FaceLoadedWall, *, support: Support) -> float:
+def part_period(wall: FaceLoadedWall, *, support: Support) -> float:
     """Return T_p = factor sqrt(J / a).
 
     Parameters
     ----------
-    part : the wall
+    wall : the wall
     support : how it is held
 
     Returns
     -------
     float [s]
     """
-    return period_factor(support) * float(np.sqrt(part.J / part.line.a))
+    return period_factor(support) * float(np.sqrt(wall.J / wall.line.a))
 
 
 def period_factor(support: Support) -> float:
@@ -405,12 +405,12 @@ def part_coefficient(Tp: float, *, floor: float) -> float:
     return floor * float(part_shape(Tp))
 
 
-def demand_per_pga(part: FaceLoadedWall, Tp: float, *, floor: float, risk_factor: float) -> float:
+def demand_per_pga(wall: FaceLoadedWall, Tp: float, *, floor: float, risk_factor: float) -> float:
     """Return phi_D over C(0) g: (B / J) (T_p / 2 pi)^2 C_Hi C_i(T_p) R_p.
 
     Parameters
     ----------
-    part : the wall
+    wall : the wall
     Tp : its period [s]
     floor : C_Hi [-]
     risk_factor : R_p [-]
@@ -419,7 +419,7 @@ def demand_per_pga(part: FaceLoadedWall, Tp: float, *, floor: float, risk_factor
     -------
     float [rad s2/m]
     """
-    return part.B / part.J * (Tp / (2.0 * np.pi)) ** 2 * part_coefficient(Tp, floor=floor) * risk_factor
+    return wall.B / wall.J * (Tp / (2.0 * np.pi)) ** 2 * part_coefficient(Tp, floor=floor) * risk_factor
 
 
 def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) -> float | None:
@@ -444,30 +444,30 @@ def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) ->
 AT_REST = "table of the mechanism, at rest"
 
 
-def sheet_steps(branch: Branch, context: Context, found: WallResponse, *, level: float) -> tuple[Step, ...]:
+def sheet_steps(branch: Branch, context: Context, response: WallResponse, *, level: float) -> tuple[Step, ...]:
     """Write all lines of the sheet but the score; level: PGA [m/s2]."""
     return (
-        *_wall_steps(branch, found),
-        *_thickness_steps(found),
-        *_capacity_steps(context, found),
-        *_part_steps(context, found, level),
-        *_displacement_steps(context, found, found.per_pga * level),
-        *_end_steps(found, level),
+        *_wall_steps(branch, response),
+        *_thickness_steps(response),
+        *_capacity_steps(context, response),
+        *_part_steps(context, response, level),
+        *_displacement_steps(context, response, response.per_pga * level),
+        *_end_steps(response, level),
     )
 
 
-def _wall_steps(branch: Branch, found: WallResponse) -> tuple[Step, ...]:
+def _wall_steps(branch: Branch, response: WallResponse) -> tuple[Step, ...]:
     """Write the wall with its own thickness."""
-    line, at_rest = found.whole.line, branch.overturning_flexible is None
-    phi_i, mark = line.instability, "" if found.gravity is None else "0"
+    line, at_rest = response.nominal.line, branch.overturning_flexible is None
+    phi_i, mark = line.instability, "" if response.gravity is None else "0"
     slope = {f"b{mark}": (line.b, "N m"), f"φ_i{mark}": (phi_i, "rad")}
     return (
         instability_step(f"φ_i{mark}", "rotation at instability", CLAUSE, branch),
         *_moment_steps(branch, f"b{mark}", f"φ_i{mark}", line.b, at_rest=at_rest),
         step(f"a{mark}", "slope of the straight line", CLAUSE, f"b{mark} / φ_i{mark}", line.a, "N m/rad", given=slope),
-        step(f"J{mark}", "inertia at rest, about the hinges", CLAUSE, "Σ m (x'² + z'²) + J_G θ'²", found.whole.J,
+        step(f"J{mark}", "inertia at rest, about the hinges", CLAUSE, "Σ m (x'² + z'²) + J_G θ'²", response.nominal.J,
              "kg m2", remark=AT_REST),
-        step(f"B{mark}", "excitation at rest", CLAUSE, "Σ m x'", found.whole.B, "kg m", remark=AT_REST),
+        step(f"B{mark}", "excitation at rest", CLAUSE, "Σ m x'", response.nominal.B, "kg m", remark=AT_REST),
     )  # fmt: skip
 
 
@@ -482,60 +482,61 @@ def _moment_steps(branch: Branch, symbol: str, end: str, moment: float, *, at_re
     return work, step(symbol, words, CLAUSE, f"2 E / {end}", moment, "N m", given=given)
 
 
-def _thickness_steps(found: WallResponse) -> tuple[Step, ...]:
+def _thickness_steps(response: WallResponse) -> tuple[Step, ...]:
     """Write the wall with its effective thickness."""
-    if found.gravity is None:
+    if response.gravity is None:
         return ()
-    gravity, whole, part, k = found.gravity, found.whole, found.part, found.thickness
+    gravity, nominal, wall, k = response.gravity, response.nominal, response.effective, response.thickness
     taken = {"k": (k, "-")}
-    moments = {"b0": (whole.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
-    slopes = {"a0": (whole.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
-    turned = {"J0": (whole.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
-    shaken = {"B0": (whole.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
-    unstable = {"b": (part.line.b, "N m"), "a": (part.line.a, "N m/rad")}
+    moments = {"b0": (nominal.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
+    slopes = {"a0": (nominal.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
+    turned = {"J0": (nominal.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
+    shaken = {"B0": (nominal.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
+    unstable = {"b": (wall.line.b, "N m"), "a": (wall.line.a, "N m/rad")}
     words = "effective thickness over thickness; P presses on the wall, W is its own weight"
     return (
         step("k", words, CLAUSE, "0.975 − 0.025 P/W", k, given={"P/W": gravity.overburden_ratio}),
         step("b", "resisting moment, the wall's by k², of P by k", CLAUSE, "b0 − (1 − k²) b_W − (1 − k) b_P",
-             part.line.b, "N m", given={**moments, **taken}),
-        step("a", "slope, the wall's by k", CLAUSE, "a0 − (1 − k) a_W", part.line.a, "N m/rad",
+             wall.line.b, "N m", given={**moments, **taken}),
+        step("a", "slope, the wall's by k", CLAUSE, "a0 − (1 − k) a_W", wall.line.a, "N m/rad",
              given={**slopes, **taken}),
-        step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", part.J, "kg m2",
+        step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", wall.J, "kg m2",
              given={**turned, **taken}),
-        step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", part.B, "kg m", given={**shaken, **taken}),
-        step("φ_i", "rotation at instability", CLAUSE, "b / a", found.instability, "rad", given=unstable),
+        step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", wall.B, "kg m", given={**shaken, **taken}),
+        step("φ_i", "rotation at instability", CLAUSE, "b / a", response.instability, "rad", given=unstable),
     )  # fmt: skip
 
 
-def _capacity_steps(context: Context, found: WallResponse) -> tuple[Step, ...]:
-    factor, part = period_factor(context.support), found.part
-    usable = {"s": (found.usable, "-"), "φ_i": (found.instability, "rad")}
-    turned = {"c": (factor, "-"), "J": (part.J, "kg m2"), "a": (part.line.a, "N m/rad")}
+def _capacity_steps(context: Context, response: WallResponse) -> tuple[Step, ...]:
+    factor, wall = period_factor(context.support), response.effective
+    usable = {"s": (response.usable, "-"), "φ_i": (response.instability, "rad")}
+    turned = {"c": (factor, "-"), "J": (wall.J, "kg m2"), "a": (wall.line.a, "N m/rad")}
     return (
-        step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", found.usable_rotation, "rad",
-             given=usable),
-        step("T_p", "period of the part, c by its support", CLAUSE, "c √(J / a)", found.Tp, "s", given=turned),
+        step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", response.usable_rotation,
+             "rad", given=usable),
+        step("T_p", "period of the part, c by its support", CLAUSE, "c √(J / a)", response.Tp, "s", given=turned),
     )  # fmt: skip
 
 
-def _part_steps(context: Context, found: WallResponse, level: float) -> tuple[Step, ...]:
-    Ci = part_coefficient(found.Tp, floor=1.0)
-    C_0 = level / g * found.surface
-    Cp = C_0 * found.floor * Ci
-    coefficients = {"C(0)": (C_0, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
+def _part_steps(context: Context, response: WallResponse, level: float) -> tuple[Step, ...]:
+    Ci = part_coefficient(response.Tp, floor=1.0)
+    C_0 = level / g * response.surface
+    Cp = C_0 * response.floor * Ci
+    coefficients = {"C(0)": (C_0, "g"), "C_Hi": (response.floor, "-"), "C_i(T_p)": (Ci, "-")}
     demanded = {
-        "B": (found.part.B, "kg m"),
-        "J": (found.part.J, "kg m2"),
-        "T_p": (found.Tp, "s"),
+        "B": (response.effective.B, "kg m"),
+        "J": (response.effective.J, "kg m2"),
+        "T_p": (response.Tp, "s"),
         "C_p(T_p)": (Cp, "-"),
-        "R_p": (found.risk_factor, "-"),
+        "R_p": (response.risk_factor, "-"),
     }
     return (
-        _floor_step(context, found.floor),
+        _floor_step(context, response.floor),
         step("C_i(T_p)", "spectral shape of the part: 2 to 0.75 s, 0.5 from 1.5 s", PARTS,
-             "min(2, max(0.5, 2 (1.75 − T_p)))", Ci, given={"T_p": (found.Tp, "s")}),
+             "min(2, max(0.5, 2 (1.75 − T_p)))", Ci, given={"T_p": (response.Tp, "s")}),
         step("C_p(T_p)", "part coefficient", PARTS, "C(0) C_Hi C_i(T_p)", Cp, given=coefficients),
-        step("φ_D", "demand", CLAUSE, "B / J (T_p / 2π)² C_p(T_p) g R_p", found.per_pga * level, "rad", given=demanded),
+        step("φ_D", "demand", CLAUSE, "B / J (T_p / 2π)² C_p(T_p) g R_p", response.per_pga * level, "rad",
+             given=demanded),
     )  # fmt: skip
 
 
@@ -554,7 +555,7 @@ def _floor_step(context: Context, floor: float) -> Step:
     return step(symbol, words, PARTS, f"min({', '.join([*rules, '3'])})", floor, given=given)
 
 
-def _displacement_steps(context: Context, found: WallResponse, phi_d: float) -> tuple[Step, ...]:
+def _displacement_steps(context: Context, response: WallResponse, phi_d: float) -> tuple[Step, ...]:
     """Write the displacements of the Guidelines: at mid-height of a wall that spans, at the top of a free one."""
     if context.wall is None:
         return ()
@@ -566,36 +567,44 @@ def _displacement_steps(context: Context, found: WallResponse, phi_d: float) -> 
         return step(name, words, CLAUSE, f"{angle} h{over}", rotation * arm, "m", given=given, remark=place)
 
     return (
-        line("Δ_i", "φ_i", "displacement at instability", found.instability),
-        line("Δ_m", "φ_m", "usable displacement", found.usable_rotation),
+        line("Δ_i", "φ_i", "displacement at instability", response.instability),
+        line("Δ_m", "φ_m", "usable displacement", response.usable_rotation),
         line("D_ph", "φ_D", "displacement demand", phi_d),
     )
 
 
-def _end_steps(found: WallResponse, level: float) -> tuple[Step, ...]:
-    phi_d, uplift = found.per_pga * level, found.uplift
+def _end_steps(response: WallResponse, level: float) -> tuple[Step, ...]:
+    phi_d, uplift = response.per_pga * level, response.uplift
     rocks = uplift is None or level > uplift
     capable = {
-        "φ_m": (found.usable_rotation, "rad"),
+        "φ_m": (response.usable_rotation, "rad"),
         "PGA": (level / g, "g"),
         "φ_D": (phi_d, "rad"),
         "PGA_u": ((uplift or 0.0) / g, "g"),
     }
-    held = {"φ_D": (phi_d, "rad"), "φ_m": (found.usable_rotation, "rad")}
-    ratio = phi_d / found.usable_rotation
+    held = {"φ_D": (phi_d, "rad"), "φ_m": (response.usable_rotation, "rad")}
+    ratio = phi_d / response.usable_rotation
     return (
-        _uplift_step(found),
-        step("PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", found.capacity / g, "g", given=capable),
+        _uplift_step(response),
+        step(
+            "PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", response.capacity / g, "g", given=capable
+        ),
         step("D/C", "ratio", CLAUSE, "φ_D / φ_m", ratio, given=held)
         if rocks
         else step("D/C", "ratio", CLAUSE, "0", 0.0, remark="no motion below uplift"),
     )
 
 
-def _uplift_step(found: WallResponse) -> Step:
-    if found.uplift is None or found.multiplier is None:
+def _uplift_step(response: WallResponse) -> Step:
+    if response.uplift is None or response.multiplier is None:
         return step("PGA_u", "PGA at uplift: none on joints without a threshold", PARTS, "C_p(0) R_p = λ", None, "g")
     stiff = part_coefficient(0.0, floor=1.0)
-    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor, "s": found.surface}
+    given = {
+        "λ": response.multiplier,
+        "C_Hi": response.floor,
+        "C_i(0)": stiff,
+        "R_p": response.risk_factor,
+        "s": response.surface,
+    }
     words = "PGA at uplift, λ = b / (g B) the multiplier at rest, s = C(0)/PGA"
-    return step("PGA_u", words, PARTS, "λ / (s C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)
+    return step("PGA_u", words, PARTS, "λ / (s C_Hi C_i(0) R_p)", response.uplift / g, "g", given=given)

@@ -69,8 +69,8 @@ class CodeOptions:
     ec8: Ec8Options = field(default_factory=Ec8Options)
 
 
-def procedure(name: str, options: CodeOptions) -> Assess:
-    """Return what makes the checks of a procedure, with the options of its code.
+def with_options(name: str, options: CodeOptions) -> Assess:
+    """Return a procedure with the options of its code, which makes checks.
 
     Parameters
     ----------

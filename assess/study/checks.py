@@ -24,7 +24,7 @@ from scipy.constants import g
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
 from assess.codes.check import BranchName, Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Support, Transfer, Wall
-from assess.codes.procedures import apply_procedure, procedure, uses_histories
+from assess.codes.procedures import apply_procedure, uses_histories, with_options
 from assess.codes.question import MechanismChecks, Question
 from assess.codes.verdict import Verdict, mark_deciding, verdict
 from assess.geometry.planar import Outline
@@ -132,7 +132,7 @@ def checks_of(study: Study, oscillator: Oscillator, context: Context) -> tuple[C
     """
     found: list[Check] = []
     for name in study.procedures:
-        checks = apply_procedure(name, procedure(name, study.options), oscillator, context)
+        checks = apply_procedure(name, with_options(name, study.options), oscillator, context)
         found += (c for c in checks if name not in study.offered or c.verdict != Outcome.NOT_APPLICABLE)
     return tuple(found)
 

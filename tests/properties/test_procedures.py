@@ -16,7 +16,7 @@ from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.histories import SuiteResponse
-from assess.codes.procedures import PROCEDURES, CodeOptions, apply_procedure, procedure
+from assess.codes.procedures import PROCEDURES, CodeOptions, apply_procedure, with_options
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
@@ -78,7 +78,7 @@ def answers(name, rocker=None, context=None, *, size=1.0):
 
 def asked_of(name, *, size=1.0):
     known = Asce41Options(position="other")  # of a wall whose storey nobody gave, nothing between is answered
-    return procedure(name, CodeOptions(asce43_05=Asce43Options(allowable_sliding=0.02 * size), asce41_13=known))
+    return with_options(name, CodeOptions(asce43_05=Asce43Options(allowable_sliding=0.02 * size), asce41_13=known))
 
 
 def allowed(name, rocker=None, context=None):
@@ -310,7 +310,7 @@ def test_a_record_that_turns_farther_never_makes_an_answer_better(name, turned):
 
 def test_unknown_procedure_lists_the_known_ones():
     with pytest.raises(ProcedureError, match="asce43-05-spectrum"):
-        procedure("ntc1900", CodeOptions())
+        with_options("ntc1900", CodeOptions())
 
 
 def test_fewer_than_five_records_decide_nothing():

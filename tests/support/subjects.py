@@ -16,7 +16,7 @@ from assess.codes.check import Check, branch_of
 from assess.codes.context import Building, Context, FreePeriod, LocalLimit, SiteHazard, StatedFirstMode
 from assess.codes.histories import RecordRuns, SuiteResponse
 from assess.codes.ntc2018_clauses import free_period
-from assess.codes.procedures import CodeOptions, procedure
+from assess.codes.procedures import CodeOptions, with_options
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.interfaces.contact import JointLaw
@@ -180,7 +180,7 @@ def subjects(name: str) -> tuple[Subject, ...]:
     return tuple(
         Subject(mechanism, context, mechanism.oscillator, check)
         for mechanism, context in every
-        for check in procedure(name, OPTIONS)(mechanism.oscillator, context)
+        for check in with_options(name, OPTIONS)(mechanism.oscillator, context)
     )
 
 

@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.amplification import FirstMode, Srss, SrssRelative, Unamplified, pulse_factor
 from assess.codes.context import Context
-from assess.codes.procedures import CodeOptions, procedure
+from assess.codes.procedures import CodeOptions, with_options
 from assess.dynamics.pulses import envelope
 from assess.mechanisms.assembly import add_joints
 from assess.project.build import build
@@ -37,7 +37,7 @@ def mechanisms(project):
 
 def capacity(name, oscillator, spectrum, *, options=None, **known):
     context = Context(spectrum, (0.3 * g,), 0.0, 0.0, None, **known)
-    (check,) = procedure(name, options or CodeOptions())(oscillator, context)
+    (check,) = with_options(name, options or CodeOptions())(oscillator, context)
     return check.capacity_pga_g
 
 

@@ -39,8 +39,8 @@ for command in COMMANDS:
 app.add_typer(records, name="records", short_help=records.info.help)
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
+def _print_version(given: bool) -> None:
+    if given:
         from importlib.metadata import version
 
         print(f"assess {version('rocking-assess')}")

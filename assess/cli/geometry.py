@@ -189,7 +189,7 @@ def _part_properties(file: Path, entry: InventoryEntry) -> dict[str, Any]:
         "place_m": entry.place and list(entry.place),
         "closed": entry.closed,
         "why_not": entry.why_not or None,
-        "remarks": [said.text for said in entry.warnings],
+        "remarks": [warning.text for warning in entry.warnings],
         "thin_direction": entry.thin and [*entry.thin, 0.0],
         "thin_direction_deg": None if entry.thin is None else _angle(entry.thin),
     }

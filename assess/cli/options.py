@@ -23,11 +23,11 @@ from assess.messages.message import escape_text
 FIGURE_ENDINGS = (".svg", ".pdf", ".png")
 
 
-def limit_jobs(asked: int | None) -> int | None:
+def limit_jobs(jobs: int | None) -> int | None:
     """Limit the number of processes to the cores of the machine; more would only wait for each other."""
     from assess.workers import available_cores
 
-    return None if asked is None else min(asked, available_cores())
+    return None if jobs is None else min(jobs, available_cores())
 
 
 class Language(StrEnum):
@@ -114,8 +114,8 @@ def check_damping(damping: float) -> float:
 
 
 def _set_level(name: str, other: str) -> Callable[[bool], None]:
-    def set_level(wanted: bool) -> None:
-        if not wanted:
+    def set_level(given: bool) -> None:
+        if not given:
             return
         if stderr.LOG.level == getattr(stderr, other):
             raise typer.BadParameter("--quiet and --verbose exclude each other")

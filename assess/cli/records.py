@@ -204,11 +204,11 @@ def convert(
     from records.reading import read_records
 
     found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
-    wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
-    used = choose_records(found, component=component, rotated=wanted.rotates)
+    processing = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
+    used = choose_records(found, component=component, rotated=processing.rotates)
     print_warnings([*map(record_warning, used), *map(str, warnings_among(used))])
-    record = process(used, wanted)
-    stamp = stamp_of_files("records convert", files, wanted, component, unit, step, to_unit)
+    record = process(used, processing)
+    stamp = stamp_of_files("records convert", files, processing, component, unit, step, to_unit)
     _write_record(record_text(record, output, unit=to_unit, stamp=stamp), output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(map(str, record.processing_history))}")
 
@@ -338,13 +338,13 @@ def select(
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
-        wanted = SuiteOptions(
+        options = SuiteOptions(
             count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events, code
         )
         overrides = HeaderOverrides(unit, step, response)
         with progress(), process_pool(jobs) as executor:
             selected = select_for_target(
-                target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
+                target, places, options, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
         found, written = selected.suite, lock_target(target, selected) if lock else None
     _print_suite(found, output, as_json=as_json, as_csv=as_csv)

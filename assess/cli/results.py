@@ -129,9 +129,9 @@ def _language_of(results: Results, *, source: Path) -> str:
     language = project_text(results, "report.language")
     if language in ("", *languages()):
         return language or ENGLISH
-    known, said = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
+    known, named = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
     raise ResultsError(
-        f"{source}: project.report.language: {said}: no such language; write {known}, or give --language"
+        f"{source}: project.report.language: {named}: no such language; write {known}, or give --language"
     )
 
 

@@ -171,8 +171,8 @@ def periods_of(spectrum: Spectrum) -> list[float]:
     """Return round periods and the spectrum's corners [s], ascending, as far as the spectrum extends."""
     from reports.language.value_names import corners
 
-    wanted = {*ROUND_PERIODS, *corners(spectrum.parameters)}
-    return sorted(period for period in wanted if period <= min(spectrum.longest_period, max(ROUND_PERIODS)))
+    periods = {*ROUND_PERIODS, *corners(spectrum.parameters)}
+    return sorted(period for period in periods if period <= min(spectrum.longest_period, max(ROUND_PERIODS)))
 
 
 def spectrum_csv(spectrum: Spectrum) -> str:

@@ -191,9 +191,9 @@ def _case_lines(results: VerificationResults) -> Iterator[str]:
             parts.append(count_noun(case.misprints, "misprint"))
         if case.is_indicative:
             parts.append("indicative only")
-        said = case.fault or ", ".join(parts)
+        remark = case.fault or ", ".join(parts)
         word = "FAIL" if case.outcome == "fail" else "pass"
-        yield f"{word}  {case.key:<{width}}  {said}"
+        yield f"{word}  {case.key:<{width}}  {remark}"
         if case.outcome == "fail" and not case.fault:
             yield from _failures(case)
 

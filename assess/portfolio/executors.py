@@ -117,19 +117,19 @@ class _Queue:
 
 def _compute_together(queue: _Queue, runner: Runner, opened: OpenExecutor, keep: RowReceiver) -> list[Job]:
     """Compute the jobs in the queue until all are done or a worker has ended; return those that may have ended it."""
-    given: dict[Future[Computed], tuple[Job, ...]] = {}
+    running: dict[Future[Computed], tuple[Job, ...]] = {}
     suspects: list[Job] = []
-    while given or (queue.left and not suspects):
+    while running or (queue.left and not suspects):
         width = opened.width()
-        while queue.left and not suspects and len(given) < width + opened.spare:
+        while queue.left and not suspects and len(running) < width + opened.spare:
             chunk = queue.take(width)
             try:
-                given[opened.executor.submit(compute_rows, runner, chunk)] = chunk
+                running[opened.executor.submit(compute_rows, runner, chunk)] = chunk
             except opened.losses:
                 suspects.extend(chunk)
         rows: list[tuple[Job, ProjectRow]] = []
-        for future in _wait_for_some(given, opened) if given else ():
-            chunk = given.pop(future)
+        for future in _wait_for_some(running, opened) if running else ():
+            chunk = running.pop(future)
             computed = _result(future, opened)
             if computed is None:
                 suspects.extend(chunk)
@@ -170,9 +170,9 @@ def _lost_row(job: Job, error: BaseException | None) -> ProjectRow:
     return broken_row(job, WORKER_ENDED, BUG)
 
 
-def _wait_for_some(given: Iterable[Future[Computed]], opened: OpenExecutor) -> Iterator[Future[Computed]]:
+def _wait_for_some(running: Iterable[Future[Computed]], opened: OpenExecutor) -> Iterator[Future[Computed]]:
     """Wait until some are done, as long as the executor lasts, and yield those."""
-    while not (done := wait(given, CHECK_EVERY, FIRST_COMPLETED).done):
+    while not (done := wait(running, CHECK_EVERY, FIRST_COMPLETED).done):
         opened.check()
     yield from done
 

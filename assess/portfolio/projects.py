@@ -138,19 +138,19 @@ def row_fault(task: Task, text: str) -> str:
     task : Task
         Of a row.
     text : str
-        What is wrong, as it is said of the template.
+        What is wrong with the template that its values make.
     """
     row = json.loads(task.content or "{}")
     name = "" if task.key == str(row["line"]) else f" ({quote(task.key)})"
-    where, said = f"{row['table']}: line {row['line']}{name}", text.removeprefix(f"{task.path}: ")
+    where, fault = f"{row['table']}: line {row['line']}{name}", text.removeprefix(f"{task.path}: ")
     if "fault" in row:
-        return f"{where}: {said}"
+        return f"{where}: {fault}"
     places = keys_of(read_template(task.path))
     for key, *_ in row["cells"]:
-        told = f"{key_text(places[key])}: "
-        if said.startswith(told):
-            return f"{where}: column {quote(key)}: {said.removeprefix(told)}"
-    return f"{where}: with {task.path.name}: {said}"
+        prefix = f"{key_text(places[key])}: "
+        if fault.startswith(prefix):
+            return f"{where}: column {quote(key)}: {fault.removeprefix(prefix)}"
+    return f"{where}: with {task.path.name}: {fault}"
 
 
 def _tasks_below(folder: Path) -> Iterator[Task]:
@@ -272,11 +272,11 @@ def _compact_json(row: Mapping[str, Any]) -> str:
 
 def _check_number(line: TableRow, columns: Sequence[KeyColumn | None]) -> None:
     """Raise ProjectError unless a row has a cell, which may be empty, for each column, and no more."""
-    said = f"{len(line.cells)} cell{'' if len(line.cells) == 1 else 's'} below {len(columns)} columns"
+    count = f"{len(line.cells)} cell{'' if len(line.cells) == 1 else 's'} below {len(columns)} columns"
     if len(line.cells) < len(columns):
-        raise ProjectError(f"{said}; write the missing ones, or their separators where the template's values stay")
+        raise ProjectError(f"{count}; write the missing ones, or their separators where the template's values stay")
     if any(line.cells[len(columns) :]):
-        raise ProjectError(f"{said}; put a text with separators in quotes")
+        raise ProjectError(f"{count}; put a text with separators in quotes")
 
 
 LONGEST_PATH = 1000  # characters of a text that may be a path

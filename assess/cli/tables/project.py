@@ -29,6 +29,31 @@ from assess.study.study import Sweep, UnvariedNumber, Variable
 from reports.render.csv import csv_lines
 
 MOST_CANDIDATES = 8  # candidates on a line
+LINE_WIDTH = 100  # characters of a line
+BRANCH_HEADER = (
+    "mechanism",
+    "branch",
+    "p [1/s]",
+    "lambda [-]",
+    "R [m]",
+    "alpha [rad]",
+    "phi_ov [rad]",
+    "restitution",
+    "mass [kg]",
+)
+ON_JOINTS = "on joints [rad]"
+HINGE_HEADER = ("mechanism", "hinge", "H [N]", "V [N]", "friction needed", "friction", "slides from [g]")
+CONSTANTS_HEADER = (
+    "linearised",
+    "branch",
+    "I [kg m2]",
+    "K [N m/rad]",
+    "B [kg m]",
+    "M [N m]",
+    "phi_cr [rad]",
+    "phi_ov [rad]",
+    "lambda [-]",
+)
 
 
 def description(
@@ -215,9 +240,6 @@ def _at(point: tuple[float, float]) -> str:
     return f"x = {metres_text(point[0])} m, z = {metres_text(point[1])} m"
 
 
-LINE_WIDTH = 100  # characters of a line
-
-
 def checklist_lines(content: Content) -> list[str]:
     """Return the list by what became of its items, and an empty line; nothing without a type of building."""
     items = checklist(content.report, content.mechanisms)
@@ -249,33 +271,6 @@ def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
         subsequent_indent=indent,
         break_on_hyphens=False,
     )
-
-
-BRANCH_HEADER = (
-    "mechanism",
-    "branch",
-    "p [1/s]",
-    "lambda [-]",
-    "R [m]",
-    "alpha [rad]",
-    "phi_ov [rad]",
-    "restitution",
-    "mass [kg]",
-)
-ON_JOINTS = "on joints [rad]"
-HINGE_HEADER = ("mechanism", "hinge", "H [N]", "V [N]", "friction needed", "friction", "slides from [g]")
-
-CONSTANTS_HEADER = (
-    "linearised",
-    "branch",
-    "I [kg m2]",
-    "K [N m/rad]",
-    "B [kg m]",
-    "M [N m]",
-    "phi_cr [rad]",
-    "phi_ov [rad]",
-    "lambda [-]",
-)
 
 
 def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:

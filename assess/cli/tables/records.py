@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from records.formats.header import HeaderOverrides
 
 SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
-
 RECORD_HEADER = (
     "record",
     "event",
@@ -49,6 +48,8 @@ RECORD_HEADER = (
     "T_m [s]",
     "Housner [m]",
 )
+ROUND_PERIODS = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # s
+MAX_CELLS = 20  # bad cells of a flatfile
 
 
 def records_table(records: Sequence[Record]) -> str:
@@ -71,15 +72,25 @@ def records_json(records: Sequence[Record]) -> str:
     return json.dumps(listed, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-def _row(record: Record, of: Measures) -> list[str]:
+def _row(record: Record, measured: Measures) -> list[str]:
     names = [record.id, record.event, record.station, record.component]
-    peaks = [of.pgv, of.pgd, of.arias, of.cav, of.d5_75, of.d5_95, of.mean_period, of.housner]
-    return [*names, f"{record.dt:.6g}", str(record.npts), f"{record.pga / g:.4g}", *(f"{each:.4g}" for each in peaks)]
+    peaks = [
+        measured.pgv,
+        measured.pgd,
+        measured.arias,
+        measured.cav,
+        measured.d5_75,
+        measured.d5_95,
+        measured.mean_period,
+        measured.housner,
+    ]
+    sampling = [f"{record.dt:.6g}", str(record.npts)]
+    return [*names, *sampling, f"{record.pga / g:.4g}", *(f"{each:.4g}" for each in peaks)]
 
 
 def _properties(record: Record) -> dict[str, Any]:
     """Return the properties of a record, with units in the names."""
-    of = measures(record)
+    measured = measures(record)
     return {
         "id": record.id,
         "path": record.path,
@@ -97,14 +108,14 @@ def _properties(record: Record) -> dict[str, Any]:
         "earthquake": _earthquake(record),
         "site": _site(record),
         "measures": {
-            "pgv_m_per_s": of.pgv,
-            "pgd_m": of.pgd,
-            "arias_m_per_s": of.arias,
-            "cav_m_per_s": of.cav,
-            "d5_75_s": of.d5_75,
-            "d5_95_s": of.d5_95,
-            "mean_period_s": of.mean_period,
-            "housner_m": of.housner,
+            "pgv_m_per_s": measured.pgv,
+            "pgd_m": measured.pgd,
+            "arias_m_per_s": measured.arias,
+            "cav_m_per_s": measured.cav,
+            "d5_75_s": measured.d5_75,
+            "d5_95_s": measured.d5_95,
+            "mean_period_s": measured.mean_period,
+            "housner_m": measured.housner,
         },
     }
 
@@ -135,9 +146,6 @@ def _flat(known: dict[str, Any]) -> dict[str, Any]:
         else:
             flat[key] = str(value) if isinstance(value, bool) else value
     return flat
-
-
-ROUND_PERIODS = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # s
 
 
 @dataclass(frozen=True)
@@ -178,8 +186,8 @@ def read_spectra(
 def spectra_table(spectra: Spectra) -> str:
     """Write ordinates in g at round periods, rounded, interpolated logarithmically between periods."""
     rows = []
-    for name, pga, of in zip(spectra.names, spectra.pga, spectra.ordinates, strict=True):
-        at = np.exp(np.interp(np.log(ROUND_PERIODS), np.log(PERIODS), np.log(np.maximum(of, 1e-300))))
+    for name, pga, ordinates in zip(spectra.names, spectra.pga, spectra.ordinates, strict=True):
+        at = np.exp(np.interp(np.log(ROUND_PERIODS), np.log(PERIODS), np.log(np.maximum(ordinates, 1e-300))))
         rows.append([name, f"{pga / g:.4g}", *(f"{each / g:.4g}" for each in at)])
     return text_table(("record", "PGA [g]", *(f"{T:g} s" for T in ROUND_PERIODS)), rows)
 
@@ -202,9 +210,6 @@ def draw_spectra(spectra: Spectra, path: Path) -> None:
     write_figure(figure, path, creator=origin("records spectra", spectra_csv(spectra)))
 
 
-MAX_CELLS = 20  # bad cells of a flatfile
-
-
 def index_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """Write the counts, the use of a flatfile, each unreadable file with the reason, and the catalogue's path."""
     counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
@@ -222,8 +227,8 @@ def index_text(found: IndexSummary, place: Path, *, described: int, merged: Flat
 def index_json(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """Write the counts, the use of a flatfile and the unreadable files as JSON."""
     problems = [{"path": path, "reason": why} for path, why in found.problems]
-    told = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}
-    return json.dumps({**told, "flatfile": _flatfile_json(merged)}, ensure_ascii=False, indent=1) + "\n"
+    summary = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}
+    return json.dumps({**summary, "flatfile": _flatfile_json(merged)}, ensure_ascii=False, indent=1) + "\n"
 
 
 def _flatfile_lines(merged: FlatfileMatch) -> list[str]:

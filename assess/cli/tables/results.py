@@ -22,6 +22,37 @@ NO_VERDICT = "no verdict"
 NO_ROCKING = "0 (no rocking)"
 HEADER = ("run", "mechanism", "kind", "verdict", "state", "decided by", "D/C", "index")
 NUMBERS = ("holds up to [g]", "p [1/s]", "lambda [-]", "missing")
+HEADINGS: Mapping[DifferenceKind, str] = {
+    "verdict": "verdicts",
+    "mechanism": "mechanisms",
+    "capacity": "PGA [g]",
+    "ratio": "demand over capacity",
+    "envelope": "overturning envelopes",
+    "history": "time histories",
+    "parameter": "rocking parameters (SI)",
+    "sweep": "parametric studies",
+    "sensitivity": "sensitivity",
+    "uncertainty": "uncertainty",
+    "other": "other blocks of results.json that differ",
+    "suite": "suite of records",
+    "site": "site",
+    "project": "project (SI)",
+    "input": "files",
+    "warning": "warnings",
+    "program": "program",
+}
+WORDS = {
+    "fail": "FAIL",
+    "fail at the limit": "FAIL at the limit",
+    "not-answered": "not answered",
+    "not-applicable": "n/a",
+}
+"""Verdicts and outcomes, as `assess run` prints them."""
+LONGEST, WIDEST = 40, 100  # characters of names and values, and of what they are of
+AROUND = 12  # characters that are shown of what two long texts have in common
+SHA256 = re.compile("[0-9a-f]{64}")
+SHA256_SHOWN = 12  # characters of a SHA-256 that tell files apart
+FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
 
 
 @dataclass(frozen=True)
@@ -122,40 +153,6 @@ def mechanisms_csv(rows: Sequence[MechanismRow]) -> str:
 def mechanisms_json(rows: Sequence[MechanismRow]) -> str:
     """Write the rows as a list."""
     return json.dumps([asdict(row) for row in rows], ensure_ascii=False, allow_nan=False, indent=1) + "\n"
-
-
-HEADINGS: Mapping[DifferenceKind, str] = {
-    "verdict": "verdicts",
-    "mechanism": "mechanisms",
-    "capacity": "PGA [g]",
-    "ratio": "demand over capacity",
-    "envelope": "overturning envelopes",
-    "history": "time histories",
-    "parameter": "rocking parameters (SI)",
-    "sweep": "parametric studies",
-    "sensitivity": "sensitivity",
-    "uncertainty": "uncertainty",
-    "other": "other blocks of results.json that differ",
-    "suite": "suite of records",
-    "site": "site",
-    "project": "project (SI)",
-    "input": "files",
-    "warning": "warnings",
-    "program": "program",
-}
-
-WORDS = {
-    "fail": "FAIL",
-    "fail at the limit": "FAIL at the limit",
-    "not-answered": "not answered",
-    "not-applicable": "n/a",
-}
-"""Verdicts and outcomes, as `assess run` prints them."""
-LONGEST, WIDEST = 40, 100  # characters of names and values, and of what they are of
-AROUND = 12  # characters that are shown of what two long texts have in common
-SHA256 = re.compile("[0-9a-f]{64}")
-SHA256_SHOWN = 12  # characters of a SHA-256 that tell files apart
-FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
 
 
 def changes_text(changes: Sequence[Difference]) -> str:

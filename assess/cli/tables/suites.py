@@ -28,14 +28,14 @@ def suite_table(suite: ScaledSuite) -> str:
     steps = () if motion.selection is None else motion.selection.remaining
     left = "; ".join(f"{one.number} {one.step}" for one in steps)
     written = "\n".join([*map(Locale().text, selection_sentences(motion)), *([f"Candidates: {left}."] if left else [])])
-    asked = [_requirement_row(row) for row in requirements_table(motion).rows]
+    requirements = [_requirement_row(row) for row in requirements_table(motion).rows]
     columns = ("requirement", "clause", "code", "found", "limit", "periods", "met")
     return (
         "\n".join(
             (
                 text_table(SUITE_HEADER, [_row(record) for record in suite.records]),
                 f"{written}\n",
-                text_table(columns, asked),
+                text_table(columns, requirements),
                 messages_text(suite.messages),
             )
         ).rstrip("\n")

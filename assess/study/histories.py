@@ -253,6 +253,11 @@ def vibrates(oscillator: Oscillator) -> bool:
     return any(elastic_frequency(branch) is not None for branch in oscillator.branches)
 
 
+def fastest_vibration(oscillator: Oscillator) -> float:
+    """Return the largest frequency of the oscillator about rest [Hz], 0 where it does not vibrate there."""
+    return max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
+
+
 Columns = TypeVar("Columns", Jobs, Peaks)
 Twins = Literal["none", "all", "where they matter"]
 

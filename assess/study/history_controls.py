@@ -34,12 +34,12 @@ from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
-from assess.oscillator import Branch, Linearised, Oscillator, elastic_frequency
+from assess.oscillator import Branch, Linearised, Oscillator
 from assess.results import Control, HistoryResult
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.controls import control_not_made, make_control
-from assess.study.histories import history_severity, with_restitution_factor
+from assess.study.histories import fastest_vibration, history_severity, with_restitution_factor
 from assess.study.study import ScaledRecord
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray
@@ -187,8 +187,7 @@ def is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
 
 def sampled_finely(motion: Record, oscillator: Oscillator) -> Record:
     """Return the same motion at more samples, by the fastest vibration of the oscillator on its joints."""
-    fastest = max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
-    parts = min(ceil(2.0 * pi * fastest * motion.dt / PHASE), MOST_PARTS)
+    parts = min(ceil(2.0 * pi * fastest_vibration(oscillator) * motion.dt / PHASE), MOST_PARTS)
     if parts <= 1:
         return motion
     samples = np.arange((motion.npts - 1) * parts + 1) / parts

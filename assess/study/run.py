@@ -26,7 +26,7 @@ from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_critical
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
-from assess.oscillator import Oscillator, elastic_frequency
+from assess.oscillator import Oscillator
 from assess.results import (
     SCHEMA_VERSION,
     Control,
@@ -44,6 +44,7 @@ from assess.study.ground_motion import ground_motion, record_result, spectrum_re
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
+    fastest_vibration,
     mechanism_histories,
     rocking_case,
     rule_levels,
@@ -119,7 +120,8 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = report_nothin
         result.name: result for result in assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress)
     }
     results = tuple(
-        unswept_results.get(mechanism.name) or controlling[mechanism.name].worst for mechanism in study.mechanisms
+        unswept_results.get(mechanism.name) or controlling[mechanism.name].controlling_result
+        for mechanism in study.mechanisms
     )
     question = deciding_question(study, controlling)
     verdict = decide_with_tolerance(study, question, spectrum, results)
@@ -161,7 +163,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = report_nothin
 def deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
     """Return what decides in the controlling cases if they agree (a sweep may change the site), else in the study."""
     questions = [
-        controlling[mechanism.name].case.study.question if mechanism.name in controlling else study.question
+        controlling[mechanism.name].controlling_case.study.question if mechanism.name in controlling else study.question
         for mechanism in study.mechanisms
     ]
     return questions[0] if questions and all(question == questions[0] for question in questions) else study.question
@@ -341,13 +343,13 @@ def _as_assessed(
 ) -> AssessedMechanism:
     """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
     study_there, mechanism = _where_assessed(study, swept, result.name)
-    motions_there = motions if swept is None else motions_of_case(swept.case, study, motions, jobs=jobs)
+    motions_there = motions if swept is None else motions_of_case(swept.controlling_case, study, motions, jobs=jobs)
     return AssessedMechanism(mechanism, study_there, motions_there, result)
 
 
 def _where_assessed(study: Study, swept: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
     """Return the study in which a mechanism was assessed, that of the controlling case if swept, and the mechanism."""
-    deciding = study if swept is None else swept.case.study
+    deciding = study if swept is None else swept.controlling_case.study
     return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
 
 
@@ -398,7 +400,7 @@ def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, 
     The linearised equation has no vibration about rest.
     """
     p = max(branch.linearised.p for branch in oscillator.branches)
-    elastic = max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
+    elastic = fastest_vibration(oscillator)
     if equation == "exact" and FEWEST_ELASTIC * elastic > FEWEST_ROCKING * p:
         return 1.0 / (FEWEST_ELASTIC * elastic), message(
             "motion-elastic", {"frequency": Quantity(elastic, "frequency", 3)}
@@ -462,7 +464,7 @@ def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> t
         if oscillator is None:
             continue
         factor = partial(pulse_factor, study_there.amplified[name].amplification)
-        words = "" if swept is None else case_text(swept.sweep, swept.case, swept.mechanism)
+        words = "" if swept is None else case_text(swept.sweep, swept.controlling_case, swept.mechanism)
         cases.append(EnvelopeCase(name, oscillator, study_there.equations[name], factor, words))
     return tuple(cases)
 

@@ -126,12 +126,12 @@ class MechanismSweep:
         return self.results[0].name
 
     @property
-    def worst(self) -> MechanismResult:
+    def controlling_result(self) -> MechanismResult:
         """The mechanism in the controlling case."""
         return self.results[self.controlling]
 
     @property
-    def case(self) -> SweepCase:
+    def controlling_case(self) -> SweepCase:
         """The controlling case."""
         return self.sweep.cases[self.controlling]
 
@@ -242,9 +242,9 @@ def sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
 def case_messages(swept: MechanismSweep) -> Iterator[Message]:
     """Yield which case represents the mechanism, and the messages on the mechanism in that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
-    case = f"{sweep.key} = {value_text(sweep, swept.case)}"
+    case = f"{sweep.key} = {value_text(sweep, swept.controlling_case)}"
     yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
-    for mechanism in swept.case.study.mechanisms:
+    for mechanism in swept.controlling_case.study.mechanisms:
         if mechanism.name == swept.mechanism:
             yield from locate(mechanism.warnings, where)
 

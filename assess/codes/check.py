@@ -60,7 +60,7 @@ class Family(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class CodeProcedure:
-    """A procedure of a code: each stands beside its formulas, and `assess.codes.registry` lists them all.
+    """A procedure of a code: each stands beside its formulas, and `assess.codes.procedures` lists them all.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class CodeProcedure:
     assess : makes the checks of an oscillator in a context, with `options` of its code where it has any
     title, short_title : in the report; the shorter one for legends and narrow columns
     work : the key of its source in the references of the report; empty for none
-    options : the field of `assess.codes.registry.CodeOptions` that it takes; empty for none
+    options : the field of `assess.codes.procedures.CodeOptions` that it takes; empty for none
     reading : whether it follows the clause, or a reading of the thesis, which is shown and never decides
     limit_states : that it checks, of those its options request; empty where they request none
     spectra : codes of the site spectra it is written for; empty for any

@@ -51,7 +51,7 @@ from assess.codes.italian_limit_states import (
     branch_curves,
     confidence_factors,
     confidence_step,
-    mark_informative,
+    mark_for_comparison,
     outcome_of,
     pga_ratio,
     pga_step,
@@ -99,7 +99,7 @@ def assess_histories(
                     made = _check(
                         oscillator, context, rule, found, capacity, state=state, level=level, confidence=confidence
                     )
-                    checks.append(mark_informative(made, confidence))
+                    checks.append(mark_for_comparison(made, confidence))
     return tuple(add_safety_index(check, context) for check in checks)
 
 

@@ -107,7 +107,7 @@ def check_each_limit_state(
         for state in states:
             for level in context.levels:
                 cases = [case_of(curves, confidence, context, state=state, level=level) for curves in branches]
-                checks.append(mark_informative(worst_branch_check([one(case) for case in cases]), confidence))
+                checks.append(mark_for_comparison(worst_branch_check([one(case) for case in cases]), confidence))
     return tuple(add_safety_index(check, context) for check in checks)
 
 
@@ -229,7 +229,7 @@ SOURCE_BY_LEVEL: Mapping[str, str] = {"LC1": "LC1's, as given", "LC2": "LC2's, a
 
 @dataclass(frozen=True)
 class ConfidenceFactor:
-    """FC [-], where it comes from, and the larger one that decides where this one only informs."""
+    """FC [-], where it comes from, and the larger one that decides where this one is for comparison only."""
 
     factor: float
     why: str
@@ -271,7 +271,7 @@ def confidence_step(confidence: ConfidenceFactor, edition: ItalianEdition) -> St
     return step("FC", words, edition.confidence, "of the level of knowledge", confidence.factor, remark=confidence.why)
 
 
-def mark_informative(check: Check, confidence: ConfidenceFactor) -> Check:
+def mark_for_comparison(check: Check, confidence: ConfidenceFactor) -> Check:
     """Return the check as it is, or marked as one for comparison where its factor is below the code's."""
     if confidence.instead_of is None:
         return check

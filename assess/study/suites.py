@@ -696,7 +696,7 @@ RULES: Mapping[str, SuiteRules] = {
     ),
     "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, periods_at_limit_state),
 }
-"""By the code of a procedure, as `assess.codes.procedures.CODES` names it."""
+"""By the code that a procedure names as its `suite_rules`."""
 
 
 def codes_of_histories(study: Study) -> tuple[str, ...]:

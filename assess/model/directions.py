@@ -45,7 +45,7 @@ from assess.mechanisms.mechanism import (
 )
 from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
-from assess.mechanisms.single_block import EquivalentBlock, SingleBlock, build_single_block
+from assess.mechanisms.single_block import SingleBlock, build_single_block
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message, warning
 from assess.model.assembly import Built, mechanism_of, on_rigid_hinges
@@ -95,7 +95,7 @@ def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Bui
     definition : the mechanism as stated, with its direction and sides
     bodies : of the building, by name
     """
-    if not isinstance(definition, EquivalentBlock) and definition.direction == "sweep":
+    if isinstance(definition, BlockMechanism) and definition.direction == "sweep":
         return sweep_directions(name, definition, bodies)
     return mechanism_of(name, definition, bodies)
 

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 from pydantic import TypeAdapter, ValidationError
 
 from assess.errors import AssessError
-from assess.examples import EXAMPLES
+from assess.examples import EXAMPLES, copy_example
 from assess.outputs.manifest import stays_inside
 from assess.results.verification import CASES, OF_A_CASE, USES, CaseResult, Source, Tolerance, keys_for
 from assess.verification.solvers import SOLVERS
@@ -294,7 +294,5 @@ def write_cases(files: Sequence[CaseFile], results: Sequence[CaseResult], folder
 
 
 def _write_example(name: str, folder: Path) -> None:
-    from assess.examples import copy_example
-
     if not folder.exists():
         copy_example(name, folder)

@@ -9,12 +9,18 @@ import csv
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
+from math import inf, pi, sin
+from os.path import relpath
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from assess.oscillator import RockingBlock
+import numpy as np
+from scipy.constants import g
+
+from assess.examples import copy_example
+from assess.oscillator import Oscillator, RockingBlock, plain_branch, restoring_moment
 
 Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 QUANTILES = (0.1, 0.25, 0.5, 0.75, 0.9)
@@ -44,8 +50,6 @@ def project_file(folder: Path, given: Mapping[str, Any]) -> Iterator[Path]:
     if "example" not in given:
         yield folder / given["file"]
         return
-    from assess.examples import copy_example
-
     with TemporaryDirectory() as temporary:
         yield copy_example(given["example"], Path(temporary) / given["example"])
 
@@ -64,9 +68,7 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
         `inputs`, the files read; `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by
         mechanism and rotation, and their `largest`.
     """
-    import numpy as np
 
-    from assess.oscillator import restoring_moment
     from assess.project.build import build
     from assess.project.project_file import load
     from assess.results.json import dumps_mechanisms
@@ -101,7 +103,6 @@ def solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
         `parameters`, by name, as in results.json; `acceleration_g` [g] and `displacement_m` [m], by name and period,
         such as "B, 0.5 s".
     """
-    from scipy.constants import g
 
     from assess.project.sections import SiteSection
     from assess.project.site_and_structure import spectrum_of, vertical_of
@@ -134,7 +135,6 @@ def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
         of the equation [-]. `amplitude` of the last tilt, by number of impacts: the peak after it over the overturning
         rotation [-].
     """
-    from dataclasses import replace
 
     from assess.dynamics.history import free_rocking
     from assess.model.bodies import box
@@ -175,11 +175,8 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
         By name of a block `max_ratio` (|θ|/α), `impacts` and `overturned` (0 or 1); `spectrum_g`, pseudo-acceleration
         [g] at 5 % of damping by period, such as "0.3 s".
     """
-    import numpy as np
-    from scipy.constants import g
 
     from assess.dynamics.history import peaks, product
-    from assess.oscillator import Oscillator, plain_branch
     from records.record import make_record
     from records.response import response_spectrum
 
@@ -202,16 +199,12 @@ def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
 def _plain_block(given: Mapping[str, Any]) -> RockingBlock:
     """Return a block of unit mass and radius by its `p` [1/s] and `slenderness` [rad]."""
-    from scipy.constants import g
-
-    from assess.oscillator import RockingBlock
 
     return RockingBlock(1.0, 1.0, given["slenderness"], g / given["p"] ** 2)
 
 
 def _sum_of_sines(given: Mapping[str, Any]) -> Sequence[float]:
     """Return the samples of a sum of sines."""
-    from math import pi, sin
 
     times = [step * given["step"] for step in range(round(given["duration"] / given["step"]) + 1)]
     return [sum(a * sin(2 * pi * f * t + phase) for a, f, phase in given["sines"]) for t in times]
@@ -234,13 +227,10 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
         `quantiles` of min(|θ|/α, 1) by percentage; `apart`: `distance`, the largest of their distribution functions
         (Kolmogorov and Smirnov), and `probability` of one as large from equal distributions.
     """
-    from os.path import relpath
 
-    import numpy as np
     from scipy.stats import ks_2samp
 
     from assess.dynamics.history import Jobs, peaks
-    from assess.oscillator import Oscillator, plain_branch
     from assess.results.provenance import file_sha256
     from records.reading import read_records
 
@@ -267,7 +257,6 @@ def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
 
 
 def _distribution_of(ratios: Any) -> Mapping[str, Any]:
-    import numpy as np
 
     quantiles = {f"{100 * share:g} %": float(np.quantile(ratios, share)) for share in QUANTILES}
     return {"tests": len(ratios), "overturned": float(np.mean(ratios >= 1.0)), "quantiles": quantiles}
@@ -307,12 +296,8 @@ def solve_pulses(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _overturning_amplitudes(given: Mapping[str, Any], equation: Any) -> Mapping[str, float]:
-    from math import pi
-
-    import numpy as np
 
     from assess.dynamics.pulses import envelope, uplift_acceleration
-    from assess.oscillator import Oscillator, plain_branch
     from records.pulses import PULSE_SHAPES
 
     side = plain_branch(_plain_block(given), restitution=given["restitution"], end=4.0)
@@ -345,7 +330,6 @@ def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _solve_joint(given: Mapping[str, Any]) -> Mapping[str, Any]:
-    from math import inf
 
     from assess.interfaces import section as sections
     from assess.interfaces.contact import JointLaw, contact, semi_flexible_shift, thresholds
@@ -399,7 +383,6 @@ def _fit_counts(given: Mapping[str, Any]) -> Mapping[str, float]:
 
 
 def _rates(curve: Mapping[str, Any], hazard: Mapping[str, Any], epistemic: float) -> Mapping[str, float]:
-    import numpy as np
 
     from assess.risk.empirical import EmpiricalCurve
     from assess.risk.hazard import HazardCurve, probability_of, rate

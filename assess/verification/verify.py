@@ -12,6 +12,7 @@ from pathlib import Path, PurePosixPath
 from posixpath import normpath
 from typing import Any
 
+from assess.examples import EXAMPLES, source
 from assess.results.provenance import Input, describe_program
 from assess.results.verification import (
     VERIFICATION_VERSION,
@@ -21,7 +22,8 @@ from assess.results.verification import (
     ValueResult,
     VerificationResults,
 )
-from assess.verification.case_files import LARGEST_NUMBER, CaseFile, ComparedQuantity
+from assess.verification.case_files import LARGEST_NUMBER, CaseFile, ComparedQuantity, cases_for, read_cases
+from assess.verification.solvers import SOLVERS
 from assess.workers import process_pool
 
 Progress = Callable[[str, int, int], None]
@@ -67,8 +69,6 @@ def note_scope(results: VerificationResults, uses: Sequence[str]) -> Verificatio
     results : of the cases that were run
     uses : what the project uses, in the words of `assess.results.verification`; empty for no project
     """
-    from assess.verification.case_files import cases_for, read_cases
-
     own = read_cases()
     run = {each.key for each in results.cases}
     left_out = tuple(each.key for each in (cases_for(own, uses) if uses else own) if each.key not in run)
@@ -121,8 +121,6 @@ def run_case(file: CaseFile) -> CaseResult:
 
 def solve_case(file: CaseFile) -> Mapping[str, Any]:
     """Return the tree of numbers that the program finds for a case."""
-    from assess.verification.solvers import SOLVERS
-
     return SOLVERS[file.case.solver](file.path.parent, file.case.given)
 
 
@@ -152,8 +150,6 @@ def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:
         return
     yield from (Input(file.beside(name), _sha256(file.path.parent / name)) for name in file.names)
     if "example" in file.case.given:
-        from assess.examples import EXAMPLES, source
-
         name = file.case.given["example"]
         project = EXAMPLES[name].file
         yield Input(f"{file.project_folder}/{project}", _sha256(source(name) / project))

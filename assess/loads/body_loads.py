@@ -79,22 +79,22 @@ def body_loads(
     """
     meeting = find(load, body, around)
     found = meeting.support
-    covering = body if load.role != "floor" else None
-    arch = None if covering is None else arch_of(load, covering, along=around.along)
+    roof = body if load.role != "floor" else None
+    arch = None if roof is None else arch_of(load, roof, along=around.along)
     at = load_place(load, found, along=around.along)
-    side = 0.0 if covering is None else side_of_span(covering, found, arch, at, along=around.along)
-    case = BodyOnBlock(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
+    side = 0.0 if roof is None else side_of_span(roof, found, arch, at, along=around.along)
+    placed = BodyOnBlock(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
-    bearing, how = bears_on_block(case)
-    part = carried_share(case, bearing=bearing)
+    bearing, how = bears_on_block(placed)
+    part = carried_share(placed, bearing=bearing)
     source, pushed = [of, part.source, how, *place_source(load, found, along=around.along)], list[Force]()
-    if covering is not None:
-        thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
+    if roof is not None:
+        thrust = thrust_on(placed, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))
         pushed += [force] if thrust.size else []
         source += [] if thrust.size else thrust.source
     if load.seat is not None and not bearing:
-        raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
+        raise GeometryError(f"{placed.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
     return LoadSet((carried, *pushed), (*meeting.warnings, *part.warnings))
 
@@ -268,13 +268,13 @@ def without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surrou
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bears_on_block(case: BodyOnBlock) -> tuple[bool, Term | Message]:
+def bears_on_block(placed: BodyOnBlock) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
-    given = case.load.bearing
-    if case.support is None:
+    given = placed.load.bearing
+    if placed.support is None:
         return bool(given), BEARS_AS_GIVEN[bool(given)]
-    contact = case.support.contact
-    shown = carries_weight(contact, axis=case.springs)
+    contact = placed.support.contact
+    shown = carries_weight(contact, axis=placed.springs)
     area = {"area": Quantity(contact.area, "area", 3)}
     seen = message("load-bears" if shown else "load-pushes", area)
     if given is None:
@@ -282,35 +282,35 @@ def bears_on_block(case: BodyOnBlock) -> tuple[bool, Term | Message]:
     return given, message("load-bears-given" if given else "load-pushes-given", {"seen": seen})
 
 
-def carried_share(case: BodyOnBlock, *, bearing: bool) -> CarriedShare:
+def carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
     """Return the share of the body that the block carries."""
-    carried = None if case.support is None else bearing_contacts(case.support, axis=case.springs)
+    carried = None if placed.support is None else bearing_contacts(placed.support, axis=placed.springs)
     statics = None
-    if case.body is not None and carried is not None and carried.others:
-        statics = share_of(carried, centroid=case.body.centroid)
-    if case.load.share is not None:
-        share = {"share": Quantity(case.load.share, "ratio", 3)}
+    if placed.body is not None and carried is not None and carried.others:
+        statics = share_of(carried, centroid=placed.body.centroid)
+    if placed.load.share is not None:
+        share = {"share": Quantity(placed.load.share, "ratio", 3)}
         if statics is None:
-            return CarriedShare(case.load.share, message("load-share-given", share))
+            return CarriedShare(placed.load.share, message("load-share-given", share))
         beside = Quantity(statics, "ratio", 3)
-        return CarriedShare(case.load.share, message("load-share-beside", {**share, "statics": beside}))
+        return CarriedShare(placed.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:
-        warnings = (warning("load-weight-not-carried", load=case.load.body),) if statics is None else ()
+        warnings = (warning("load-weight-not-carried", load=placed.load.body),) if statics is None else ()
         return CarriedShare(1.0, PUSHES_WHOLE, warnings)
     if statics is None or carried is None:
-        return share_of_sole_support(case)
+        return share_of_sole_support(placed)
     if statics == 0.0:
-        raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
+        raise GeometryError(f"{placed.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
     values: dict[str, Value] = {"share": Quantity(statics, "ratio", 3), "bodies": names}
     return CarriedShare(statics, message("load-share-statics", values))
 
 
-def share_of_sole_support(case: BodyOnBlock) -> CarriedShare:
+def share_of_sole_support(placed: BodyOnBlock) -> CarriedShare:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
-    if case.arch is not None and case.one_foot:
-        return CarriedShare(0.5, HALF, (warning("load-half-taken", load=case.load.body),))
-    return CarriedShare(1.0, SOLE_SUPPORT, (warning("load-all-taken", load=case.load.body),))
+    if placed.arch is not None and placed.one_foot:
+        return CarriedShare(0.5, HALF, (warning("load-half-taken", load=placed.load.body),))
+    return CarriedShare(1.0, SOLE_SUPPORT, (warning("load-all-taken", load=placed.load.body),))
 
 
 def load_place(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
@@ -332,31 +332,31 @@ def place_source(load: BodyLoad, found: Support | None, *, along: FloatArray) ->
     return [message("load-place-given", {"x": Quantity(x, "length"), "z": Quantity(z, "length")})]
 
 
-def side_of_span(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
+def side_of_span(roof: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
     """Return how far from mid-span a roof or vault meets the block, over the span; positive with the motion."""
     axis, place = along, at[0]
     if found is not None and arch is not None:
         axis, place = arch.axis, float(found.contact.centroid @ arch.axis)
-    low, high = extent_along(covering, axis=axis)
+    low, high = extent_along(roof, axis=axis)
     return (place - (low + high) / 2.0) / (high - low)
 
 
-def thrust_on(case: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
+def thrust_on(placed: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
     """Return the thrust of a roof or vault on the block, outwards; V: its vertical reaction there [N]."""
-    given = case.load.thrust is not None
-    if given and not case.one_foot:
+    given = placed.load.thrust is not None
+    if given and not placed.one_foot:
         raise GeometryError(
-            f"{case.where}: it meets the block about the middle of its span, so it is not clear which way is outwards; "
-            'write the thrust as a load of kind = "force"'
+            f"{placed.where}: it meets the block about the middle of its span, so it is not clear which way is "
+            'outwards; write the thrust as a load of kind = "force"'
         )
-    if not given and not bears_on_block(case)[0]:
+    if not given and not bears_on_block(placed)[0]:
         return Thrust(0.0, [Term("no thrust: it does not stand on the block")])
-    found = thrust_of(case.load, case.arch, along=along, V=V)
+    found = thrust_of(placed.load, placed.arch, along=along, V=V)
     if not found.size:
         return found
-    if not case.one_foot:
+    if not placed.one_foot:
         return Thrust(0.0, [Term("no thrust: both its feet stand on the block, or none near its ends")])
-    return Thrust(float(np.copysign(found.size, case.side)), [*found.source, Term("outwards")])
+    return Thrust(float(np.copysign(found.size, placed.side)), [*found.source, Term("outwards")])
 
 
 @dataclass(frozen=True)

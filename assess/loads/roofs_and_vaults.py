@@ -33,7 +33,7 @@ from assess.messages.message import Message, Quantity, Term, Value, message
 from spectra.arrays import FloatArray
 
 SINGLE_SLOPE = 0.5  # one-sidedness above which a roof has a single slope
-SPANS_ACROSS = 0.02  # cosine: a covering that spans within a degree of square to the motion has no thrust along it
+SPANS_ACROSS = 0.02  # cosine: a roof or vault that spans within a degree of square to the motion has no thrust along it
 
 
 @dataclass(frozen=True)
@@ -213,9 +213,9 @@ def uniform_lever_arm(span: float) -> float:
     return span / 4.0
 
 
-UPRIGHT = 0.05  # vertical part of a unit normal: steeper faces are gables and ends, not the covering
-LEVEL_SLOPE = 0.02  # root mean square slope: below this a covering is flat
-BOTH_WAYS = 0.5  # ratio of the slopes across and along: above it a covering slopes both ways, like a hipped roof
+UPRIGHT = 0.05  # vertical part of a unit normal: steeper faces are gables and ends, not the roof itself
+LEVEL_SLOPE = 0.02  # root mean square slope: below this a roof or vault is flat
+BOTH_WAYS = 0.5  # ratio of the slopes across and along: above it a roof or vault slopes both ways, like a hipped roof
 UNDERSIDE = -1e-3  # vertical part of a unit normal: faces below this look down
 SPRINGING = 1e-3  # of the body's size: faces this near its lowest level are what it stands on
 

@@ -124,8 +124,8 @@ class FlexibleChain(ShortRepr):
         """Return the moment of each action at `rotation` [n] [rad]; positive overturns [actions, n] [N m]."""
         found = self.solve_joints(rotation)
         points = self._points(found, "resultant")
-        held = [holding_moment(self.jointed, found.configuration, points, [action]) for action in self.chain.actions]
-        return -np.array(held).reshape(-1, rotation.size)
+        holding = [holding_moment(self.jointed, found.configuration, points, [action]) for action in self.chain.actions]
+        return -np.array(holding).reshape(-1, rotation.size)
 
     @cached_property
     def at_rest(self) -> JointEquilibrium:
@@ -305,8 +305,8 @@ class JointedChain(ShortRepr):
         acts at the corner, in line with the held face, so that it has no arm about this point.
         """
         level = np.ones_like(configuration.turn[0])
-        held = [level if face is None else configuration.turn[face] for face, _ in self.pairs]
-        return np.asarray(self.inward[:, None] * np.array(held) * np.cos(self.relative(configuration)))
+        facing = [level if face is None else configuration.turn[face] for face, _ in self.pairs]
+        return np.asarray(self.inward[:, None] * np.array(facing) * np.cos(self.relative(configuration)))
 
     def relative(self, configuration: Configuration) -> FloatArray:
         """Return the rotation psi of each joint [hinges, n] [rad]."""

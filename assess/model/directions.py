@@ -118,13 +118,16 @@ def build_in_weakest_direction(search: DirectionSearch) -> Built:
     reason = next(reasons_for_given_direction(search.definition), "")
     if reason:
         raise ProjectError(f"{search.where}.direction: missing; {reason}; the candidates are {list_directions(known)}")
-    pool, held = free_candidates(known)
+    pool, blocked = free_candidates(known)
     found = weakest_of([with_displacement(each, search) for each in near_least(pool)])
     candidates = tuple(found if each.angle == found.angle else each for each in candidates)
-    behind = () if held else bodies_that_stop(search.obstacles, opposite_direction(found.direction))
+    behind = () if blocked else bodies_that_stop(search.obstacles, opposite_direction(found.direction))
     definition = with_sides(turn_towards(search.definition, found.direction), behind)
     built = mechanism_of(search.name, definition, search.bodies)
-    messages = [*obstacle_messages(candidates, found, held=held, where=search.where), *sides_messages(behind, search)]
+    messages = [
+        *obstacle_messages(candidates, found, blocked=blocked, where=search.where),
+        *sides_messages(behind, search),
+    ]
     messages += [left_out_warning(each, search.where) for each in candidates if each.reason not in ("", OTHER_SIDE)]
     return with_messages(built, candidates, messages, search)
 
@@ -210,7 +213,7 @@ def length_text(length: float | None) -> Value:
 
 
 def obstacle_messages(
-    candidates: Sequence[CandidateDirection], found: CandidateDirection, *, held: bool, where: str
+    candidates: Sequence[CandidateDirection], found: CandidateDirection, *, blocked: bool, where: str
 ) -> Iterator[Message]:
     """Tell which directions are stopped by bodies beside the mechanism."""
     for each in candidates:
@@ -218,7 +221,7 @@ def obstacle_messages(
             continue
         bodies, weaker = ", ".join(each.touching), Quantity(multiplier_of(each))
         values: dict[str, Value] = {"direction": vector_text(each.direction), "bodies": bodies, "weaker": weaker}
-        if not held:
+        if not blocked:
             yield message("direction-stopped", values, where=where)
         elif each.angle == found.angle:
             yield message("direction-held", values, severity=Severity.WARNING, where=where)
@@ -246,9 +249,7 @@ def with_messages(
 
 
 NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
-MUCH_STRONGER = (
-    1.5  # of the least multiplier: free directions this much stronger do not stand for a weak axis held both ways
-)
+MUCH_STRONGER = 1.5  # of the least multiplier: a free direction so strong does not stand for a weak axis held both ways
 ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
 OTHER_SIDE = "the hinge that is given lies on another side"
 DIGITS = 6  # candidates that agree to so many are as weak

@@ -297,8 +297,8 @@ def cracked_multiplier(
         hinges = (base[ahead], joint[not ahead], head[ahead])
         chain = Chain(blocks, hinges, loads) if ahead else mirror_chain(blocks, hinges, loads)
         work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]
-        held = panel.tension * TENSION_ARM * panel.thickness * float(turning[0] - turning[1])
-        found.append(float((work.restoring[0] + held) / (g * work.excitation[0])))
+        resisted = panel.tension * TENSION_ARM * panel.thickness * float(turning[0] - turning[1])
+        found.append(float((work.restoring[0] + resisted) / (g * work.excitation[0])))
     return min(found)
 
 

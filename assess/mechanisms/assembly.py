@@ -12,7 +12,7 @@ import shapely
 from assess.geometry.cut import Piece
 from assess.geometry.planar import Outline, base_of_section, lowest_corners, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid
-from assess.loads.load import Place, Point, point_in_plane, source_phrase
+from assess.loads.load import Place, Point, point_in_plane
 from assess.mechanisms.chain import (
     Chain,
     Joint,
@@ -107,7 +107,6 @@ def assemble(
         positive=positive,
         negative=negative,
         restitution=(kept.value, back.value),
-        restitution_source=source_phrase(_sources(kept, back)),
         restitution_source_parts=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
@@ -163,7 +162,6 @@ def add_joints(
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
-        restitution_source=source_phrase(_sources(kept, returned, *_hinge_points(kept, about))),
         restitution_source_parts=_sources(kept, returned, *_hinge_points(kept, about)),
         warnings=(*others, *_impact_warnings(kept, returned)),
         stopped=_least_stopped(kept, returned),

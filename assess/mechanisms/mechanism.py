@@ -15,7 +15,7 @@ import numpy as np
 
 from assess.geometry.planar import Outline
 from assess.interfaces.contact import Interface
-from assess.loads.load import LoadDefinition, Place, PointMass, Tie, direction_keys, lasts
+from assess.loads.load import LoadDefinition, Place, PointMass, SourceParts, Tie, direction_keys, lasts, source_phrase
 from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
 from assess.mechanisms.chain import Chain, ChainPair, Joint
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
@@ -141,7 +141,7 @@ class Mechanism:
     sides : "one" (positive rotation only) or "two"
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
     restitution : of the impacts that end the positive and the negative branch [-]
-    restitution_source : its formula, or "given", the English of `restitution_source_parts`
+    restitution_source_parts : its formula, or "given", and what other rules would give
     rebounds : factors on the restitution in histories, 1 first; the worst result counts [-]
     stopped : the negative restitution by the rule, if an impact brings the mechanism to rest; else None [-]
     elevation : of the base hinge above the origin of the project [m]
@@ -164,7 +164,7 @@ class Mechanism:
     positive: Chain
     negative: Chain | None
     restitution: tuple[float, float]
-    restitution_source: str
+    restitution_source_parts: SourceParts
     elevation: float
     outlines: tuple[Outline, ...]
     rules: ImpactRules
@@ -177,7 +177,6 @@ class Mechanism:
     candidates: tuple[CandidateDirection, ...] = ()
     adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
-    restitution_source_parts: tuple[Term | Message, ...] = ()
 
     def __repr__(self) -> str:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"
@@ -186,6 +185,11 @@ class Mechanism:
     def chains(self) -> tuple[Chain, ...]:
         """The chains that rock: of the positive branch, and of the negative one where there is one."""
         return (self.positive,) if self.negative is None else (self.positive, self.negative)
+
+    @property
+    def restitution_source(self) -> str:
+        """The source of the restitution, in English."""
+        return source_phrase(self.restitution_source_parts)
 
     @property
     def pair(self) -> ChainPair:

@@ -39,7 +39,7 @@ def portal(loads=()) -> Mechanism:
     back = tuple((6.0 - x, z) for x, z in (hinges[3], hinges[2], hinges[1], hinges[0]))
     negative = mirror_chain(blocks, back, loads)
     return Mechanism(
-        "portal", "", "four-hinge", "two", Chain(blocks, hinges, loads), negative, (0.8, 0.8), "given", 0.0,
+        "portal", "", "four-hinge", "two", Chain(blocks, hinges, loads), negative, (0.8, 0.8), (), 0.0,
         tuple((ring,) for ring in rings), FOUR_HINGE.impacts,
     )  # fmt: skip
 

@@ -233,7 +233,7 @@ def sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
             any(check.unbounded == "overturned" for check in checks_of_case) for checks_of_case in checks_by_case
         ),
         capacity_pga_g=tuple(least_capacity(checks_of_case) for checks_of_case in checks_by_case),
-        outcome=tuple(checks_of_case.verdict.outcome for checks_of_case in swept.cases),
+        outcome=tuple(case.verdict.outcome for case in swept.cases),
         controlling=swept.controlling,
         governs=governs,
     )

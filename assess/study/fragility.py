@@ -68,7 +68,7 @@ from assess.study.fragility_runs import (
 )
 from assess.study.histories import RockingCase, vibrates
 from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages, envelope_cases, envelope_messages
-from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, report_nothing
+from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, no_progress
 from assess.study.suites import motions_of
 from assess.workers import available_cores
 from records.record import Record
@@ -90,7 +90,7 @@ class MechanismRuns(ShortRepr):
     runs: FragilityRuns
 
 
-def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = report_nothing) -> FragilityResults:
+def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> FragilityResults:
     """Find the fragility of every mechanism of a study, and its risk where the hazard is known.
 
     Values are those of the project, the means of those that are uncertain; no confidence factor enters. Sweeps are

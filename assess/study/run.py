@@ -60,7 +60,7 @@ from assess.study.study import (
     case_text,
     follows_motion,
     may_follow_motion,
-    report_nothing,
+    no_progress,
     require_spectrum,
 )
 from assess.study.suites import motions_of, suite_faults
@@ -81,7 +81,7 @@ from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
 
-def run_study(study: Study, *, jobs: int = 0, progress: Progress = report_nothing) -> Results:
+def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> Results:
     """Assess a study.
 
     Each mechanism that sweeps change is represented by its controlling case.
@@ -408,7 +408,7 @@ def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, 
     return 1.0 / (FEWEST_ROCKING * p), message("motion-rocking", {"p": Quantity(p, "angular frequency", 3)})
 
 
-def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = report_nothing) -> Results:
+def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> Results:
     """Find the overturning envelopes of a study, without spectrum, records or checks.
 
     Mechanisms are those of the project file, without the cases of its sweeps.

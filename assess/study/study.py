@@ -292,7 +292,7 @@ Progress = Callable[[str, int, int], None]
 """Called with the stage of the work, the number of its parts done, and their total."""
 
 
-def report_nothing(stage: str, done: int, total: int) -> None:
+def no_progress(stage: str, done: int, total: int) -> None:
     """Report nothing."""
 
 

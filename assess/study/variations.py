@@ -39,7 +39,7 @@ from assess.study.study import (
     SweepCase,
     UnvariedNumber,
     Variable,
-    report_nothing,
+    no_progress,
     value_text,
 )
 from assess.study.suites import motions_of, suite_faults
@@ -75,7 +75,7 @@ def assess_case(
     motions_there = motions_of_case(case, study, motions, jobs=jobs)
     faults = study.suite_faults if motions_there is motions else suite_faults(case.study, spectrum, motions_there)
     assessed = replace(case.study, suite_faults=faults)
-    results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=report_nothing)
+    results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=no_progress)
     decided = decide(assessed, results)
     pairs = zip(results, decided.mechanisms, strict=True)
     return tuple(

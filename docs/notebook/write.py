@@ -59,7 +59,7 @@ for level in ("LC1", None):
         print(f"{level!s:5} {check.procedure:18} {check.limit_state} {check.verdict.value:13} {check.reason.text}")""",
     """## A project, its tables and its report
 
-`assess new DIR --example single_wall` writes the project of a garden wall. A `Run` gives its tables as pandas
+`assess new DIR` writes the project of a garden wall. A `Run` gives its tables as pandas
 DataFrames and its figures as matplotlib figures.""",
     """from assess.examples import copy_example
 

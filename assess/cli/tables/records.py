@@ -23,7 +23,6 @@ from records.candidates import DAMPING, PERIODS
 from records.reading import read_with_overrides
 from records.record import Record, is_vertical
 from records.response import Measures, measures, response_spectrum
-from reports.render.csv import csv_lines
 
 if TYPE_CHECKING:
     from records.catalogue import IndexSummary
@@ -59,6 +58,8 @@ def records_table(records: Sequence[Record]) -> str:
 
 def records_csv(records: Sequence[Record]) -> str:
     """Write everything but the spectra at full precision, under the JSON names."""
+    from reports.render.csv import csv_lines
+
     rows = [_flat(_properties(record)) for record in records]
     return csv_lines([rows[0], *(row.values() for row in rows)])
 
@@ -194,6 +195,8 @@ def spectra_table(spectra: Spectra) -> str:
 
 def spectra_csv(spectra: Spectra) -> str:
     """Write a line for each period and a column for each record at full precision."""
+    from reports.render.csv import csv_lines
+
     header = ["period [s]", *(f"{name} [m/s2]" for name in spectra.names)]
     columns = zip(PERIODS.tolist(), spectra.ordinates.T.tolist(), strict=True)
     return csv_lines([header, [0.0, *spectra.pga.tolist()], *([T, *column] for T, column in columns)])

@@ -171,9 +171,8 @@ def _resolved(value: ast.AST, file: Path, scope: ast.AST, depth: int = 0) -> Ite
 
 def _assigned(name: str, file: Path, scope: ast.AST, depth: int) -> Iterator[str]:
     tree = _tree(file)
-    around = (node for node in _scopes(tree) if node is not tree and any(each is scope for each in ast.walk(node)))
-    for place in dict.fromkeys((scope, *around, tree)):
-        values = list(_values_of(name, place, whole=place is not tree))
+    for place in dict.fromkeys((scope, *_functions_around(tree).get(scope, ()), tree)):
+        values = _assignments(place, whole=place is not tree).get(name, ())
         if values:
             for value in values:
                 yield from _resolved(value, file, scope, depth)
@@ -185,24 +184,39 @@ def _assigned(name: str, file: Path, scope: ast.AST, depth: int) -> Iterator[str
                 yield from _assigned(name, other, _tree(other), depth)
 
 
-def _values_of(name: str, scope: ast.AST, *, whole: bool) -> Iterator[ast.AST]:
-    """What is assigned to a name, alone or among others."""
+@cache
+def _functions_around(tree: ast.Module) -> Mapping[ast.AST, list[ast.AST]]:
+    """Return the functions that each function stands in, itself among them, the outermost first."""
+    around: dict[ast.AST, list[ast.AST]] = {}
+    for outer in _scopes(tree):
+        for node in ast.walk(outer) if outer is not tree else ():
+            if isinstance(node, ast.FunctionDef):
+                around.setdefault(node, []).append(outer)
+    return around
+
+
+@cache
+def _assignments(scope: ast.AST, *, whole: bool) -> Mapping[str, list[ast.AST]]:
+    """Return what is assigned to each name, alone or among others."""
+    assigned: dict[str, list[ast.AST]] = {}
     for node in ast.walk(scope) if whole else ast.iter_child_nodes(scope):
         targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
         value = getattr(node, "value", None)
         for target in targets if isinstance(node, ast.Assign | ast.AnnAssign) and value is not None else ():
-            if isinstance(target, ast.Name) and target.id == name:
-                yield value
+            if isinstance(target, ast.Name):
+                assigned.setdefault(target.id, []).append(value)
             if isinstance(target, ast.Tuple):
-                yield from _paired(name, target, value)
+                for name, part in _paired(target, value):
+                    assigned.setdefault(name, []).append(part)
+    return assigned
 
 
-def _paired(name: str, target: ast.Tuple, value: ast.AST) -> Iterator[ast.AST]:
+def _paired(target: ast.Tuple, value: ast.AST) -> Iterator[tuple[str, ast.AST]]:
     branches = (value.body, value.orelse) if isinstance(value, ast.IfExp) else (value,)
     for branch in branches:
         if isinstance(branch, ast.Tuple) and len(branch.elts) == len(target.elts):
-            yield from (part for each, part in zip(target.elts, branch.elts, strict=True)
-                        if isinstance(each, ast.Name) and each.id == name)  # fmt: skip
+            pairs = zip(target.elts, branch.elts, strict=True)
+            yield from ((each.id, part) for each, part in pairs if isinstance(each, ast.Name))
 
 
 def _scopes(tree: ast.Module) -> Iterator[ast.AST]:

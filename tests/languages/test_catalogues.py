@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from functools import cache
 from string import Formatter
 
 import pytest
@@ -14,7 +16,11 @@ from tests.languages.fixed_terms import fixed_terms
 from tools.catalogue import Entry, catalogue_of, english_entries, is_symbolic, is_translated
 
 OTHERS = [language for language in languages() if language != ENGLISH]
-ENTRIES = {entry.english: entry for entry in english_entries()}
+
+
+@cache
+def entries() -> Mapping[str, Entry]:
+    return {entry.english: entry for entry in english_entries()}
 
 
 def gaps(text: str) -> set[str]:
@@ -24,7 +30,7 @@ def gaps(text: str) -> set[str]:
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_english_entry_is_translated(language: str) -> None:
     known = catalogue_of(language)
-    lacking = [text for text in ENTRIES if (found := known.get(text)) is None or not is_translated(found.string)]
+    lacking = [text for text in entries() if (found := known.get(text)) is None or not is_translated(found.string)]
     assert not lacking, f"{len(lacking)} without a translation, as {lacking[:3]}; run make catalogue"
 
 
@@ -42,7 +48,7 @@ def test_translations_have_the_gaps_of_the_english_entry(language: str) -> None:
 @pytest.mark.parametrize("language", OTHERS)
 def test_catalogues_hold_no_entry_that_nothing_says(language: str) -> None:
     known = [message.id for message in catalogue_of(language) if message.id]
-    unused = [each for each in known if (each[0] if isinstance(each, tuple | list) else each) not in ENTRIES]
+    unused = [each for each in known if (each[0] if isinstance(each, tuple | list) else each) not in entries()]
     assert not unused
 
 
@@ -61,8 +67,8 @@ def test_terms_without_words_hold_no_decimal_numbers() -> None:
 
 
 def test_entries_are_collected_from_the_source() -> None:
-    places = {entry.place for entry in ENTRIES.values()}
-    assert Entry("Figure", "", "reports/language/locale.py") in ENTRIES.values()
+    places = {entry.place for entry in entries().values()}
+    assert Entry("Figure", "", "reports/language/locale.py") in entries().values()
     assert {"assess/messages/texts.py", "reports/chapters/annex_sheets.py"} <= places
 
 

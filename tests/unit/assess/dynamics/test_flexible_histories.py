@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache
 from math import cos, sin, sqrt
 
 import numpy as np
@@ -35,11 +36,21 @@ def wall(*, model="flexible", loads=(), law=LAW) -> Oscillator:
 
 
 BODIES = {
-    "flexible": wall(),
-    "semi-flexible": wall(model="semi-flexible"),
-    "leaning": wall(loads=(Force("F", (0.0, -4e4), (0.15, 5.5)),)),
+    "flexible": {},
+    "semi-flexible": {"model": "semi-flexible"},
+    "leaning": {"loads": (Force("F", (0.0, -4e4), (0.15, 5.5)),)},
 }
-EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
+EVERY = pytest.mark.parametrize("body", BODIES, indirect=True)
+
+
+@cache
+def body_named(name: str) -> Oscillator:
+    return wall(**BODIES[name])
+
+
+@pytest.fixture
+def body(request) -> Oscillator:
+    return body_named(request.param)
 
 
 def shaking(seed=3, *, npts=160, dt=0.025, peak=2.4):
@@ -142,7 +153,7 @@ def swing(t, y):
 
 def test_free_rocking_of_a_block_by_its_formulas():
     """No table: closed forms of the contact and of the motion; impacts by restitution. Six swings."""
-    found = free_rocking(BODIES["flexible"], rotation=0.1, duration=20.0)
+    found = free_rocking(body_named("flexible"), rotation=0.1, duration=20.0)
     impact = lambda t, y: y[0]  # noqa: E731
     impact.terminal, impact.direction = True, -1
     top = lambda t, y: y[1]  # noqa: E731
@@ -178,7 +189,7 @@ OPENS = 2 * W / (LAW.stiffness * B**2 * L)  # the rotation at which the flexible
 
 def hour(rotation, **tolerance):
     """Of free motion without loss: stored energy at each peak over that of the release, and the number of peaks."""
-    body = BODIES["flexible"]
+    body = body_named("flexible")
     side = replace(body.positive, restitution=1.0)
     found = free_rocking(Oscillator(side, side, MASS), rotation=rotation, duration=3600.0, **tolerance)
     assert found.peak_time[-1] > 3596.0
@@ -204,7 +215,7 @@ def test_energy_lost_in_an_hour_goes_with_the_tolerance():
     lost = np.array([abs(hour(0.5 * OPENS, tolerance=tolerance)[0][-1] - 1.0) for tolerance in tolerances])
     assert 0.85 < np.polyfit(np.log10(tolerances), np.log10(lost), 1)[0] < 1.05
     assert lost[2] < 2e-5
-    side = BODIES["flexible"].positive
+    side = body_named("flexible").positive
     swing, most = (float(energy(side, np.array(rotation))) for rotation in (0.5 * OPENS, side.unstable))
     assert lost[2] * swing / most < 1e-7
 
@@ -221,7 +232,7 @@ def test_peaks_of_free_rocking_store_what_restitution_leaves(body):
 
 def test_small_motion_is_that_of_the_elastic_frequency():
     """A quarter of a cycle from release to impact, far below the rotation at which the joint opens."""
-    body = BODIES["flexible"]
+    body = body_named("flexible")
     K, inertia = LAW.stiffness * L * B**3 / 12 - W * H / 2, J + MASS * (H / 2) ** 2
     found = free_rocking(body, rotation=1e-5, duration=1.0)
     assert found.impact_time[0] == pytest.approx(np.pi / 2 * sqrt(inertia / K), rel=1e-4)
@@ -230,17 +241,17 @@ def test_small_motion_is_that_of_the_elastic_frequency():
 def test_any_shaking_moves_a_wall_on_a_flexible_joint():
     """No threshold: gentle ground, far below what starts a rigid one, gives a static answer, B a / K."""
     slow = make_record("slow", -0.01 * np.sin(np.linspace(0.0, np.pi, 400)), 0.05)
-    found = peaks([BODIES["flexible"]], [slow], product(1, 1, [1.0]), equation="exact")
+    found = peaks([body_named("flexible")], [slow], product(1, 1, [1.0]), equation="exact")
     K = LAW.stiffness * L * B**3 / 12 - W * H / 2
     assert found.uplifted[0]
     assert abs(found.max_rotation[0]) == pytest.approx(MASS * H / 2 * 0.01 / K, rel=0.1)
 
 
 def test_the_ratio_is_to_overturning_of_the_rigid_wall():
-    found = peaks([BODIES["flexible"]], [shaking()], product(1, 1, 1.0), equation="exact")
-    rigid = BODIES["flexible"].positive.overturning
+    found = peaks([body_named("flexible")], [shaking()], product(1, 1, 1.0), equation="exact")
+    rigid = body_named("flexible").positive.overturning
     assert found.max_ratio[0] == pytest.approx(abs(found.max_rotation[0]) / rigid, rel=1e-12)
-    assert BODIES["flexible"].positive.overturning_flexible < 0.95 * rigid
+    assert body_named("flexible").positive.overturning_flexible < 0.95 * rigid
 
 
 @EVERY

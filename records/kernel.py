@@ -237,10 +237,17 @@ def relative_accelerations(
 ) -> FloatArray:
     """Return the relative acceleration u'' [m/s2], from rest, at the samples and `parts` - 1 points between.
 
+    Parameters
+    ----------
     acceleration : of the ground, linear between samples [n] [m/s2]
-    dt : step [s]; period [s], positive; damping [-], below 1
+    dt : step [s]
+    parts : into which each step is divided
+    period : positive [s]
+    damping : below 1 [-]
 
-    Returns [(n - 1) parts + 1].
+    Returns
+    -------
+    The acceleration [(n - 1) parts + 1] [m/s2].
     """
     omega = 2.0 * math.pi / period
     h = dt / parts

@@ -86,7 +86,9 @@ def assess_histories(
     """Return one check, with its safety index, for each limit state and level that has a suite of time histories."""
     checks: list[Check] = []
     known = context.knowledge.get(rule.edition.code)
-    holds_to = {state: _capacities(oscillator, context, rule.limits[state]) for state in options.requested(rule.limits)}
+    holds_to = {
+        state: _capacities(oscillator, context, rule.limits[state]) for state in options.requested_states(rule.limits)
+    }
     for confidence in confidence_factors(options, crushing=context.crushing, level=known):
         for state, capacity in holds_to.items():
             for level in context.levels:
@@ -143,7 +145,7 @@ def required_pga(
     -------
     tuple of float [m/s2]
     """
-    states = options.requested(rule.limits)
+    states = options.requested_states(rule.limits)
     shares = [pga_ratio(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
     return tuple(level * each for each in shares for level in levels)
 

@@ -56,7 +56,7 @@ class ItalianOptions:
     limit_states: tuple[str, ...] = ("SLV",)
     behaviour_factor: float = 2.0
 
-    def requested(self, known: Container[str]) -> tuple[str, ...]:
+    def requested_states(self, known: Container[str]) -> tuple[str, ...]:
         """Return the limit states requested that a procedure knows."""
         return tuple(state for state in self.limit_states if state in known)
 
@@ -100,7 +100,7 @@ def check_each_limit_state(
     Each has its safety index. Checks with the confidence factor that decides come first, then those with one for
     comparison.
     """
-    branches, states = curves_of(oscillator, context), options.requested(known)
+    branches, states = curves_of(oscillator, context), options.requested_states(known)
     checks: list[Check] = []
     known_level = context.knowledge.get(edition.code)
     for confidence in confidence_factors(options, crushing=context.crushing, level=known_level):

@@ -82,7 +82,9 @@ class Nzsee2017Options:
     c_0: float | None = None
 
 
-def assess_face_loaded(oscillator: Oscillator, context: Context, *, options: Nzsee2017Options) -> tuple[Check, ...]:
+def assess_face_loaded_wall(
+    oscillator: Oscillator, context: Context, *, options: Nzsee2017Options
+) -> tuple[Check, ...]:
     """Check phi_m against phi_D at C(0) = the level, on the worse branch of each level, with its %NBS (C8.8.5).
 
     Where a larger usable rotation than the Guidelines' is given, the checks by theirs come first, and those by the
@@ -103,7 +105,7 @@ def assess_face_loaded(oscillator: Oscillator, context: Context, *, options: Nzs
 NZSEE2017_FACE_LOADED = CodeProcedure(
     name="nzsee2017-face-loaded",
     family=Family.PART,
-    assess=assess_face_loaded,
+    assess=assess_face_loaded_wall,
     title=Term("NZSEE 2017, face-loaded wall"),
     short_title=Term("NZSEE 2017"),
     work="nzsee2017",

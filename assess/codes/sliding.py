@@ -356,8 +356,8 @@ ASCE43_05_SLIDING = CodeProcedure(
 )
 
 
-def reason_not_covered(context: Context) -> tuple[Outcome, Message] | None:
-    """Return why A.1 does not cover this mechanism, with the remedy; None where it does."""
+def exclusion_reason(context: Context) -> tuple[Outcome, Message] | None:
+    """Return why A.1 excludes this mechanism, with the remedy; None where it covers it."""
     if not context.hinges:
         return Outcome.NOT_ANSWERED, reason_message(Reason.NO_HINGE_FORCES)
     first = context.hinges[0]
@@ -373,7 +373,7 @@ def reason_not_covered(context: Context) -> tuple[Outcome, Message] | None:
 
 
 def _distance_check_at_level(level: float, context: Context, mass: float, allowable: float | None) -> Check:
-    not_covered = reason_not_covered(context)
+    not_covered = exclusion_reason(context)
     if not_covered is not None:
         verdict, reason = not_covered
         steps = (step("δ_s", "best estimate of sliding", A1, "-", None, "m", remark=UNANSWERED),)

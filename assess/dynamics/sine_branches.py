@@ -110,7 +110,7 @@ def last_in_pulse(omega: float) -> float:
     return _root(height, BARELY, 1.001 * without_impact(omega))
 
 
-def least_overturning(omega: float, restitution: float) -> float:
+def least_overturning_amplitude(omega: float, restitution: float) -> float:
     """Return the least overturning amplitude with one impact or none."""
     after = tuple(A for A in impact_after_pulse(omega, restitution) if _begins_after(A, omega))
     return min(*impact_in_pulse(omega, restitution), *after, without_impact(omega), float("inf"))

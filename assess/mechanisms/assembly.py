@@ -179,7 +179,13 @@ def common_arguments(definition: BlockMechanism) -> dict[str, Any]:
 
 
 def hinges_in_plane(hinges: Sequence[Place] | None, definition: BlockMechanism) -> Any:
-    """Return hinges A, B, … as (distance along the direction from the origin, elevation) [m]; None if not given."""
+    """Return hinges A, B, … as (distance along the direction from the origin, elevation) [m]; None if not given.
+
+    Parameters
+    ----------
+    hinges : as an engineer states them: x, y, z or distance and elevation [m]
+    definition : whose direction spans the plane
+    """
     if hinges is None:
         return None
     points: tuple[Point, ...] = tuple(point_in_plane(at, definition.towards) for at in hinges)

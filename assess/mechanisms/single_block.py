@@ -104,7 +104,15 @@ def build_single_block(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """Build a single block that rocks about the edges of its base."""
+    """Build a single block that rocks about the edges of its base.
+
+    Parameters
+    ----------
+    name : of the mechanism
+    definition : as an engineer states it, with its direction
+    pieces : the one block, cut from the bodies
+    loads : in the plane of motion
+    """
     front, back = (
         hinges_in_plane(definition.hinge_points, definition),
         hinges_in_plane(definition.hinges_negative, definition),

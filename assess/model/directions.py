@@ -421,17 +421,17 @@ def near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
 def weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
     """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
     return min(
-        near, key=lambda each: (rounded(inf if each.displacement is None else each.displacement), *rank_key(each))
+        near, key=lambda each: (round_figures(inf if each.displacement is None else each.displacement), *rank_key(each))
     )
 
 
 def rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
     """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
     x, y, _ = candidate.direction
-    return rounded(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
+    return round_figures(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
 
 
-def rounded(value: float) -> float:
+def round_figures(value: float) -> float:
     """Round to so many figures that equals stay equal."""
     return float(f"{value:.{DIGITS}g}")
 

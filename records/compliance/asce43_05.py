@@ -17,7 +17,7 @@ from records.compliance.suite import (
     mean_at_least,
     mean_at_most,
     mean_ratio,
-    not_answered,
+    unanswered_requirement,
     usable_to,
     with_least_factor,
 )
@@ -98,7 +98,7 @@ def _number(suite: Suite, least: int, remark: str) -> Requirement:
 def _running_below(suite: Suite, periods: tuple[float, float]) -> Requirement:
     what, ratio = "points side by side below the target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(CODE, CLAUSE, RequirementKind.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
+        return unanswered_requirement(CODE, CLAUSE, RequirementKind.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
     found = check_limit(
         CODE, CLAUSE, RequirementKind.RUN_BELOW, what, longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods
     )

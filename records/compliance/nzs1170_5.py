@@ -12,7 +12,7 @@ from records.compliance.suite import (
     Sense,
     Suite,
     check_limit,
-    not_answered,
+    unanswered_requirement,
     with_least_factor,
 )
 from spectra.arrays import BoolArray, FloatArray
@@ -53,7 +53,8 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
             (RequirementKind.IN_USE, IN_USE, ">=", 1.0),
         )
         silent = (
-            not_answered(CODE, "5.5.2", kind, what, sense, limit, periods, suite) for kind, what, sense, limit in rows
+            unanswered_requirement(CODE, "5.5.2", kind, what, sense, limit, periods, suite)
+            for kind, what, sense, limit in rows
         )
         return (number, *silent)
     k_1, k_2, used = fits.k_1, fits.k_2, float((suite.factor / (fits.k_1 * fits.k_2)).min())

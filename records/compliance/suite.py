@@ -162,7 +162,7 @@ def check_limit(
     )
 
 
-def not_answered(
+def unanswered_requirement(
     code: str,
     clause: str,
     kind: RequirementKind,
@@ -186,7 +186,7 @@ def mean_at_least(
     """Require that the mean spectrum nowhere in the range falls below `share` of the target."""
     what, ratio = "least ratio of mean spectrum to target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(code, clause, RequirementKind.MEAN_LOW, what, ">=", share, periods, suite)
+        return unanswered_requirement(code, clause, RequirementKind.MEAN_LOW, what, ">=", share, periods, suite)
     least = float(ratio.min())
     found = check_limit(
         code, clause, RequirementKind.MEAN_LOW, what, least, ">=", share, periods=periods, remark=remark
@@ -200,7 +200,7 @@ def mean_at_most(
     """Require that the mean spectrum nowhere in the range exceeds `share` of the target."""
     what, ratio = "largest ratio of mean spectrum to target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(code, clause, RequirementKind.MEAN_HIGH, what, "<=", share, periods, suite)
+        return unanswered_requirement(code, clause, RequirementKind.MEAN_HIGH, what, "<=", share, periods, suite)
     most = float(ratio.max())
     found = check_limit(
         code, clause, RequirementKind.MEAN_HIGH, what, most, "<=", share, periods=periods, remark=remark

@@ -43,7 +43,13 @@ TERMS = {
     "thicken": "a verb",
     "warning": "a noun",
 }
-AFTER_A_VERB = {"damaged", "deciding", "squared", "unused"}  # remove_damaged, mark_deciding, integrate_squared
+AFTER_A_VERB = {
+    "damaged",
+    "deciding",
+    "missing",
+    "squared",
+    "unused",
+}  # remove_damaged, merge_missing, integrate_squared
 PHRASES = {"as", "longest", "mechanism", "rotation"}  # as_given, mechanism_as_given, rotation_reaching
 
 

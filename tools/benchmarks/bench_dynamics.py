@@ -45,7 +45,7 @@ from assess.dynamics.kernel.columns import FOUND
 from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation, pack
 from assess.dynamics.pulses import envelope, find_critical
-from assess.dynamics.sine_branches import least_overturning
+from assess.dynamics.sine_branches import least_overturning_amplitude
 from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
@@ -306,7 +306,7 @@ def envelopes() -> list[Row]:
         lowest := envelope(block(), PULSE_SHAPES["sine"], frequency, amplitude, equation="linearised").lower_bound
     )
     known &= frequency * per_hertz >= 1.5
-    closed = np.array([least_overturning(f * per_hertz, RESTITUTION) for f in frequency[known]])
+    closed = np.array([least_overturning_amplitude(f * per_hertz, RESTITUTION) for f in frequency[known]])
     rows[0] = Row(
         rows[0].what, rows[0].cost, "s", rows[0].target, f"{np.abs(lowest[known] / unit / closed - 1).max():.1e}"
     )

@@ -18,7 +18,7 @@ from assess.codes.context import Building, Context, Wall
 from assess.codes.nzsee2017 import (
     NZSEE2017_FACE_LOADED,
     Nzsee2017Options,
-    assess_face_loaded,
+    assess_face_loaded_wall,
     floor_factor,
     nominal,
     part_period,
@@ -118,7 +118,7 @@ def test_boundary_cases_with_the_effective_thickness(case: str, share: float) ->
     C_p = 0.532 * 5 / 3 * np.clip(2 * (1.75 - T_p), 0.5, 2.0)
     D_ph = gamma * (T_p / (2 * np.pi)) ** 2 * C_p * g
     built = mechanism(e_p=e_p * T, e_b=e_b * T, load=P)
-    (check,) = assess_face_loaded(built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options())
     found = {step.symbol: step.value for step in check.steps}
     assert found["k"] == pytest.approx(k, rel=1e-9)
     assert found["b"] == pytest.approx(b(W, P, t), rel=1e-9)
@@ -136,7 +136,9 @@ def test_ties_and_thrusts_keep_their_moment() -> None:
     held = replace(held, positive=replace(held.positive, loads=(tie,)))
     lines = []
     for built in (plain, held):
-        (check,) = assess_face_loaded(built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options())
+        (check,) = assess_face_loaded_wall(
+            built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options()
+        )
         lines.append({step.symbol: step.value for step in check.steps})
     assert lines[0]["k"] == lines[1]["k"] == pytest.approx(0.975, rel=1e-12)
     assert lines[1]["b"] - lines[0]["b"] == pytest.approx(500.0 * H / 2, rel=1e-9)
@@ -144,7 +146,7 @@ def test_ties_and_thrusts_keep_their_moment() -> None:
 
 def test_what_presses_39_times_the_wall_leaves_nothing() -> None:
     built = mechanism(load=39.0 * WEIGHT)
-    (check,) = assess_face_loaded(built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options())
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.OVERLOADED)
 
 
@@ -165,7 +167,7 @@ def test_a_wall_of_four_metres_by_hand() -> None:
     The printed figures, Delta_i = 0.115 m, Delta_m = 0.069 m, D_ph = 0.503 m and 13.7 %NBS, are those of the whole
     thickness: without load T_p and D_ph stay, and the rest goes with t_eff = 0.975 t.
     """
-    (check,) = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
     found = {step.symbol: step.value for step in check.steps}
     assert found["Δ_i"] == pytest.approx(0.975 * 0.115, rel=CURVED)
     assert found["Δ_m"] == pytest.approx(0.975 * 0.069, rel=CURVED)
@@ -187,9 +189,9 @@ def test_a_uniform_wall_s_period() -> None:
 
 def test_score_and_pga_at_full_score_agree_with_the_ratio() -> None:
     """%NBS = 100 phi_m / phi_D; at the PGA of 100 %NBS the demand is the usable rotation."""
-    (check,) = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
     assert check.score["%NBS"] == pytest.approx(100 * check.capacity / check.demand, rel=1e-12)
-    (full,) = assess_face_loaded(wall(), second_storey(level=check.capacity_pga_g * g), options=Nzsee2017Options())
+    (full,) = assess_face_loaded_wall(wall(), second_storey(level=check.capacity_pga_g * g), options=Nzsee2017Options())
     assert full.score["%NBS"] == pytest.approx(100.0, rel=1e-12)
     assert full.demand == pytest.approx(full.capacity, rel=1e-12)
 
@@ -199,7 +201,7 @@ def test_a_wall_that_stands_free(height: float) -> None:
     """J = W (h^2 + t^2) / 3g, a = W h / 2; gamma = 1.5 / (1 + (t/h)^2); usable 0.3 of Delta_i = t, at the top."""
     rocker, slender = free(height), (T / height) ** 2
     context = Context(WELLINGTON, (WELLINGTON.pga,), 0.0, 0.0, None, wall=Wall(height, T))
-    (check,) = assess_face_loaded(rocker, context, options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(rocker, context, options=Nzsee2017Options())
     found = {step.symbol: step.value for step in check.steps}
     rounded = 3e-3 + slender / 3  # of the printed 0.65; of the tangent at rest
     assert found["T_p"] == pytest.approx((0.65 * height * (1 + slender)) ** 0.5, rel=rounded)
@@ -214,14 +216,14 @@ def test_a_wall_that_stands_free(height: float) -> None:
 
 def test_options() -> None:
     """The usable share scales the score; R_p divides it."""
-    (plain,) = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options())
-    (other,) = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options(usable=0.3, risk_factor=0.9))
+    (plain,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
+    (other,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options(usable=0.3, risk_factor=0.9))
     assert other.score["%NBS"] == pytest.approx(plain.score["%NBS"] * 0.5 / 0.9, rel=1e-12)
 
 
 def test_a_larger_usable_share_is_shown_and_never_decides() -> None:
-    (plain,) = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options())
-    deciding, shown = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options(usable=0.9))
+    (plain,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
+    deciding, shown = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options(usable=0.9))
     assert (deciding, deciding.informs, shown.informs) == (plain, False, True)
     assert shown.score["%NBS"] == pytest.approx(plain.score["%NBS"] * 1.5, rel=1e-12)
     assert [each.key for each in shown.remarks] == ["larger-usable-rotation"]
@@ -240,7 +242,9 @@ def test_below_uplift_by_the_part_coefficient_nothing_rocks() -> None:
     """A stocky block: lambda = t/h, C_p(0) = 2 C(0) on the ground."""
     rocker = free(0.3)
     level = 0.999 * T / 0.3 / 2 * g
-    (check,) = assess_face_loaded(rocker, Context(WELLINGTON, (level,), 0.0, 0.0, None), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(
+        rocker, Context(WELLINGTON, (level,), 0.0, 0.0, None), options=Nzsee2017Options()
+    )
     assert (check.demand, check.verdict) == (0.0, "pass")
     assert check.reason.key == Reason.NO_ROCKING
     assert check.uplift_pga_g == pytest.approx(T / 0.3 / 2, rel=1e-9)
@@ -252,7 +256,7 @@ def test_what_is_no_face_loaded_wall_is_not_answered() -> None:
         (Context(WELLINGTON, (0.1,), 0.0, 9.0, HOUSE), "not-answered", Reason.ABOVE_BUILDING),
     ):
         (check,) = apply_procedure(
-            NZSEE2017_FACE_LOADED.name, partial(assess_face_loaded, options=Nzsee2017Options()), wall(), context
+            NZSEE2017_FACE_LOADED.name, partial(assess_face_loaded_wall, options=Nzsee2017Options()), wall(), context
         )
         assert (check.verdict, check.reason.key) == (verdict, reason)
 
@@ -261,9 +265,9 @@ def test_on_a_table_c_0_has_to_be_given_by_name() -> None:
     """A table that begins at 0.4 g: with C(0) = 0.532 g the answer is that of the code's own spectrum."""
     table = table_spectrum(np.array([0.0, 0.1, 3.0]), np.array([0.4, 1.0, 0.1]) * g)
     on_table = second_storey(spectrum=table, level=0.4 * g)
-    (silent,) = assess_face_loaded(wall(), on_table, options=Nzsee2017Options())
+    (silent,) = assess_face_loaded_wall(wall(), on_table, options=Nzsee2017Options())
     assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
     assert silent.reason.where == "procedures.nzsee2017.c_0"
-    (named,) = assess_face_loaded(wall(), on_table, options=Nzsee2017Options(c_0=0.532))
-    (code,) = assess_face_loaded(wall(), second_storey(), options=Nzsee2017Options())
+    (named,) = assess_face_loaded_wall(wall(), on_table, options=Nzsee2017Options(c_0=0.532))
+    (code,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
     assert named.score["%NBS"] == pytest.approx(code.score["%NBS"], rel=1e-9)

@@ -77,7 +77,7 @@ def test_a_long_pulse_acts_as_a_static_load_and_overflows_nothing(omega: float) 
     limit = float((1 + Decimal(omega) ** 2).sqrt())
     assert sine.without_impact(omega) == pytest.approx(limit, rel=1e-15)
     assert sine.half_sine(omega) == pytest.approx(limit, rel=1e-15)
-    assert 1.0 < sine.least_overturning(omega, 0.9) <= limit * (1 + 1e-15)
+    assert 1.0 < sine.least_overturning_amplitude(omega, 0.9) <= limit * (1 + 1e-15)
 
 
 def test_a_short_half_sine_acts_by_its_area() -> None:
@@ -121,16 +121,18 @@ def test_half_a_sine_overturns_from_its_branch_on(omega: float) -> None:
 def test_lower_bound_of_the_envelope_is_the_least_branch(restitution: float) -> None:
     """Below Omega = 1 a second or third impact can overturn: there the envelope is never above the branches."""
     omegas = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0]
-    least = [sine.least_overturning(omega, restitution) for omega in omegas]
+    least = [sine.least_overturning_amplitude(omega, restitution) for omega in omegas]
     np.testing.assert_allclose(bounds(block(restitution), omegas, 40.0, "linearised"), least, rtol=1e-9)
     long = [0.1, 0.2, 0.3, 0.5, 0.7]
     found = bounds(block(restitution), long, 40.0, "linearised")
-    assert np.all(found <= np.array([sine.least_overturning(omega, restitution) for omega in long]) * (1 + 1e-9))
+    assert np.all(
+        found <= np.array([sine.least_overturning_amplitude(omega, restitution) for omega in long]) * (1 + 1e-9)
+    )
 
 
 def test_a_branch_at_the_change_from_in_the_pulse_to_after_it() -> None:
     """Omega 4.4352, restitution 0.85: it lands at the very end of the pulse, nearly."""
-    A = sine.least_overturning(4.4351758793969855, 0.85)
+    A = sine.least_overturning_amplitude(4.4351758793969855, 0.85)
     assert pytest.approx(sine.last_in_pulse(4.4351758793969855), rel=0.01) == A
     assert falls(block(0.85), 4.4351758793969855, [A * (1 - 1e-9), A * (1 + 1e-9)]) == [False, True]
 
@@ -228,7 +230,7 @@ def test_landing_in_the_pulse_against_dop853(omega: float, A: float) -> None:
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, float("nan"), float("inf")])
 def test_no_frequency_no_branch(bad: float) -> None:
-    for branch in (sine.without_impact, sine.half_sine, lambda omega: sine.least_overturning(omega, 0.9)):
+    for branch in (sine.without_impact, sine.half_sine, lambda omega: sine.least_overturning_amplitude(omega, 0.9)):
         with pytest.raises(ValueError, match="Omega"):
             branch(bad)
 
@@ -236,4 +238,4 @@ def test_no_frequency_no_branch(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.1, 1.1])
 def test_no_restitution_no_branch(bad: float) -> None:
     with pytest.raises(ValueError, match="restitution"):
-        sine.least_overturning(2.0, bad)
+        sine.least_overturning_amplitude(2.0, bad)

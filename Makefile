@@ -16,7 +16,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench peers fuzz kill faults mutate figures docs docs-links same catalogue lock
+.PHONY: demo test test-wheel check dist wheel lowest costs bench study peers fuzz kill faults mutate figures docs docs-links same catalogue lock
 
 demo: .venv/program        ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -44,7 +44,7 @@ check: .venv/tests         ## style, types, direction of imports
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-bench: .venv/tests         ## speed, as ratios measured in one run; then studies, and properties over many more cases
+bench: .venv/tests         ## speed, as ratios measured in one run
 	$(BIN)/python tools/benchmarks/bench_dynamics.py
 	$(BIN)/python -m tools.benchmarks.bench_fragility
 	$(BIN)/python -m tools.benchmarks.bench_growth
@@ -54,8 +54,10 @@ bench: .venv/tests         ## speed, as ratios measured in one run; then studies
 	$(BIN)/python -m tools.benchmarks.bench_portfolio
 	$(BIN)/python -m tools.benchmarks.bench_records
 	$(BIN)/python tools/benchmarks/bench_report.py
-	$(BIN)/python -m pytest -n 2 --dist worksteal -m study
-	HYPOTHESIS_PROFILE=deep $(BIN)/python -m pytest -n 2 --dist worksteal tests/properties
+
+study: .venv/tests .venv/cad  ## tests too slow for every change: those marked study, and properties over many more cases
+	$(BIN)/python -m pytest -n 2 --dist worksteal -rs -m study $(TESTS)
+	$(if $(TESTS),,HYPOTHESIS_PROFILE=deep $(BIN)/python -m pytest -n 2 --dist worksteal tests/properties)
 
 peers: build/peers/installed  ## speed and error beside other programs, in an environment of their own, into docs/speed.md
 	build/peers/bin/python -m tools.benchmarks.peers --write $(PEERS)

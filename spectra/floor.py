@@ -293,7 +293,7 @@ def circolare2019_floor_spectrum(
 def circolare2019_first_mode(
     period: ArrayLike, *, spectrum: Spectrum, first: ArrayLike, mode_damping: float, share: float, damping: float
 ) -> FloatArray:
-    """Return S_eZ(T, xi, z) of `circolare2019` under one mode, for each of its periods; shapes broadcast.
+    """Return S_eZ(T, xi, z) of one mode for each of its periods, as `circolare2019_floor_spectrum`; shapes broadcast.
 
     Parameters
     ----------

@@ -4,7 +4,7 @@ Logo and photographs are never trusted. They are encoded anew from their pixels:
 used, on files of limited size, and no pixel is decoded before their number is known. The result is upright, small
 enough for a page and without metadata; the same file gives the same bytes.
 
-The annex is held against what the project uses of the program, in the words of `assess.results.uses`.
+The annex is held against what the project uses of the program, in the words of `USES` (`assess.results.verification`).
 """
 
 from __future__ import annotations

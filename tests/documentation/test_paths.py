@@ -14,7 +14,7 @@ from tests.support.places import ROOT, place_of
 MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
 PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *MANUAL])
 NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
-ROOMS = ("assess/", "spectra/", "records/", "reports/", "tests/", "docs/", ".ci/")
+ROOMS = ("assess/", "spectra/", "records/", "reports/", "tests/", "tools/", "docs/", ".ci/")
 PATH = re.compile(r"`([\w.-]+(?:/[\w.-]+)*/?)`")
 LINK = re.compile(r"\]\(([^)#\s]*)(#[^)\s]+)?\)")
 MODULE = re.compile(r"`((?:assess|spectra|records|reports)(?:\.\w+)+)(?:\([^`]*\))?`")
@@ -57,7 +57,7 @@ def test_every_module_exists(name):
 @pytest.mark.parametrize("name", ["CONTRIBUTING.md", "docs/architecture.md"])
 def test_every_name_is_in_the_source(name):
     """Functions, classes and registries by their own names, as `make_record` or `FORMATS`."""
-    source = "\n".join(path.read_text(encoding="utf-8") for room in ROOMS[:5] for path in place_of(room).rglob("*.py"))
+    source = "\n".join(path.read_text(encoding="utf-8") for room in ROOMS[:6] for path in place_of(room).rglob("*.py"))
     named = re.findall(r"`(_?[A-Za-z]+(?:_\w+)+|[A-Z]{3,}|[A-Z][a-z]+(?:[A-Z][a-z]+)*)(?:\(.*?)?`", text_of(name))
     known = set(re.findall(r"\w+", source))
     assert [each for each in dict.fromkeys(named) if each not in known and each not in ("BASE", "Makefile")] == []
